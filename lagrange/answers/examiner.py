@@ -98,11 +98,11 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         yield _equilibrium(solution, answers.equilibrium)
     if answers.rest:
         yield _rest(solution, answers.rest)
-    if answers.frequencies:
-        from lagrange.answers.frequencies import check_frequencies
+    if answers.frequencies or answers.decay:
+        from lagrange.answers.frequencies import check_oscillations
 
         linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        yield check_frequencies(answers.frequencies, linearizations, reference_of_solution(solution))
+        yield from check_oscillations(answers, linearizations, reference_of_solution(solution))
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
     if answers.ask:

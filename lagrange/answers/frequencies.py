@@ -5,6 +5,10 @@ substitution, so that no closed form is needed; coordinates in either have their
 different ones must be there, with or without the frequency 0. A root ω² that is negative for all values of the
 parameters is no frequency. Several lists belong to several equilibria. A list is tried at every equilibrium, in every
 set of coordinates, and the best verdict counts. It is wrong only if the linear equations are known at all equilibria.
+
+With damping the frequencies are the ω of the exponents −δ ± iω, and decay rates can be stated: the δ of all modes
+that oscillate or may do so, and those of all real exponents. Where these have no closed form, but the parameters have
+values, the stated numbers are compared with the exponents in numbers: a decimal stands for all that round to it.
 """
 
 from __future__ import annotations
@@ -13,6 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
+import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
@@ -21,6 +26,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.models.letters import explained_frequencies
+from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
@@ -30,8 +36,10 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import read_value
+from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.problem.model import Answers
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
 _NONE_KNOWN = "no equilibrium with a characteristic equation for the frequencies is known in closed form"
@@ -92,6 +100,16 @@ class _Place:
         return None if same is None else not same
 
 
+def check_oscillations(
+    answers: Answers, linearizations: Sequence[Linearization], reference: Reference
+) -> Iterator[AnswerVerdict]:
+    """The verdicts on frequencies and on decay rates."""
+    if answers.frequencies:
+        yield check_frequencies(answers.frequencies, linearizations, reference)
+    if answers.decay:
+        yield check_decay(answers.decay, linearizations, reference)
+
+
 def check_frequencies(
     stated: Sequence[Sequence[Fragment]], linearizations: Sequence[Linearization], reference: Reference
 ) -> AnswerVerdict:
@@ -102,6 +120,9 @@ def check_frequencies(
         why = error.diagnostics[0].message
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
     places = [p for f in linearizations for p in _places(f)]
+    damped = [p for f in linearizations for p in _damped(f, reference, rates=False)]
+    if damped and not places:
+        return _of_exponents(_NAME, stated, [[c**2 for c in claims] for claims in lists], damped, linearizations)
     if not places:
         return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NONE_KNOWN)
     complete = any(_is_complete(f) for f in linearizations)
@@ -198,3 +219,164 @@ def _degrees(place: _Place) -> Iterator[int]:
     for f in factors.values():
         if f.factor != f.letter:
             yield int(sp.degree(f.factor, f.letter)) - none.count(f.factor)
+
+
+# -- with damping ------------------------------------------------------------------------------------------------------
+
+
+@record
+class _Exponents:
+    """What can be stated of the modes at one equilibrium: their ω², or their decay rates.
+
+    exact    in closed form; None where not all are
+    own      what ω² would be without damping, as far as known
+    numbers  with the values of the parameters; None where some have none
+    """
+
+    exact: tuple[sp.Expr, ...] | None
+    own: tuple[sp.Expr, ...]
+    numbers: tuple[sp.Expr, ...] | None
+    values: dict[sp.Symbol, sp.Rational]
+
+    def has(self, claim: sp.Expr, squared: bool) -> int | None:
+        """The index of a stated value; −1 where it is none of them, None where that is undecided."""
+        undecided = False
+        for n, wanted in enumerate(self.exact or ()):
+            difference = (claim - wanted).xreplace(self.values)
+            right = vanishes_or_not(as_written(difference))
+            if right or (right is False and rounded([difference]) is not None):
+                return n
+            undecided = undecided or right is None
+        if self.exact is not None or self.numbers is None:
+            return None if undecided or self.exact is None else -1
+        claim = (sp.sqrt(claim) if squared else claim).xreplace(self.values)
+        value = as_written(claim)
+        if not value.is_number:
+            return -1
+        slack = sp.Add(*(abs(as_written(claim.diff(d))) * d.half_width for d in decimals_in([claim])))
+        near = slack + abs(value) * sp.Float(10) ** -20
+        return next((n for n, w in enumerate(self.numbers) if bool(abs((value - w).evalf(30)) <= near.evalf(30))), -1)
+
+
+def vanishes_or_not(e: sp.Expr) -> bool | None:
+    """`is_zero`, where a division by zero is not zero."""
+    try:
+        return is_zero(e)
+    except DivisionByZeroError:
+        return False
+
+
+def check_decay(
+    stated: Sequence[Sequence[Fragment]], linearizations: Sequence[Linearization], reference: Reference
+) -> AnswerVerdict:
+    """The verdict on stated decay rates."""
+    try:
+        lists = [[_read_rate(f, reference) for f in fragments] for fragments in stated]
+    except ProblemError as error:
+        why = error.diagnostics[0].message
+        return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name="decay", diagnosis=why)
+    damped = [p for f in linearizations for p in _damped(f, reference, rates=True)]
+    if not damped:
+        return AnswerVerdict(Verdict.UNDECIDED, name="decay", diagnosis=_NO_DECAY)
+    return _of_exponents("decay", stated, lists, damped, linearizations)
+
+
+_UNDAMPED = "these are the frequencies without damping"
+_NO_DECAY = "no equilibrium with decay rates is known: nothing is damped there, or the exponents have no closed form"
+
+
+def _damped(f: Linearization, reference: Reference, *, rates: bool) -> Iterator[_Exponents]:
+    """The modes about the equilibria of damped equations."""
+    values = dict(reference.values)
+    for s in f.at:
+        found = None if s is None else s.decaying
+        if s is None or found is None:
+            continue
+        exact: list[sp.Expr] = []
+        for m in found.modes:
+            exact += m.decays if rates else [m.square] if m.square is not None and m.oscillates is not False else []
+        coordinates = {*f.configuration.slots.coordinates}
+        if any(e.free_symbols & coordinates for e in exact):
+            continue
+        numbers = None if found.complete else _in_numbers(s, values, rates=rates)
+        own = () if rates else tuple(m.own for m in found.modes if m.own is not None)
+        yield _Exponents(tuple(_different(exact)) if found.complete else None, own, numbers, values)
+
+
+def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
+    """Without those that are equal to an earlier one, and without zero."""
+    kept: list[sp.Expr] = []
+    for e in exact:
+        if e != 0 and not any(vanishes_or_not(e - k) for k in kept):
+            kept.append(e)
+    return iter(kept)
+
+
+def _in_numbers(
+    s: SmallOscillations, values: dict[sp.Symbol, sp.Rational], *, rates: bool
+) -> tuple[sp.Expr, ...] | None:
+    """The decay rates, or the frequencies, of the exponents in numbers; None where a parameter has no value."""
+    with mpmath.workdps(60):
+        tables = [[[e.xreplace(values) for e in row] for row in x]
+                  for x in (s.system.mass, s.system.damping, s.system.stiffness)]  # fmt: skip
+        if any(not e.is_number for table in tables for row in table for e in row):
+            return None
+        read = [mpmath.matrix([[mpmath.mpf(str(e.evalf(60))) for e in row] for row in table]) for table in tables]
+        try:
+            found = exponents_in_numbers(*read)
+        except (ZeroDivisionError, mpmath.NoConvergence):
+            return None
+        numbers = (sp.Float(x.rate if rates else x.frequency, 40) for x in found)
+        kept: list[sp.Float] = []
+        for x in numbers:
+            if x != 0 and all(abs(x - k) > sp.Float(10) ** -20 * abs(x) for k in kept):
+                kept.append(x)
+        return tuple(kept)
+
+
+def _of_exponents(
+    name: str,
+    stated: Sequence[Sequence[Fragment]],
+    lists: Sequence[Sequence[sp.Expr]],
+    places: Sequence[_Exponents],
+    linearizations: Sequence[Linearization],
+) -> AnswerVerdict:
+    """The verdict on all lists, each at the equilibrium where it is best; the worst list counts."""
+    squared = name == _NAME
+    verdicts, wrong = [], []
+    for fragments, claims in zip(stated, lists, strict=True):
+        at = [[p.has(c, squared) for c in claims] for p in places]
+        verdict = min((_of_found(found, p) for found, p in zip(at, places, strict=True)), key=_BEST.index)
+        verdicts.append(verdict)
+        if verdict is Verdict.WRONG:
+            wrong += [f.text.strip() for f, *found in zip(fragments, *at, strict=True) if {*found} == {-1}]
+    worst = max(verdicts, key=_BEST.index)
+    if worst is Verdict.WRONG and not all(_is_complete(f) for f in linearizations):
+        return AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=_NOT_ALL_KNOWN)
+    if worst is not Verdict.WRONG:
+        return AnswerVerdict(worst, name=name, diagnosis=UNDECIDED if worst is Verdict.UNDECIDED else "")
+    undamped = any(
+        all(any(vanishes_or_not(as_written(c - w)) for w in p.own) for c in claims) for claims in lists for p in places
+    )
+    why = f"not right: {', '.join(wrong)}" if wrong else _SEVERAL
+    return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}" if undamped else why)
+
+
+def _of_found(found: Sequence[int | None], place: _Exponents) -> Verdict:
+    if None in found or -1 in found:
+        return Verdict.WRONG if -1 in found else Verdict.UNDECIDED
+    wanted = place.exact if place.exact is not None else place.numbers
+    return Verdict.EQUIVALENT if len({*found}) == len(wanted or ()) else Verdict.INCOMPLETE
+
+
+def _read_rate(fragment: Fragment, reference: Reference) -> sp.Expr:
+    """δ; it may be stated as `delta = ...`, or by the time constant `tau = ...`."""
+    stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
+    if len(stated.sides) > 1:
+        message = "a decay rate is one value"
+        help_ = "write `c/(2*m)`, or `delta = c/(2*m)`"
+        raise ProblemError(Diagnostic("unexpected-equation", message, fragment.whole, help=help_))
+    value = tried(stated.sides[0], stated.scope, lambda f: read_value(f, stated.scope, [], latex=True))
+    if isinstance(value, Vector):
+        raise ProblemError(Diagnostic("vector-for-scalar", "a decay rate is a number, not a vector", fragment.whole))
+    return 1 / value if stated.label in ("tau", "τ") and value != 0 else value

@@ -8,10 +8,10 @@ The unit vectors are named after the coordinates.
 
 A rigid body is turned by an angle α about k (ω = α' k), by a sequence of three rotations about body axes (`313`: first
 about e_3, then about the new e_1, then about the new e_3), or it is given a triad and ω. Its angular momentum is
-written in a triad in which the moments of inertia are constant. The axes of the body always are such a triad; if two
-moments are equal, so is any triad that turns relative to the body about the third axis. After a sequence of rotations
-whose last is about that axis, the triad that takes no part in it (n_1, n_2, e_3) is the usual one for tops and discs:
-ω then contains ψ' but not ψ. A planar body turns about k and needs no triad but i, j, k.
+written in a triad in which the tensor of inertia is constant. The axes of the body always are such a triad; if they are
+principal axes and two moments are equal, so is any triad that turns relative to the body about the third axis. After a
+sequence of rotations whose last is about that axis, the triad that takes no part in it (n_1, n_2, e_3) is the usual one
+for tops and discs: ω then contains ψ' but not ψ. A planar body turns about k and needs no triad but i, j, k.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from collections.abc import Callable, Mapping
 
 import sympy as sp
 
+from lagrange.core.inertia import InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.vectors import (
     FIXED,
     Axes,
-    Components,
     Rotations,
     Triad,
     Vector,
@@ -79,17 +79,17 @@ def _turning_about_k(names: Names, phi: sp.Symbol) -> Triad:
 class Orientation:
     """How a rigid body is turned.
 
-    axes              to which the moments of inertia refer, in i, j, k
+    axes              to which the tensor of inertia refers, in i, j, k
     triad             in which the angular momentum is written
     angular_velocity  ω, in components of `triad`
-    inertia           the moments about the axes of `triad`, constant
+    inertia           the tensor of inertia along the axes of `triad`, constant
     vectors           the axes that the language of a problem file has for this body, by name
     """
 
     axes: Axes
     triad: Triad
     angular_velocity: Vector
-    inertia: Components
+    inertia: InertiaTensor
     vectors: Mapping[str, Vector]
 
 
@@ -110,18 +110,18 @@ def turned_by_angle(body: str, angle: sp.Expr, moment: sp.Expr, slots: Slots) ->
     triad = turned_triad((first, second, "k"), rotations, slots)
     spin = Vector((ZERO, ZERO, slots.time_derivative(angle)))
     vectors = {first: unit_vector(triad, 0), second: unit_vector(triad, 1), third: Vector((ZERO, ZERO, ONE))}
-    return Orientation(turned_axes(rotations), FIXED, spin, (ZERO, ZERO, moment), vectors)
+    return Orientation(turned_axes(rotations), FIXED, spin, InertiaTensor((ZERO, ZERO, moment)), vectors)
 
 
-def turned_by_rotations(body: str, rotations: Rotations, inertia: Components, slots: Slots) -> Orientation:
+def turned_by_rotations(body: str, rotations: Rotations, inertia: InertiaTensor, slots: Slots) -> Orientation:
     """A body turned by three rotations, each (number of the body axis, angle)."""
     names, before = axis_names(body), names_before_last(body)
     last = rotations[-1][0] - 1
     own = turned_triad(names, rotations, slots)
     nodal_names = tuple(names[n] if n == last else before[n] for n in range(3))
     nodal = turned_triad((nodal_names[0], nodal_names[1], nodal_names[2]), rotations[:-1], slots)
-    one, other = (inertia[n] for n in range(3) if n != last)
-    symmetric = one == other
+    one, other = (inertia.moments[n] for n in range(3) if n != last)
+    symmetric = inertia.is_principal and one == other
     triad = nodal if symmetric else own
     spin = spin_in(triad, rotations, 2 if symmetric else 3, slots)
     vectors = {name: unit_vector(nodal if symmetric and n == last else own, n) for n, name in enumerate(names)}
@@ -134,11 +134,11 @@ def turned_with_axes(
     axes: Axes,
     called: Names | None,
     angular_velocity: Vector,
-    inertia: Components,
+    inertia: InertiaTensor,
     slots: Slots,
     tidy: Callable[[sp.Expr], sp.Expr],
 ) -> Orientation:
-    """A body whose principal axes turn as the triad `axes`, and whose angular velocity is given apart from them.
+    """A body whose axes of inertia turn as the triad `axes`, and whose angular velocity is given apart from them.
 
     called  the names of the axes in the problem file, if it has any
     tidy    brings the components of ω into a short form

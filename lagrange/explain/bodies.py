@@ -10,7 +10,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, prime, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Equation, Part
+from lagrange.document.derivation import Block, Equation, Matrices, Part
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
@@ -61,7 +61,17 @@ def explain_rotation(body: Body, rotation: Rotation) -> list[Block]:
     if rotation.has_inertia:
         lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
     both = plural(len(lines), "is", "and its angular momentum about the mass centre are")
-    return [prose(*_inertia(body, rotation), f" Its angular velocity {both}"), display(*lines)]
+    if rotation.inertia.is_principal:
+        return [prose(*_inertia(body, rotation), f" Its angular velocity {both}"), display(*lines)]
+    turns = _turns(body)
+    units = listed(math(e) for e in rotation.angular_velocity.triad.units)
+    tensor = Matrices(((VectorSymbol(f"J_{name}"), rotation.inertia.rows),))
+    return [
+        prose(*turns, f"{' ' if turns else ''}Its tensor of inertia about the mass centre, along ", *units, ", is"),
+        tensor,
+        prose(f"Its angular velocity {both}"),
+        display(*lines),
+    ]
 
 
 def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
@@ -76,7 +86,7 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
             ".",
         )
     units = rotation.angular_velocity.triad.units
-    moments = listed(math(m) for m in rotation.inertia)
+    moments = listed(math(m) for m in rotation.inertia.moments)
     about = listed(math(e) for e in units)
     turns = _turns(body)
     parts = (

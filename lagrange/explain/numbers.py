@@ -21,6 +21,8 @@ from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
+MOST_SHAPES = 3
+"""The most coordinates for which amplitudes and phases stand in the table of damped modes."""
 RESULTS = (
     Rule.EQUATIONS_OF_MOTION,
     Rule.QUASI_VELOCITIES,
@@ -195,6 +197,7 @@ def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, st
     if found.positions:
         yield prose(start, detail=Detail.BRIEF)
         yield _table(view, found, called, digits)
+        yield from _decays(view, found, called, digits)
     if found.numerical is not None:
         yield _searched(found.numerical, digits)
     if found.absent:
@@ -245,6 +248,28 @@ def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[in
         row += [_judged(p, view)] if judged else []
         rows.append(tuple(row))
     return Table(tuple(header), tuple(rows), Detail.BRIEF)
+
+
+def _decays(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> list[Block]:
+    """The damped modes: δ, ω, and for few coordinates amplitude and phase of each."""
+    linear = view.linearization
+    listed_ = [(p, d) for p in found.positions for d in p.decays]
+    if linear is None or not listed_:
+        return []
+    free = next(s.free for s in linear.at if s is not None)
+    moved = [linear.displacements[k] for k in free] if 1 < len(free) <= MOST_SHAPES else []
+    header: list[Part] = ["equilibrium", "decay rate", "frequency"]
+    for x in moved:
+        header += [math(x), "phase"]
+    rows = []
+    for p, d in listed_:
+        row: list[Part] = [called(p.branch) if p.branch is not None else "numerical", math(d.rate.shown(digits))]
+        row.append("none" if d.frequency is None else math(d.frequency.shown(digits)))
+        for amplitude, phase in zip(d.amplitudes, d.phases, strict=True) if moved else ():
+            row += [math(rounded(sp.Float(amplitude), digits)), math(rounded(sp.Float(phase), digits))]
+        rows.append(tuple(row))
+    phases = ", with amplitudes and phases (in rad) relative to the largest displacement of each" if moved else ""
+    return [prose(f"The damped modes in numbers{phases}:"), Table(tuple(header), tuple(rows), Detail.BRIEF)]
 
 
 def _judged(p: Position, view: InCoordinates) -> str:

@@ -251,7 +251,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
     dynamics = motion(law, view.configuration, view.elimination, complete or not left_to_choice)
     dynamics = dynamics.closed(view.coordinates.through_rates)
     if view.is_own:
-        check_inertia(dynamics.equations)
+        check_inertia(dynamics.equations, solution.problem.bodies)
     if complete and not dynamics.accelerations:
         dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
     equations = dynamics.equations

@@ -204,8 +204,8 @@ BODY = Form(
         Key("mass", "expression", "Its mass; 0 by default."),
         Key(
             "inertia",
-            AnyOf(("expression", three("expression"))),
-            "About the mass centre: one moment about k, or three principal moments [A, B, C].",
+            AnyOf(("expression", three("expression"), three(three("expression")))),
+            "About the mass centre: one moment about k, three principal moments [A, B, C], or a symmetric matrix.",
             required=True,
             example="I_G",
         ),
@@ -394,20 +394,13 @@ ANSWERS = Form(
     (
         Key("degrees_of_freedom", "number", "How many there are."),
         Key("classification", one_or_list(Words(CLASSES)), "Such as [holonomic, scleronomic]."),
-        Key(
-            "integrable",
-            Named(Words(("true", "false")), new=False),
-            "Which constraints are integrable: {rod: true}.",
-        ),
+        Key("integrable", Named(Words(("true", "false")), new=False), "Which constraints are integrable: {rod: true}."),
         Key("equations", one_or_list("equation"), "The equations of motion."),
         Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
         Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
         Key("rest", one_or_list("text"), "With friction: the conditions under which it can be at rest."),
-        Key(
-            "frequencies",
-            "alternatives",
-            "Of small oscillations; lists in a list are those of several equilibria.",
-        ),
+        Key("frequencies", "alternatives", "Of small oscillations; lists in a list are those of several equilibria."),
+        Key("decay", "alternatives", "Decay rates of damped small oscillations, likewise: c/(2*m)."),
         Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
         Key(
             "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."

@@ -6,6 +6,10 @@ entry is read once, after those whose names it uses; entries that are defined by
 A body adds vectors to the language: its position, its angular velocity and its axes (`core.triads`). How it is turned
 is read apart from where it is, because its position may use its axes. A planar body has an angle about k; in space it
 has a sequence of three rotations about body axes, or the file gives the triad of the inertia and the angular velocity.
+
+Its inertia is one moment about k, three principal moments, or a symmetric matrix. What no distribution of mass can have
+is refused where the file's numbers, or the signs of its letters, decide that a kinetic energy would be negative. A
+moment that exceeds the sum of the other two is a note: the equations hold all the same.
 """
 
 from __future__ import annotations
@@ -13,12 +17,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property, partial
+from itertools import product
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity
+from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor, Three, moments_of_mass, principal_minors
 from lagrange.core.records import record
 from lagrange.core.triads import axis_names, names_before_last
 from lagrange.core.vectors import Vector
@@ -40,8 +46,9 @@ from lagrange.problem.sections import (
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar, scalars
 
 _EXAMPLE = "{mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
+_INERTIA = "write `inertia: [A, B, C]`, or a matrix `inertia: [[A, F, E], [F, B, D], [E, D, C]]`"
 _TURNING = (
-    "a planar body has one moment of inertia and `angle`; a body in space has three, and `orientation`, "
+    "a planar body has one moment of inertia and `angle`; a body in space has three or a matrix, and `orientation`, "
     "or `axes` with `angular_velocity`"
 )
 
@@ -74,11 +81,12 @@ class _BodyBeingRead:
         """Reads everything but the position. Returns the vectors that this adds to the language."""
         section, context = self._section, self.context
         keep_shape(section, self.name, context)
-        mass, inertia = context.diagnostics.all_of(
+        mass, (inertia, products) = context.diagnostics.all_of(
             lambda: mass_of(section.get("mass"), self.name, context),
             lambda: _inertia(section.required("inertia", self.key.span), context),
         )
-        self._body = _turned_body(Body(self.name, mass, Vector.zero(), inertia, self.key.span), section, context)
+        body = Body(self.name, mass, Vector.zero(), inertia, self.key.span, products)
+        self._body = _turned_body(body, section, context)
         turned = self._body.orientation(context.scope.slots)
         return {f"omega_{self.name}": turned.angular_velocity, **turned.vectors}
 
@@ -113,16 +121,68 @@ def mass_of(node: Node | None, name: str, context: LoadContext) -> sp.Expr:
     return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", context)
 
 
-def _inertia(node: Node, context: LoadContext) -> tuple[sp.Expr, ...]:
+def _inertia(node: Node, context: LoadContext) -> tuple[tuple[sp.Expr, ...], Three]:
+    """One moment or three, and the elements J_23, J_31, J_12 off the diagonal. Raises ProblemError."""
     if isinstance(node, Scalar) and node.text.lstrip().startswith("["):
         message = "`inertia` is a list here, and not a text"
         raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))
     if not isinstance(node, ListNode):
-        return (constant(node, "a moment of inertia", context),)
+        return (constant(node, "a moment of inertia", context),), NO_PRODUCTS
     if len(node.items) != 3:
         message = f"`inertia` has one moment, or three principal moments, and not {len(node.items)}"
-        raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]`"))
-    return tuple(constant(item, "a moment of inertia", context) for item in node.items)
+        raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
+    if any(isinstance(row, ListNode) for row in node.items):
+        tensor = _matrix(node, context)
+    else:
+        a, b, c = (constant(item, "a moment of inertia", context) for item in node.items)
+        tensor = InertiaTensor((a, b, c))
+    _check_possible(tensor, node, context)
+    return tensor.moments, tensor.products
+
+
+def _matrix(node: ListNode, context: LoadContext) -> InertiaTensor:
+    """A symmetric matrix, row by row."""
+    rows = [row.items for row in node.items if isinstance(row, ListNode) and len(row.items) == 3]
+    if len(rows) != 3:
+        message = "a matrix `inertia` has three rows of three elements each"
+        raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
+    reads = (
+        (lambda m=m, n=n: constant(rows[m][n], "a moment of inertia", context))  # type: ignore[misc]
+        if m == n
+        else (lambda m=m, n=n: context.scalar(rows[m][n], "an element of the tensor of inertia", CONSTANT))  # type: ignore[misc]
+        for m, n in product(range(3), repeat=2)
+    )
+    elements = context.diagnostics.all_of(*reads)
+    for m, n in ((0, 1), (0, 2), (1, 2)):
+        above, below = elements[3 * m + n], elements[3 * n + m]
+        if above != below and context.is_zero(above - below) is not True:
+            message = f"the tensor of inertia is symmetric, but its elements {m + 1}{n + 1} and {n + 1}{m + 1} differ"
+            help_ = (
+                "write the same element in both places; off the diagonal it is minus the product of inertia: "
+                "J_xy = -(sum of m*x*y)"
+            )
+            raise ProblemError(Diagnostic("inertia", message, rows[n][m].span, help=help_))
+    a, b, c = elements[0::4]
+    return InertiaTensor((a, b, c), (elements[5], elements[2], elements[1]))
+
+
+def _check_possible(tensor: InertiaTensor, node: Node, context: LoadContext) -> None:
+    """Refuses a tensor with negative kinetic energies; a note where the moments exceed what masses can have."""
+    valued = InertiaTensor(_valued(tensor.moments, context), _valued(tensor.products, context))
+    if any(m.is_negative for m in principal_minors(sp.Matrix(valued.rows))):
+        message = "no body has this tensor of inertia: its rotation about some axis would have negative energy"
+        help_ = "check the elements off the diagonal: J_xy^2 is at most J_xx*J_yy"
+        raise ProblemError(Diagnostic("impossible-inertia", message, node.span, help=help_))
+    if any(m.is_negative for m in principal_minors(moments_of_mass(valued))):
+        message = "no distribution of mass has this inertia: a principal moment is larger than the sum of the other two"
+        help_ = "check the moments: A <= B + C, B <= C + A, C <= A + B, with equality for a flat body"
+        note = Diagnostic("impossible-inertia", message, node.span, help=help_, level=Severity.NOTE)
+        context.diagnostics.report(note)
+
+
+def _valued(elements: Three, context: LoadContext) -> Three:
+    a, b, c = (e.xreplace(context.values) for e in elements)
+    return a, b, c
 
 
 def _turned_body(body: Body, section: Section, context: LoadContext) -> Body:

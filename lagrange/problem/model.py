@@ -18,10 +18,11 @@ import sympy as sp
 from lagrange.algebra.forms.nonlinear_constraints import Reduction
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
+from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
-from lagrange.core.vectors import Triad, Vector
+from lagrange.core.vectors import Components, Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
 from lagrange.problem.keys import Drawn as Drawn
@@ -88,9 +89,9 @@ class Particle:
 
 @record
 class Body:
-    """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
-    moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
-    names of the vectors of that triad in the file.
+    """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: the moments of
+    its tensor of inertia, the elements off its diagonal (`products`), and either an Euler sequence with its angles, or
+    a triad with the angular velocity. `axes_called` are the names of the vectors of that triad in the file.
     """
 
     name: str
@@ -98,6 +99,7 @@ class Body:
     position: Vector
     inertia: tuple[sp.Expr, ...]
     span: Span
+    products: Components = NO_PRODUCTS
     angle: sp.Expr | None = None
     sequence: str = ""
     angles: tuple[sp.Expr, ...] = ()
@@ -110,13 +112,14 @@ class Body:
         if self.angle is not None:
             return turned_by_angle(self.name, self.angle, self.inertia[0], slots)
         a, b, c = self.inertia
+        inertia = InertiaTensor((a, b, c), self.products)
         if self.angular_velocity is None:
             rotations = tuple(zip(map(int, self.sequence), self.angles, strict=True))
-            return turned_by_rotations(self.name, rotations, (a, b, c), slots)
+            return turned_by_rotations(self.name, rotations, inertia, slots)
         first, second, third = self.axes
         called = (self.axes_called[0], self.axes_called[1], self.axes_called[2]) if self.axes_called else None
         axes = (first, second, third)
-        return turned_with_axes(self.name, axes, called, self.angular_velocity, (a, b, c), slots, textbook_form)
+        return turned_with_axes(self.name, axes, called, self.angular_velocity, inertia, slots, textbook_form)
 
 
 @record
@@ -439,6 +442,7 @@ class Answers:
     equilibrium: tuple[tuple[Fragment, ...], ...] = ()
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
+    decay: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
     hamiltonian: Fragment | None = None

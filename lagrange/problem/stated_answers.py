@@ -87,6 +87,7 @@ class AnswerReader:
             equilibrium=self._equilibrium(section.get("equilibrium")),
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
             frequencies=self._frequencies(section.get("frequencies")),
+            decay=self._frequencies(section.get("decay"), "`decay`", '["c/(2*m)"]'),
             ask=self._asked(section.get("ask")),
             rest=self._rest(section.get("rest")),
             steady=self._equilibrium(section.get("steady"), "`steady`"),
@@ -248,9 +249,10 @@ class AnswerReader:
         flat = self.equations(node, what)
         return (flat,) if flat else ()
 
-    def _frequencies(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
-        """Expressions for ω; nested lists are those of several equilibria."""
-        what, example = "`frequencies`", '["sqrt(g/l)"]'
+    def _frequencies(
+        self, node: Node | None, what: str = "`frequencies`", example: str = '["sqrt(g/l)"]'
+    ) -> tuple[tuple[Fragment, ...], ...]:
+        """Expressions for ω, or for decay rates; nested lists are those of several equilibria."""
         if node is None:
             return ()
         read = (node,) if isinstance(node, Scalar) else self.diagnostics.attempt(lambda: items_of(node, what, example))

@@ -323,7 +323,7 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
         yield body.mass, "kg"
         yield from _components(body.position, "m")
     for body in problem.bodies:
-        yield from ((moment, "kg m^2") for moment in body.inertia)
+        yield from ((moment, "kg m^2") for moment in (*body.inertia, *body.products) if moment != 0)
         yield from ((angle, "1") for angle in (body.angle, *body.angles) if angle is not None)
     yield from _components(problem.gravity, "m/s^2")
     sides = [(c.lhs, c.rhs) for c in problem.constraints]

@@ -22,6 +22,7 @@ from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
     critical,
+    damped_modes,
     equations_in_numbers,
     position,
     quantity,
@@ -470,6 +471,8 @@ def _oscillations(
             | {"multiplicity": f.multiplicity, "modes": [[write(a) for a in mode] for mode in f.modes]}
             for f in s.frequencies
         ]
+    if s.decaying is not None:
+        result["damped_modes"] = damped_modes(s.decaying, write)
     decided = {"stable": True, "unstable": False}
     result |= {"stable": decided.get(stability.verdict.value), "stability": stability.verdict.value}
     where = stability.presupposed if stability.verdict.value == "stable" else stability.conditions

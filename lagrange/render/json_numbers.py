@@ -14,7 +14,8 @@ import sympy as sp
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
-    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
+    from lagrange.mechanics.equilibrium.damped_modes import DampedModes
+    from lagrange.mechanics.equilibrium.in_numbers import Decay, EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
     from lagrange.mechanics.questions.results import Asked
     from lagrange.mechanics.results import InCoordinates
@@ -33,6 +34,8 @@ def position(p: Position) -> dict[str, Any]:
         found["stability"] = p.stability.value
     if p.oscillations:
         found["frequencies"] = [_oscillation(o) for o in p.oscillations]
+    if p.decays:
+        found["damped_modes"] = [_decay(d) for d in p.decays]
     return found
 
 
@@ -55,6 +58,30 @@ def searched(numerical: NumericalEquilibria) -> dict[str, Any]:
 
 def _oscillation(o: Oscillation) -> dict[str, Any]:
     return _measured(o.frequency) | {"period": _measured(o.period)}
+
+
+def damped_modes(found: DampedModes, write: Write) -> list[dict[str, Any]]:
+    """The damped modes: decay rates, ω², where it oscillates; `equation` of what has no closed form."""
+    entries = []
+    for m in found.modes:
+        entry: dict[str, Any] = {"decay": [write(r) for r in m.decays]}
+        if m.square is not None:
+            entry |= {"squared": write(m.square), "oscillates": m.oscillates}
+        if m.condition is not None:
+            entry["oscillates_where"] = f"{write(m.condition.lhs)} {m.condition.relation} {write(m.condition.rhs)}"
+        if m.shape:
+            entry["mode"] = [write(a) for a in m.shape]
+        entries.append(entry | {"multiplicity": m.multiplicity})
+    left = ({"equation": f"{write(f)} = 0", "multiplicity": n} for f, n in found.left)
+    return [*entries, *left]
+
+
+def _decay(d: Decay) -> dict[str, Any]:
+    """A damped mode: `decay`, `frequency` if it oscillates, amplitudes and phases of the free coordinates."""
+    found: dict[str, Any] = {"decay": _measured(d.rate)}
+    if d.frequency is not None:
+        found["frequency"] = _measured(d.frequency)
+    return found | {"amplitudes": list(d.amplitudes), "phases": list(d.phases)}
 
 
 def _measured(quantity: Quantity) -> dict[str, Any]:

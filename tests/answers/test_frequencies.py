@@ -11,6 +11,7 @@ from lagrange.answers.examiner import compared_answers
 from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.linearized_systems import COUPLED, DAMPED, DOUBLE, HOOP, MOLECULE, PENDULUM, solved
 
@@ -71,7 +72,8 @@ def verdict_on(text: str, stated: str) -> AnswerVerdict:
         (MOLECULE, '[sqrt(c/m), "sqrt(c/m*(1 + 2*m/M))"]', "equivalent"),
         (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g^2/(Omega^2*R^2))"]]', "equivalent"),
         (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(g/R + Omega^2)"]]', "wrong"),
-        (DAMPED, "[sqrt(c/m)]", "undecided"),
+        (DAMPED, '["sqrt(c/m - b^2/(4*m^2))"]', "equivalent"),
+        (DAMPED, "[sqrt(c/m)]", "wrong"),
         (PASS, "[sqrt(c/m)]", "equivalent"),  # ω² = −f/m grows, and is no frequency
         (PASS, "[sqrt(f/m)]", "wrong"),
         (ACCELERATED, '["(g^2 + a^2)^(1/4)/sqrt(l)"]', "equivalent"),
@@ -110,7 +112,7 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
         (
             DAMPED,
             "[sqrt(c/m)]",
-            "no equilibrium with a characteristic equation for the frequencies is known in closed form",
+            "not right: sqrt(c/m); these are the frequencies without damping",
         ),
     ],
 )
@@ -136,3 +138,47 @@ def test_equilibria_of_the_motion_in_answers() -> None:
         text = stated.replace("Omega^2", "Omega") if wrong else stated
         [answer] = compared_answers(solved(HOOP, f"find: linearization\nanswers: {{equilibrium: {text}}}"))
         assert (answer.verdict.value == "equivalent") != wrong
+
+
+CARTS = """
+parameters: [m, k, b]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i}, Q: {mass: m, position: y*i}}
+forces:
+  springs: {potential: k*x^2/2 + k*(y - x)^2/2 + k*y^2/2}
+  oil: {generalized: {x: "-b*(2*x' - y')", y: "-b*(2*y' - x')"}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "stated", "verdict"),
+    [
+        (CARTS, "[b/(2*m), 3*b/(2*m)]", "equivalent"),
+        (CARTS, "[b/(2*m)]", "incomplete"),
+        (CARTS, "[b/m, 3*b/(2*m)]", "wrong"),
+        (CARTS, "[b/(2*m), b/(2*m)]", "incomplete"),
+        (DAMPED, "[b/(2*m)]", "equivalent"),
+        (PENDULUM, "[g/l]", "undecided"),
+    ],
+)
+def test_decay_rates(text: str, stated: str, verdict: str) -> None:
+    file = f"title: T\n{text}\nfind: linearization\nanswers: {{decay: {stated}}}\n"
+    [answer] = compared_answers(replace(linearized(text), problem=read_problem(Source("problem.yaml", file))))
+    assert answer.verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"), [("[0.124, 0.126]", "equivalent"), ("[0.124]", "incomplete"), ("[0.125, 0.126]", "wrong")]
+)
+def test_decay_rates_in_numbers(stated: str, verdict: str) -> None:
+    """One damper, no proportional damping: p⁴ + p³/2 + 16 p² + 4 p + 48 = 0 (numpy: 0.12401 and 0.12599)."""
+    text = CARTS.replace("[m, k, b]", "{m: {value: 1}, k: {value: 4}, b: {value: 0.5}}")
+    file = f"title: T\n{text[: text.index('  oil')]}  oil: {{generalized: {{x: -b*x'}}}}\nfind: linearization\n"
+    problem = read_problem(Source("problem.yaml", f"{file}answers: {{decay: {stated}}}\n"))
+    [answer] = compared_answers(replace(solution_in_numbers(file), problem=problem))
+    assert answer.verdict.value == verdict
+
+
+@cache
+def solution_in_numbers(file: str) -> Solution:
+    return solve(read_problem(Source("problem.yaml", file)))

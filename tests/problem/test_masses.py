@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.vectors import Vector
 from tests.support.problem_texts import HEAD, read
 
@@ -49,3 +51,48 @@ def test_bodies() -> None:
     rolls = {c.name: c.function for c in problem.constraints}
     assert sp.simplify(rolls["roll.1"] - (v - R * om * sp.cos(theta))) == 0
     assert sp.simplify(rolls["roll.2"] - (w - R * om * sp.sin(theta))) == 0
+
+
+IN_SPACE = HEAD + (
+    "bodies: {{B: {{mass: m, inertia: {inertia}, position: x*i, orientation: {{axes: 313, angles: [x, y, theta]}}}}}}\n"
+)
+
+
+def test_a_matrix_of_inertia() -> None:
+    [body] = read(IN_SPACE.format(inertia="[[A, -m*l^2, R], [-l^2*m, A, 0], [R, 0, C]]")).bodies
+    assert body.inertia == (A, A, C)
+    assert body.products == (0, R, -m * l**2)
+    assert read(IN_SPACE.format(inertia="[[A, 0, 0], [0, A, 0], [0, 0, C]]")).bodies[0].products == (0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("inertia", "code", "said"),
+    [
+        ("[[A, R, 0], [l, A, 0], [0, 0, C]]", "inertia", "elements 12 and 21 differ"),
+        ("[[A, R], [R, A]]", "inertia", "not 2"),
+        ("[[A, R, 0], [R, A], [0, 0, C]]", "inertia", "three rows of three"),
+        ("[A, [R], C]", "inertia", "three rows of three"),
+        ("[[A, x, 0], [x, A, 0], [0, 0, C]]", "not-constant", "`x` varies"),
+        ("[[-A, 0, 0], [0, A, 0], [0, 0, C]]", "negative", "is negative"),
+        ("[[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "impossible-inertia", "negative energy"),
+        ("[[0, l, 0], [l, A, 0], [0, 0, C]]", "impossible-inertia", "negative energy"),
+    ],
+)
+def test_what_is_no_tensor_of_inertia(inertia: str, code: str, said: str) -> None:
+    with pytest.raises(ProblemError) as refused:
+        read(IN_SPACE.format(inertia=inertia))
+    found = refused.value.diagnostics[0]
+    assert found.code == code
+    assert said in found.message
+    assert found.help
+
+
+@pytest.mark.parametrize(
+    ("inertia", "noted"),
+    [("[1, 1, 3]", True), ("[1, 1, 2]", False), ("[m, m, 3*m]", True), ("[A, A, C]", False),
+     ("[[2, 1, 0], [1, 2, 0], [0, 0, 5]]", True), ("[[2, 1, 0], [1, 2, 0], [0, 0, 4]]", False)],
+)  # fmt: skip
+def test_a_moment_that_exceeds_the_sum_of_the_others_is_noted(inertia: str, noted: bool) -> None:
+    """The principal moments of the matrices are 1, 3, 5 and 1, 3, 4."""
+    problem = read(IN_SPACE.format(inertia=inertia))
+    assert ("impossible-inertia" in [d.code for d in problem.notes]) is noted

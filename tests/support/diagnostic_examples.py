@@ -300,6 +300,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "constraints: {floor: y = 0}\nforces: {s: {spring: g, between: [P, x*i], length: l}}\n")),
     "no-inertia": ("Something moves without mass; the equations do not determine its acceleration.", problem(
         "particles: {P: {mass: m, position: x*i}}\n")),
+    "impossible-inertia": ("No distribution of mass has such a tensor of inertia.", problem(
+        "bodies: {B: {mass: m, inertia: [[1, 2, 0], [2, 1, 0], [0, 0, 1]], position: x*i,\n"
+        "             orientation: {axes: 313, angles: [y, x, y]}}}\n")),
     "varying-inertia": ("Axes that spin in the body need two equal moments of inertia.", problem(
         "bodies: {B: {inertia: [m, l, l], position: 0*i, axes: [i, j, k], angular_velocity: x'*k}}\n"
         "particles: {P: {mass: m, position: y*j}}\n")),

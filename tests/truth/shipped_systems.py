@@ -395,6 +395,15 @@ def gimbals() -> tuple[Route, ...]:
     return (newton_euler("phi theta psi", parts), lagrange("phi theta psi", kinetic / 2))
 
 
+def skewed_disc() -> tuple[Route, ...]:
+    """In the principal axes of the disc, which are turned by beta in the shaft: no product of inertia occurs."""
+    alpha, gamma, phi = moving("alpha gamma phi")
+    m, R, beta, motor = constants("m R beta M_0")
+    turned = rotation("x", alpha) * rotation("y", gamma) * rotation("z", phi) * rotation("y", beta)
+    disc = Rigid(m, (0, 0, 0), turned, (m * R**2 / 4, m * R**2 / 4, m * R**2 / 2), moment=(0, 0, motor))
+    return (newton_euler("alpha gamma phi", [disc], {"bearings_i": alpha, "bearings_j": gamma}),)
+
+
 def gyrocompass() -> tuple[Route, ...]:
     """Euler's law for the rotor, its axes carried around by the earth."""
     theta, psi = moving("theta psi")
@@ -533,6 +542,7 @@ SHIPPED: dict[str, Textbook] = {
     "gimbals": Textbook(gimbals, HOLONOMIC, 3, 0),
     "governor": Textbook(governor, HOLONOMIC, 2, 1),
     "gyrocompass": Textbook(gyrocompass, "holonomic rheonomic catastatic", 2, 0),
+    "skewed-disc": Textbook(skewed_disc, HOLONOMIC, 1, 2),
     "heavy-top": Textbook(of_bodies("heavy_top"), HOLONOMIC, 3, 0),
     "precessing-top": Textbook(of_bodies("heavy_top"), HOLONOMIC, 3, 0),
     "hoop-on-incline": Textbook(hoop_on_incline, HOLONOMIC, 1, 2),

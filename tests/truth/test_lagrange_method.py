@@ -157,7 +157,9 @@ def system_of(route: Route, configuration: Configuration) -> System:
 
 def symbols_in(configuration: Configuration) -> dict[str, sp.Symbol]:
     """Parameters carry assumptions: they are taken from where they occur."""
-    expressions = [p.mass for p in configuration.points] + [m for r in configuration.rotations for m in r.inertia]
+    expressions = [p.mass for p in configuration.points] + [
+        m for r in configuration.rotations for m in r.inertia.moments
+    ]
     expressions += [c for p in configuration.points for c in p.position.components]
     expressions += [c for f in configuration.loads for c in f.vector.components]
     expressions += [a for r in configuration.rows for a in (*r.coefficients, r.finite or sp.S.Zero)]

@@ -53,6 +53,9 @@ class TrigLetters:
         self.unknowns = tuple(unknowns)
         self.angles: dict[sp.Expr, LetteredAngle] = {}
         self.roots: dict[sp.Symbol, sp.Expr] = {}
+        # Equations of motion repeat few sines and cosines many times, and are read at every equilibrium.
+        self._known: dict[sp.Expr, sp.Expr] = {}
+        self._pairs: dict[sp.Expr, Pair] = {}
         # Where θ/2 occurs beside θ, the letters are those of θ/2, and cos θ is C² − S².
         parts: dict[sp.Expr, int] = {}
         for e in expressions:
@@ -90,6 +93,12 @@ class TrigLetters:
         """An expression in letters. Raises NotAlgebraicError."""
         if e.is_Number or e.is_Symbol or not e.args:
             return e
+        known = self._known.get(e)
+        if known is None:
+            known = self._known[e] = self._read(e)
+        return known
+
+    def _read(self, e: sp.Expr) -> sp.Expr:
         if e.is_Add or e.is_Mul:
             return e.func(*(self.read(a) for a in e.args))
         if isinstance(e, CIRCULAR):
@@ -186,6 +195,11 @@ class TrigLetters:
 
     def pair(self, angle: sp.Expr) -> Pair:
         """Cosine and sine of an angle. Raises NotAlgebraicError."""
+        if angle not in self._pairs:
+            self._pairs[angle] = self._pair(angle)
+        return self._pairs[angle]
+
+    def _pair(self, angle: sp.Expr) -> Pair:
         total: Pair = (sp.S.One, sp.S.Zero)
         rest = sp.expand(angle)
         for monomial, c in _terms(rest):

@@ -24,6 +24,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, partial, prime
 from lagrange.core.vectors import Components, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, with_velocities_apart
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
@@ -192,7 +193,7 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
         spins = spin_along_axes(r, slots)
         rates = (*slots.velocities, None)
         columns = tuple(_three(_slope(w, v, slots) for w in spins) for v in rates)
-        rotations.append(Inertia(r.name, True, r.inertia, columns))
+        rotations.append(_turning(r, columns))
         if r.given:
             terms = tuple(quasi_term(r, q, prime(q), slots) for q in slots.coordinates)
             quasi.append(Force(Kind.QUASI, r.name, terms, False))
@@ -201,6 +202,16 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
     everything = tuple(range(len(slots.coordinates)))
     units = tuple((p.symbol, p.unit) for p in problem.parameters)
     return Mechanics(configuration, inertias, forces, tuple(frictions), everything, units, problem.speeds)
+
+
+def _turning(r: Rotation, columns: tuple[Components, ...]) -> Inertia:
+    """The kinetic energy of a rotation; with products of inertia ω·J ω as a sum of squares."""
+    squares = None if r.inertia.is_principal else r.inertia.completed()
+    if squares is None:
+        return Inertia(r.name, True, r.inertia.moments, columns)
+    weights, rows = squares
+    combined = tuple(_three(sp.Add(*map(sp.Mul, row, column)) for row in rows) for column in columns)
+    return Inertia(r.name, True, weights, combined)
 
 
 def particle(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> Inertia:

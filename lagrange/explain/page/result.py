@@ -217,7 +217,9 @@ def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equat
 
 def _frequencies(linearization: Linearization) -> Iterator[Equation]:
     """The squares of the frequencies, `about θ = 0`."""
-    for b, at in zip(linearization.branches, linearization.at, strict=True):
+    for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
+        if linearization.copy_of(k) is not None:
+            continue
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
         squares = [f.square for f in at.frequencies]

@@ -11,7 +11,7 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.rest.statics import outside_ranges, singular_places
 from lagrange.explain.words import (
@@ -23,9 +23,10 @@ from lagrange.explain.words import (
     suffix_of,
     title_in,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
+from lagrange.mechanics.equilibrium.damped_modes import DampedMode, DampedModes
+from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA, MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
-from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 
 ZERO = sp.S.Zero
@@ -43,8 +44,30 @@ def explain_linearization(linearization: Linearization) -> Step:
     if any(s is not None for s in linearization.at):
         body.append(_names(linearization))
     for n, (b, s) in enumerate(zip(linearization.branches, linearization.at, strict=True), start=1):
-        body += explain_about(n, b, s, linearization)
+        if linearization.copy_of(n - 1) is None:
+            body += explain_about(n, b, s, linearization)
+            body += _copies(n, linearization)
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
+
+
+def _copies(n: int, linearization: Linearization) -> Iterator[Block]:
+    """`The same holds about (5), and about (6) and (7) with ξ_3 reversed.`"""
+    groups: dict[tuple[sp.Symbol, ...], list[int]] = {}
+    for k, copy in enumerate(linearization.copies, start=1):
+        if copy is not None and copy.of == n - 1:
+            groups.setdefault(copy.reversed, []).append(k)
+    if not groups:
+        return
+    places: list[tuple[Part, ...]] = []
+    for turned, numbers in sorted(groups.items(), key=lambda group: len(group[0])):
+        refs = listed(Ref(label_of(linearization, "at-rest", k)) for k in numbers)
+        signs = plural(len(turned), " with the sign of ", " with the signs of ")
+        end: tuple[Part, ...] = (signs, *listed(math(x) for x in turned), " reversed") if turned else ()
+        places.append(("about ", *refs, *end))
+    total = sum(map(len, groups.values()))
+    others = plural(total, "one more equilibrium", f"{total} more equilibria")
+    yield prose("The same equations, frequencies and verdict hold for ", f"{others}: ", *series(places, ", and "), ".",
+                detail=Detail.BRIEF)  # fmt: skip
 
 
 def label_of(linearization: Linearization, kind: str, n: int) -> str:
@@ -125,6 +148,9 @@ def explain_about(
     place: Part = Ref(label_of(linearization, "at-rest", n)) if is_stated else "any position"
     if s is None:
         if n > MOST_EQUILIBRIA or b.left or b.special:
+            return
+        if len(linearization.equilibrium.elimination.independent) > MOST_OSCILLATING:
+            yield prose(f"Linear equations of more than {MOST_OSCILLATING} coordinates are not worked out.")
             return
         yield prose(
             "At ", place, " there are no linear equations of motion: the coordinates or the forces are singular there."
@@ -255,22 +281,96 @@ def _damped(n: int, s: SmallOscillations, linearization: Linearization) -> Itera
     if c is not None and c.count_ops() <= LONGEST:
         yield prose("Nonzero solutions proportional to ", *wave, " exist if")
         yield display(Equation((c, ZERO), label=label_of(linearization, "exponents", n)))
-    if s.damped is None:
-        return
+    if s.damped is not None:
+        yield from _one_damped(n, s, s.damped, linearization)
+    elif s.decaying is not None and s.judgement.stability.verdict is not StabilityVerdict.UNSTABLE:
+        yield from _decaying(n, s, s.decaying, linearization)
+
+
+def _one_damped(
+    n: int, s: SmallOscillations, damped: DampedOscillation, linearization: Linearization
+) -> Iterator[Block]:
+    """Of one coordinate: its own frequency, the damping ratio, the decay rate; the three cases."""
     omega = linearization.omega
     own, ratio = sp.Symbol(f"{omega.name}_0", real=True), sp.Symbol("zeta", real=True)
-    yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio), ":")
+    delta = _rate_letter(linearization)
+    yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio),
+                ", the decay rate ", math(delta), ":")  # fmt: skip
     lines = [
-        Equation((own**2, s.damped.own), label=label_of(linearization, "own", n)),
-        Equation((ratio, s.damped.rate / own), label=label_of(linearization, "ratio", n)),
-        Equation((omega**2, own**2 * (1 - ratio**2), s.damped.square), label=label_of(linearization, "omega", n)),
+        Equation((own**2, damped.own), label=label_of(linearization, "own", n)),
+        Equation((ratio, damped.rate / own), label=label_of(linearization, "ratio", n)),
+        Equation((delta, damped.rate), label=label_of(linearization, "decay", n)),
+        Equation((omega**2, own**2 * (1 - ratio**2), damped.square), label=label_of(linearization, "omega", n)),
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    less, more = math(ratio, sp.S.One, relation="<"), math(ratio, sp.S.One, relation="≥")
+    less, more = (math(ratio, sp.S.One, relation=r) for r in ("<", ">"))
+    mode = s.decaying.modes[0] if s.decaying is not None and len(s.decaying.modes) == 1 else None
+    condition = mode.condition if mode is not None else None
+    where: tuple[Part, ...] = (", that is, ", *sign_conditions([condition]), ",") if condition is not None else (",",)
+    exponent = ("exp(−", math(delta), " ", math(TIME), ")")
+    root = sp.sqrt(delta**2 - own**2)
     yield prose(
-        "If ", less, ", it oscillates with the frequency ", math(omega), " and decays; if ", more,
-        ", it returns without oscillating.",
+        "If ", less, *where, " it oscillates with the frequency ", math(omega), " and decays as ", *exponent, ". If ",
+        math(ratio, sp.S.One), ", the damping is critical: both exponents are ", math(-delta), ". If ", more,
+        ", it does not oscillate: two motions decay with the rates ", math(delta), " ± ", math(root), ".",
     )  # fmt: skip
+
+
+def _rate_letter(linearization: Linearization) -> sp.Symbol:
+    """δ for a decay rate, or a letter that the problem does not use."""
+    used = {
+        x.name.split("_")[0] for s in linearization.at if s is not None for e in s.equations for x in e.free_symbols
+    }
+    name = next((n for n in ("delta", "sigma", "alpha", "kappa") if n not in used), "delta_0")
+    return sp.Symbol(name, real=True)
+
+
+def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: Linearization) -> Iterator[Block]:
+    """The modes of several coordinates, each with its decay rate and, where it oscillates, its frequency."""
+    if not found.modes:
+        yield prose("This equation has no roots in closed form, or only long ones.")
+        return
+    p, delta, omega = s.unknown, _rate_letter(linearization), linearization.omega
+    pairs = any(m.oscillates is not False for m in found.modes)
+    lead: tuple[Part, ...] = ("In each mode the motion decays as exp(−", math(delta), " ", math(TIME), ")")
+    if found.proportional:
+        lead = ("The damping is proportional, and the modes are those of the undamped system. ", *lead)
+    roots = (" = −", math(delta), " ± i ", math(omega))
+    wave = (" while it oscillates with the frequency ", math(omega), ", with ", math(p), *roots) if pairs else ()
+    yield prose(*lead, *wave, ":")
+    lines: list[Equation] = []
+    rates = [(m, r) for m in found.modes for r in (m.decays if m.oscillates is False else (m.rate,))]
+    several = len(rates) > 1
+    for k, (m, rate) in enumerate(rates, start=1):
+        shape = _damped_shape(m, s, linearization)
+        name = sp.Symbol(f"{delta.name}_{k}", real=True) if several else delta
+        oscillates = m.square is not None and m.oscillates is not False
+        critical: tuple[Part, ...] = ("twice",) if m.is_critical else ()
+        lines.append(
+            Equation((name, rate), label=label_of(linearization, f"decay-{k}", n),
+                     condition=() if oscillates else (*critical, *((", " if critical and shape else "",)), *shape))
+        )  # fmt: skip
+        if oscillates and m.square is not None:
+            own = sp.Symbol(f"{omega.name}_{k}", real=True) if several else omega
+            where = ("where ", *sign_conditions([m.condition])) if m.condition is not None else ()
+            words = (*where, ", " if where and shape else "", *shape)
+            lines.append(Equation((own**2, m.square), label=label_of(linearization, f"omega-{k}", n), condition=words))
+    yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if any(m.condition is not None for m in found.modes):
+        root = sp.Pow(-(omega**2), sp.S.Half, evaluate=False)
+        yield prose("Where ", math(omega**2, ZERO, relation="<"), " for a mode, it does not oscillate but decays with "
+                    "the two rates ", math(delta), " ± ", math(root), ".")  # fmt: skip
+    if found.left:
+        yield prose("The other roots are those of")
+        yield display(*(Equation((f, ZERO)) for f, _ in found.left if f.count_ops() <= LONGEST))
+
+
+def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:
+    """`with ξ_1 : ξ_2 as 1 : −1`."""
+    if not m.shape or sum(a.count_ops() for a in m.shape) > LONGEST_BESIDE:
+        return ()
+    moved = (linearization.displacements[k] for k in s.free)
+    return ("with ", math(*moved, relation=":"), " as ", math(*m.shape, relation=":"))
 
 
 def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:

@@ -1,11 +1,11 @@
 """Rotation of a rigid body in a configuration: ω, the virtual rotation δπ, the angular momentum H and dH/dt.
 
-    ω = Σ ω_k q_k' + ω_t ,    δπ = Σ ω_k δq_k ,    H = A ω_1 e_1 + B ω_2 e_2 + C ω_3 e_3 ,
+    ω = Σ ω_k q_k' + ω_t ,    δπ = Σ ω_k δq_k ,    H = J ω = A ω_1 e_1 + B ω_2 e_2 + C ω_3 e_3 in principal axes ,
 
-about the mass centre, in a triad e_1, e_2, e_3 in which the moments of inertia are constant. The triad turns with an
+about the mass centre, in a triad e_1, e_2, e_3 in which the tensor of inertia J is constant. The triad turns with an
 angular velocity Ω of its own, Ω = ω where it is fixed in the body, and
 
-    dH/dt = A ω_1' e_1 + B ω_2' e_2 + C ω_3' e_3 + Ω × H .
+    dH/dt = J ω' + Ω × H          (ω' with its components differentiated).
 
 δπ is not the variation of any function: the ω_k need not be derivatives, and the q_k may be quasi-coordinates.
 Reference: Whittaker, Analytical Dynamics, §§ 62-64.
@@ -17,9 +17,10 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from lagrange.core.inertia import InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime
-from lagrange.core.vectors import Axes, Components, Vector, triad_in, turning_rate
+from lagrange.core.vectors import Axes, Vector, triad_in, turning_rate
 from lagrange.problem.model import Body
 
 
@@ -27,8 +28,8 @@ from lagrange.problem.model import Body
 class Rotation:
     """The rotation of one body.
 
-    axes              the axes that the moments of inertia refer to, in i, j, k
-    inertia           the moments about the axes of the triad in which the vectors here have their components
+    axes              the axes that the tensor of inertia refers to, in i, j, k
+    inertia           J along the axes of the triad in which the vectors here have their components
     angular_velocity  ω
     partials          shape (n,): ω_k
     momentum          H, about the mass centre
@@ -38,7 +39,7 @@ class Rotation:
 
     name: str
     axes: Axes
-    inertia: Components
+    inertia: InertiaTensor
     angular_velocity: Vector
     partials: tuple[Vector, ...]
     momentum: Vector
@@ -48,7 +49,7 @@ class Rotation:
     @property
     def has_inertia(self) -> bool:
         """Whether any moment of inertia is not 0."""
-        return any(moment != 0 for moment in self.inertia)
+        return not self.inertia.is_zero
 
     def virtual(self, steps: Sequence[sp.Expr]) -> Vector:
         """Σ ω_k s_k, for s of shape (n,)."""
@@ -75,15 +76,14 @@ def rotation_in(
     return _rotation(rotation.name, (first, second, third), rotation.inertia, spin, rotation.given, slots)
 
 
-def _rotation(name: str, axes: Axes, inertia: Components, spin: Vector, given: bool, slots: Slots) -> Rotation:
+def _rotation(name: str, axes: Axes, inertia: InertiaTensor, spin: Vector, given: bool, slots: Slots) -> Rotation:
     partials = tuple(spin.map(lambda c, q=q: c.diff(prime(q))) for q in slots.coordinates)  # type: ignore[misc]
-    a, b, c = (moment * w for moment, w in zip(inertia, spin.components, strict=True))
-    momentum = Vector((a, b, c), spin.triad)
+    momentum = Vector(inertia.times(spin.components), spin.triad)
     return Rotation(name, axes, inertia, spin, partials, momentum, momentum.time_derivative(slots), given)
 
 
 def relative_to_triad(rotation: Rotation, slots: Slots) -> tuple[sp.Expr, ...]:
-    """The expressions that vanish if the moments of inertia are constant in the triad: (A − B) (ω − Ω)·e_3, and so on.
+    """The expressions that vanish if the tensor of inertia is constant in the triad: (A − B) (ω − Ω)·e_3, and so on.
 
     There are none unless the file gives ω and the axes separately.
     """
@@ -91,6 +91,8 @@ def relative_to_triad(rotation: Rotation, slots: Slots) -> tuple[sp.Expr, ...]:
         return ()
     spin = rotation.angular_velocity
     relative = (spin - turning_rate(spin.triad, slots)).components
-    a, b, c = rotation.inertia
+    if not rotation.inertia.is_principal:
+        return tuple(e for e in rotation.inertia.turned_with(relative) if e != 0)
+    a, b, c = rotation.inertia.moments
     pairs = ((b - c, relative[0]), (c - a, relative[1]), (a - b, relative[2]))
     return tuple(difference * w for difference, w in pairs if difference != 0 and w != 0)

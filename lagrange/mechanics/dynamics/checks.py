@@ -16,7 +16,8 @@ turns with ω is fixed in the body only if ω = Ω; otherwise the inertia must b
 
     (B − C) (ω − Ω)·e_1 = 0 ,    (C − A) (ω − Ω)·e_2 = 0 ,    (A − B) (ω − Ω)·e_3 = 0
 
-in every possible state; a body with A = B may turn relative to the triad about e_3.
+in every possible state; a body with A = B may turn relative to the triad about e_3. With products of inertia the
+elements of dJ/dt take the place of these.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Point, Surface, agreed, has_real_point
 from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, exterior_derivative, one_form, wedge
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
+from lagrange.core.inertia import NO_PRODUCTS
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t
 from lagrange.core.verdicts import all_hold
@@ -73,10 +75,13 @@ def check_constant_inertia(problem: Problem, configuration: Configuration) -> No
 
 def _refusal(body: Body) -> Diagnostic:
     a, b, c = body.inertia
+    what = "moments" if body.products == NO_PRODUCTS else "tensor"
+    does = "do" if what == "moments" else "does"
     message = (
-        f"the body `{body.name}` turns relative to its axes, and its moments of inertia about them do not stay constant"
+        f"the body `{body.name}` turns relative to its axes, "
+        f"and its {what} of inertia about them {does} not stay constant"
     )
-    equal = a in (b, c) or b == c
+    equal = what == "moments" and (a in (b, c) or b == c)
     help_ = (
         "two moments are equal: it may turn relative to the axes about the third axis only; check `angular_velocity`"
         if equal

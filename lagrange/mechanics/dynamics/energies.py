@@ -195,7 +195,7 @@ def _in_front(total: sp.Expr) -> sp.Expr:
 def _squares_of_sums(rotation: Rotation, textbook: Textbook) -> list[sp.Expr]:
     """A ω_1²/2, ..., of components that are sums."""
     spins = [textbook.form(w) for w in rotation.angular_velocity.components]
-    return [moment * w**2 / 2 for moment, w in zip(rotation.inertia, spins, strict=True) if w.is_Add]
+    return [moment * w**2 / 2 for moment, w in zip(rotation.inertia.moments, spins, strict=True) if w.is_Add]
 
 
 def _written_potential(configuration: Configuration, textbook: Textbook) -> sp.Expr:

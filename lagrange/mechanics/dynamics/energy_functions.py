@@ -47,7 +47,8 @@ def are_true_coordinates(configuration: Configuration) -> bool:
         along = [spin.dot(e) for e in r.axes]
         for q, v in zip(slots.coordinates, slots.velocities, strict=True):
             part = spin.map(lambda c, v=v: c.diff(v)).time_derivative(slots)  # type: ignore[misc]
-            bending = (a * w * (part.dot(e) - w.diff(q)) for a, w, e in zip(r.inertia, along, r.axes, strict=True))
+            momenta = r.inertia.times(along)
+            bending = (h * (part.dot(e) - w.diff(q)) for h, w, e in zip(momenta, along, r.axes, strict=True))
             if configuration.states.is_zero(sp.Add(*bending)) is not True:
                 return False
     return True

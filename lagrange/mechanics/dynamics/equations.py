@@ -35,7 +35,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import is_acceleration
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, common_factor, normalised, textbook_form
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
+from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.records import record
 from lagrange.core.symbols import prime, variation
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -45,6 +45,7 @@ from lagrange.mechanics.dynamics.energies import Energies
 from lagrange.mechanics.dynamics.limits import INERTIA_POINTS, LONGEST_RATES, MOST_LONGER
 from lagrange.mechanics.dynamics.principle import Balance, Principle
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
+from lagrange.problem.model import Body
 
 
 @record
@@ -196,35 +197,46 @@ def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> 
     return EquationOfMotion(coordinate, leading, factor, leading != kept)
 
 
-def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
+def check_inertia(result: EquationsOfMotion, bodies: Sequence[Body] = ()) -> None:
     """Refuse a system whose equations do not determine the accelerations: a coordinate without inertia.
 
-    Raises ProblemError naming the coordinate, UndecidedError if no generic point was found.
+    Raises ProblemError naming the coordinate, and the body that it turns about an axis without moment of inertia;
+    UndecidedError if no generic point was found.
     """
     configuration = result.configuration
     slots = configuration.slots
     forms = [row.coefficients for row in configuration.rows]
+    turning = {r.name: [*zip(*(w.components for w in r.partials), strict=True)] for r in configuration.rotations}
 
-    def idle_motions(point: Point) -> list[list[Any]]:
+    def idle_motions(point: Point) -> tuple[list[list[Any]], list[str]]:
         inertia = point.affine(result.expressions, slots.accelerations)
         assert inertia is not None
-        return point.nullspace([*(r[:-1] for r in inertia), *point.matrix(forms)], len(slots.coordinates))
+        rows = [*(r[:-1] for r in inertia), *point.matrix(forms)]
+        kernel = point.nullspace(rows, len(slots.coordinates))
+        turned = (n for n, w in turning.items() if kernel)
+        return kernel, [
+            n for n in turned if len(point.nullspace([*rows, *point.matrix(turning[n])], len(kernel[0]))) < len(kernel)
+        ]
 
     try:
         kernels = configuration.states.sampled(idle_motions, INERTIA_POINTS)
     except (NoPointError, UnsupportedError):
-        raise UndecidedError("whether every coordinate has inertia", span) from None
-    kernel = min(kernels, key=len)
+        raise UndecidedError("whether every coordinate has inertia") from None
+    kernel, turned = min(kernels, key=lambda found: len(found[0]))
     if not kernel:
         return
     idle = [q for k, q in enumerate(slots.coordinates) if any(v[k] != 0 for v in kernel)]
     listed = ", ".join(f"`{q}`" for q in idle)
-    message = (
-        f"{listed} can change without moving any mass"
-        if len(idle) == 1
-        else f"{listed} can change together without moving any mass"
-    )
+    message = f"{listed} can change {'' if len(idle) == 1 else 'together '}without moving any mass"
     help_ = "give a mass to what moves with it, or remove the coordinate; with `find: equilibrium` no mass is needed"
+    span = next((b.span for b in bodies if b.name in turned), None)
+    if turned:
+        name = turned[0]
+        message += f": `{name}` then turns about an axis about which it has no moment of inertia"
+        help_ = (
+            f"this rotation stays undetermined: give `{name}` that moment of inertia, or one angle fewer (a number in "
+            "its place); what is no larger than a point is a particle"
+        )
     raise ProblemError(Diagnostic("no-inertia", message, span, help=help_))
 
 

@@ -1,6 +1,6 @@
 """Lagrange's equations, the second route to the equations of motion.
 
-    d/dt ∂T/∂q_k' − ∂T/∂q_k = Q_k + Σ_j λ_j a_jk ,      T = Σ m v·v / 2 + Σ (A ω_1² + B ω_2² + C ω_3²)/2
+    d/dt ∂T/∂q_k' − ∂T/∂q_k = Q_k + Σ_j λ_j a_jk ,      T = Σ m v·v / 2 + Σ ω·J ω / 2
 
 Nothing here is taken from d'Alembert's principle: velocities come from positions in i, j, k, angular velocities from
 the axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others
@@ -72,9 +72,7 @@ def kinetic_energy(configuration: Configuration) -> sp.Expr:
         velocity = velocity_of(p, slots)
         terms.append(p.mass * velocity.dot(velocity) / 2)
     for r in configuration.rotations:
-        terms += [
-            moment * w**2 / 2 for moment, w in zip(r.inertia, spin_along_axes(r, slots), strict=True) if moment != 0
-        ]
+        terms.append(r.inertia.energy(spin_along_axes(r, slots)))
     return sp.Add(*terms)
 
 
@@ -104,8 +102,8 @@ def quasi_term(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, s
     components = spin_along_axes(rotation, slots)
     spin = rotation.angular_velocity.fixed()
     part = spin.map(lambda c: partial(c, velocity)).time_derivative(slots)
-    bending = zip(rotation.inertia, components, (e1, e2, e3), strict=True)
-    return sp.Add(*(moment * w * (part.dot(e) - partial(w, coordinate)) for moment, w, e in bending))
+    bending = zip(rotation.inertia.times(components), components, (e1, e2, e3), strict=True)
+    return sp.Add(*(h * (part.dot(e) - partial(w, coordinate)) for h, w, e in bending))
 
 
 def is_constant(load: Load, configuration: Configuration) -> bool:

@@ -26,6 +26,7 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing, RingDerivation
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, textbook_form
+from lagrange.core.inertia import InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import base, partial, prime, t, variation
 from lagrange.core.triads import axis_names
@@ -118,15 +119,14 @@ class _Motion:
         """An expression in q and q', rewritten in q and u, in textbook form."""
         return self.textbook.form(expression.xreplace(self.rule))
 
-    def moving(self, v: Vector, triads: Sequence[Triad], inertia: Sequence[sp.Expr] | None = None) -> Moving:
-        """A velocity in the first of the triads in which it is shortest; with moments of inertia, H and dH/dt."""
+    def moving(self, v: Vector, triads: Sequence[Triad], inertia: InertiaTensor | None = None) -> Moving:
+        """A velocity in the first of the triads in which it is shortest; with a tensor of inertia, H and dH/dt."""
         written = (v.along(triad).map(self.form) for triad in dict.fromkeys(triads))
         rate = min(written, key=lambda w: sum(1 + c.count_ops() for c in w.components if c != 0))
         partials = tuple(rate.map(lambda c, u=u: c.diff(u)) for u in self.quasi.slots.velocities)  # type: ignore[misc]
         vector = rate
         if inertia is not None:
-            a, b, c = (moment * w for moment, w in zip(inertia, rate.components, strict=True))
-            vector = Vector((a, b, c), rate.triad)
+            vector = Vector(inertia.times(rate.components), rate.triad)
         return Moving(rate, partials, self._differentiated(vector), vector)
 
     def _differentiated(self, v: Vector) -> Vector:
@@ -150,7 +150,7 @@ class _Motion:
         triads = [own]
         if own.directions is not None:
             triads += [] if rotation.given else [self._axes(rotation)]
-            triads += [FIXED] if len(set(rotation.inertia)) == 1 else []
+            triads += [FIXED] if rotation.inertia.is_isotropic else []
         return self.moving(rotation.angular_velocity, triads, rotation.inertia)
 
     def _axes(self, rotation: Rotation) -> Triad:

@@ -213,9 +213,12 @@ def _same_equations(linear: Linearization) -> Iterator[bool | None]:
         for k, e in enumerate(lagrange_equations(configuration).left)
     ]
     at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    # Where no velocity or acceleration is differentiated by, it is put to zero before, which leaves few terms.
+    still = [e.xreplace(at_rest) for e in left]
+    slow = [e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in left]
     tables = [
-        sp.Matrix([[partial(e, s).xreplace(at_rest) for s in symbols] for e in left])
-        for symbols in (slots.accelerations, slots.velocities, slots.coordinates)
+        sp.Matrix([[partial(e, s).xreplace(at_rest) for s in symbols] for e in expressions])
+        for symbols, expressions in ((slots.accelerations, left), (slots.velocities, slow), (slots.coordinates, still))
     ]
     for b, s in zip(linear.branches, linear.at, strict=True):
         if s is None:

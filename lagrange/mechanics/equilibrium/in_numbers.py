@@ -21,7 +21,9 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.core.records import record
 from lagrange.core.units import unit_called
+from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING_IN_NUMBERS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria, numerical_equilibria
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
@@ -46,6 +48,16 @@ class Oscillation:
 
 
 @record
+class Decay:
+    """A damped mode in numbers: δ, ω (None: it does not oscillate), and amplitude and phase of each free coordinate."""
+
+    rate: Quantity
+    frequency: Quantity | None
+    amplitudes: tuple[float, ...]
+    phases: tuple[float, ...]
+
+
+@record
 class Position:
     """An equilibrium in numbers.
 
@@ -53,12 +65,14 @@ class Position:
     coordinates   the coordinates and unknown forces that have one value there
     stability     None where nothing was asked or can be said
     oscillations  about it; empty where they are not asked, or it is not stable
+    decays        with damping: the modes about it, likewise
     """
 
     branch: int | None
     coordinates: Mapping[sp.Symbol, Quantity]
     stability: StabilityVerdict | None = None
     oscillations: tuple[Oscillation, ...] = ()
+    decays: tuple[Decay, ...] = ()
 
 
 @record
@@ -155,9 +169,12 @@ def _positions(
                 continue
             verdict = _verdict(stability, at)
             found = () if oscillations is None else _oscillations(oscillations, at, values)
+            decays = () if oscillations is None else _decays(oscillations, at, values)
         except (NotRealError, NotAlgebraicError, DivisionByZeroError, ZeroDivisionError):
             continue
-        yield Position(n, coordinates, verdict, found if verdict is not StabilityVerdict.UNSTABLE else ())
+        if verdict is StabilityVerdict.UNSTABLE:
+            found, decays = (), ()
+        yield Position(n, coordinates, verdict, found, decays)
 
 
 def _coordinates(b: Branch, e: Equilibrium, values: Values, at: Evaluate) -> dict[sp.Symbol, Quantity]:
@@ -264,6 +281,34 @@ def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[O
             period = Quantity(2 * sp.pi / omega, "s" if known else "")
             found.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period))
     return tuple(found)
+
+
+def _decays(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[Decay, ...]:
+    """The damped modes at a point."""
+    if s.oscillates or len(s.free) > MOST_OSCILLATING_IN_NUMBERS:
+        return ()
+    known = bool(values.units)
+    with mpmath.workdps(2 * WORKING_DIGITS):
+        tables = []
+        for table in (s.system.mass, s.system.damping, s.system.stiffness):
+            numbers = [[at(e) for e in row] for row in table]
+            if any(not e.is_number for row in numbers for e in row):
+                return ()
+            digits = 2 * WORKING_DIGITS
+            tables.append(mpmath.matrix([[mpmath.mpf(str(real_value(e, digits))) for e in row] for row in numbers]))
+        try:
+            exponents = exponents_in_numbers(*tables)
+        except (ZeroDivisionError, mpmath.NoConvergence):
+            return ()
+        return tuple(
+            Decay(
+                Quantity(sp.Float(e.rate, WORKING_DIGITS), "1/s" if known else ""),
+                Quantity(sp.Float(e.frequency, WORKING_DIGITS), "rad/s" if known else "") if e.frequency else None,
+                tuple(float(a) for a in e.amplitudes),
+                tuple(float(a) for a in e.phases),
+            )
+            for e in exponents
+        )
 
 
 def _squares(f: Frequency, at: Evaluate) -> Iterator[sp.Expr]:

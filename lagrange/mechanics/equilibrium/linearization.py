@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 import sympy as sp
 
@@ -41,6 +42,7 @@ from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.equilibrium.damped_modes import DampedModes, damped_modes
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import LONGEST_COEFFICIENT, MOST_EQUILIBRIA, MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import (
@@ -83,6 +85,7 @@ class SmallOscillations:
     unknown         ω or p
     judgement       the verdict on stability
     damped          if a single coordinate is damped, and stable
+    decaying        with damping, the modes as decay rates and frequencies; None: the polynomial is too large
     """
 
     free: tuple[int, ...]
@@ -93,6 +96,7 @@ class SmallOscillations:
     unknown: sp.Symbol
     judgement: StabilityJudgement
     damped: DampedOscillation | None = None
+    decaying: DampedModes | None = None
 
     @property
     def oscillates(self) -> bool:
@@ -110,6 +114,14 @@ class SmallOscillations:
 
 
 @record
+class Copy:
+    """An equilibrium with the linear equations of an earlier one, by index, where the signs of some ξ are reversed."""
+
+    of: int
+    reversed: tuple[sp.Symbol, ...]
+
+
+@record
 class Linearization:
     """The linear equations about all equilibria of the equations of motion, in one set of coordinates.
 
@@ -121,6 +133,7 @@ class Linearization:
     exponent      the letter p
     driven        whether positions contain time, which cancels
     at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
+    copies        for each branch the earlier one with the same linear equations, but for the signs of some ξ; or None
     """
 
     motion: EquationsOfMotion
@@ -132,6 +145,16 @@ class Linearization:
     exponent: sp.Symbol
     driven: bool
     at: tuple[SmallOscillations | None, ...]
+    copies: tuple[Copy | None, ...] = ()
+
+    def copy_of(self, n: int) -> Copy | None:
+        """The earlier equilibrium that the nth one, counted from 0, is a copy of."""
+        return self.copies[n] if self.copies else None
+
+    @property
+    def originals(self) -> tuple[SmallOscillations, ...]:
+        """The linear equations that are known, without copies."""
+        return tuple(s for n, s in enumerate(self.at) if s is not None and self.copy_of(n) is None)
 
     @property
     def configuration(self) -> Configuration:
@@ -157,11 +180,11 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
     branches, complete = branches_at_rest(resting)
     places = (c for p in configuration.points for c in p.position.fixed().components)
     driven = any(is_time(s, configuration) for c in places for s in c.free_symbols)
-    at = tuple(
-        _about(b, form, resting, names, omega, exponent) if n < MOST_EQUILIBRIA else None
-        for n, b in enumerate(branches)
-    )
-    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at)
+    about = _About(form, resting, names, omega, exponent)
+    for n, b in enumerate(branches):
+        about.add(b, known=n < MOST_EQUILIBRIA)
+    at, copies = tuple(about.at), tuple(about.copies)
+    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at, copies)
 
 
 def letters_of(taken: frozenset[str]) -> tuple[sp.Symbol, sp.Symbol]:
@@ -184,28 +207,106 @@ def displacement_names(coordinates: Sequence[sp.Symbol], taken: frozenset[str]) 
     return tuple(sp.Symbol(f"{letter}_{n}", real=True) for n, _ in enumerate(coordinates, start=1))
 
 
-def _about(
-    b: Branch,
-    form: MatrixForm,
-    resting: Equilibrium,
-    names: Sequence[sp.Symbol],
-    omega: sp.Symbol,
-    exponent: sp.Symbol,
-) -> SmallOscillations | None:
-    """The linear equations on one branch; None if it is not in closed form, or the coordinates fail there."""
-    if b.left or b.special:
-        return None
-    try:
-        matrices = matrices_on(b, form, resting)
+class _About:
+    """The linear equations about one branch after the other; those of a copy are taken from its original."""
+
+    def __init__(
+        self,
+        form: MatrixForm,
+        resting: Equilibrium,
+        names: Sequence[sp.Symbol],
+        omega: sp.Symbol,
+        exponent: sp.Symbol,
+    ) -> None:
+        self.form, self.resting = form, resting
+        self.names, self.letters = names, (omega, exponent)
+        self.branches: list[Branch] = []
+        self.at: list[SmallOscillations | None] = []
+        self.copies: list[Copy | None] = []
+
+    def add(self, b: Branch, known: bool) -> None:
+        """The next branch; without linear equations unless `known`."""
+        s, copy = self._of(b) if known and not b.left and not b.special else (None, None)
+        self.branches.append(b)
+        self.at.append(s)
+        self.copies.append(copy)
+
+    def _of(self, b: Branch) -> tuple[SmallOscillations | None, Copy | None]:
+        """None if it is not in closed form, or the coordinates fail there."""
+        try:
+            matrices = matrices_on(b, self.form, self.resting)
+        except (DivisionByZeroError, ZeroDivisionError):
+            return None, None
         if matrices is None:
-            return None
+            return None, None
         free, shape, *reduced = matrices
         if len(free) > MOST_OSCILLATING or not free:
-            return None
-    except (DivisionByZeroError, ZeroDivisionError):
+            return None, None
+        mass, damping, stiffness = reduced
+        for n, (other, s) in enumerate(zip(self.branches, self.at, strict=True)):
+            if s is None or s.free != free or self.copies[n] is not None:
+                continue
+            if (other.conditions, other.implied) == (b.conditions, b.implied):
+                signs = _mirror(s.system, (mass, damping, stiffness), {*self.resting.solution.unknowns})
+                if signs is not None:
+                    moved = [self.names[k] for k in free]
+                    copied = _mirrored(s, shape, (mass, damping, stiffness), signs, moved)
+                    return copied, Copy(n, tuple(x for x, sign in zip(moved, signs, strict=True) if sign < 0))
+        return oscillations(free, shape, (mass, damping, stiffness), b, self.resting, self.names, *self.letters), None
+
+
+def _mirror(s: LinearSystem, matrices: tuple[Matrix, ...], unknowns: set[sp.Symbol]) -> tuple[int, ...] | None:
+    """The signs of the ξ with which M, D, K become other matrices, fewest reversed; None: there are none.
+
+    Only where all are functions of parameters: then frequencies, modes and stability are those of one linear system.
+    """
+    size = len(s.mass)
+    pairs = [*zip((s.mass, s.damping, s.stiffness), matrices, strict=True)]
+    if any(e.free_symbols & unknowns for pair in pairs for x in pair for row in x for e in row):
         return None
-    mass, damping, stiffness = reduced
-    return oscillations(free, shape, (mass, damping, stiffness), b, resting, names, omega, exponent)
+    ratios: dict[tuple[int, int], int] = {}
+    for x, y in pairs:
+        for i, j in product(range(size), repeat=2):
+            a, b = x[i][j], y[i][j]
+            sign = 1 if a == b else -1 if sp.expand(a + b) == 0 else 1 if sp.expand(a - b) == 0 else None
+            if sign is None or (i == j and sign < 0):
+                return None
+            if a != 0 and ratios.setdefault((min(i, j), max(i, j)), sign) != sign:
+                return None
+    signs = [0] * size
+    for start in range(size):
+        if signs[start]:
+            continue
+        linked, signs[start] = [start], 1
+        for i in linked:
+            for (m, n), sign in ratios.items():
+                if m != n and i in (m, n):
+                    other = n if i == m else m
+                    if signs[other] not in (0, sign * signs[i]):
+                        return None
+                    linked += [] if signs[other] else [other]
+                    signs[other] = sign * signs[i]
+    return tuple(signs)
+
+
+def _mirrored(
+    s: SmallOscillations, shape: Matrix, matrices: tuple[Matrix, ...], signs: Sequence[int], moved: Sequence[sp.Symbol]
+) -> SmallOscillations:
+    """The small oscillations of a system whose ξ have other signs."""
+    mass, damping, stiffness = matrices
+
+    def mode(v: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+        lead = next(sign for a, sign in zip(v, signs, strict=True) if a != 0)
+        return tuple(lead * sign * a for a, sign in zip(v, signs, strict=True))
+
+    frequencies = tuple(replace(f, modes=tuple(map(mode, f.modes))) for f in s.system.frequencies)
+    system = replace(s.system, mass=mass, damping=damping, stiffness=stiffness, frequencies=frequencies)
+    equations = tuple(_equations(mass, damping, stiffness, moved))
+    decaying = s.decaying
+    if decaying is not None:
+        shapes = (replace(m, shape=mode(m.shape) if m.shape else ()) for m in decaying.modes)
+        decaying = replace(decaying, modes=tuple(shapes))
+    return replace(s, shape=shape, system=system, equations=equations, decaying=decaying)
 
 
 def oscillations(
@@ -243,7 +344,10 @@ def oscillations(
     equations = tuple(_equations(mass, damping, stiffness, tuple(names[k] for k in free)))
     unknown = exponent if damped else omega
     judgement = judged(system, b, resting)
-    return SmallOscillations(free, shape, system, equations, written, unknown, judgement, _damped(system, judgement))
+    modes = damped_modes(matrices, polynomial, letter) if damped and polynomial is not None else None
+    return SmallOscillations(
+        free, shape, system, equations, written, unknown, judgement, _damped(system, judgement), modes
+    )
 
 
 def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:

@@ -6,7 +6,7 @@ are printed. The second variation is formed anew, from Lagrange's equations at r
     S = Nᵀ H N ,     H_kj = ∂(L_k − Σ_i λ_i a_ik)/∂q_j ,     A N = 0 ,     Aᵀ λ = L ,
 
 with λ and N solved for in numbers: no coordinate is eliminated, and no minor is factored or simplified. Stable needs
-S > 0 wherever the conditions hold, unstable a negative principal minor, and so does a condition that is reversed.
+S > 0 wherever the conditions hold, unstable a negative square, and so does a condition that is reversed.
 
 Values have eighty digits. A sign counts if the value is above 10⁻⁴² of the largest one; otherwise the point is not
 used. The points are the same in every run.
@@ -18,7 +18,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import combinations
 from random import Random
 from typing import Any
 
@@ -34,6 +33,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.equilibrium.damped_modes import all_exponents_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_COMPARED_POINTS,
@@ -74,11 +74,18 @@ def check_oscillations(linear: Linearization) -> list[Check]:
     ]
     if signs:
         checks.append(Check("the stiffness has the stated signs", all_hold(signs), HOW, name))
-    listed = (s for s in linear.at if s is not None and s.frequencies and len(s.free) <= MOST_EXPANDED_ROWS)
+    listed = (s for s in linear.originals if s.frequencies and len(s.free) <= MOST_EXPANDED_ROWS)
     roots = [_are_all_roots(s) for s in listed]
     if roots:
         how = "exact: det(K − ω² M) is their product"
         checks.append(Check("the frequencies have the stated multiplicities", all_hold(roots), how, name))
+    damped = [(s.decaying, s.system) for s in linear.originals if len(s.free) <= MOST_EXPANDED_ROWS]
+    exponents = [all_exponents_hold(d, (s.mass, s.damping, s.stiffness)) for d, s in damped if d is not None]
+    if exponents:
+        how = "exact: det(K + p D + p² M) is their product"
+        checks.append(
+            Check("the decay rates and frequencies are those of all exponents", all_hold(exponents), how, name)
+        )
     return checks
 
 
@@ -213,21 +220,22 @@ def _product(a: Sequence[Any], matrix: Sequence[Sequence[Any]], b: Sequence[Any]
 
 
 def _definiteness(point: RealPoint, table: Sequence[Sequence[Any]]) -> int | None:
-    """1, −1 or None for a symmetric matrix of numbers, by its principal minors."""
-    size = len(table)
+    """1, −1 or None for a symmetric matrix of numbers, by completing squares: the signs of xᵀ S x."""
     largest = max([abs(x) for row in table for x in row], default=0)
-    if not size or point.arithmetic.vanishes(largest):
+    if not table or point.arithmetic.vanishes(largest):
         return None
-    scaled = [[x / largest for x in row] for row in table]
-    positive = True
-    for n in range(1, size + 1):
-        for chosen in combinations(range(size), n):
-            minor = determinant_in_numbers([[scaled[i][j] for j in chosen] for i in chosen])
-            vanishes = point.arithmetic.vanishes(minor)
-            if not vanishes and minor < 0:
-                return -1
-            positive = positive and not vanishes
-    return 1 if positive else None
+    rest = [[x / largest for x in row] for row in table]
+    vanishes = point.arithmetic.vanishes
+    while rest:
+        size = len(rest)
+        if any(rest[k][k] < 0 and not vanishes(rest[k][k]) for k in range(size)):
+            return -1
+        k = max(range(size), key=lambda k, rest=rest: rest[k][k])  # type: ignore[misc]
+        if vanishes(rest[k][k]):  # and so do all the others: 2 a x y takes both signs
+            return None if all(vanishes(x) for row in rest for x in row) else -1
+        others = [i for i in range(size) if i != k]
+        rest = [[rest[i][j] - rest[i][k] * rest[k][j] / rest[k][k] for j in others] for i in others]
+    return 1
 
 
 def determinant_in_numbers(table: Sequence[Sequence[Any]]) -> Any:

@@ -215,8 +215,7 @@ def mass_matrix(configuration: Configuration) -> list[list[sp.Expr]]:
         for n in size:
             terms = [p.mass * p.partials[k].dot(p.partials[n]) for p in configuration.points if p.mass != 0]
             for r in configuration.rotations:
-                parts = zip(r.inertia, r.partials[k].components, r.partials[n].components, strict=True)
-                terms += [moment * a * b for moment, a, b in parts]
+                terms.append(r.inertia.form(r.partials[k].components, r.partials[n].components))
             row.append(sp.Add(*terms))
         rows.append(row)
     return rows

@@ -65,14 +65,15 @@ def matrix(sequence: str, angles: tuple[sp.Expr, ...]) -> sp.Matrix:
     return turned
 
 
-def route_of(sequence: str, inertia: tuple[sp.Expr, ...]) -> Route:
+def route_of(sequence: str, inertia: tuple[sp.Expr, ...] | sp.Matrix) -> Route:
     """Euler's equations about the fixed point, J w' + w x J w = arm x R^T F, in components of the body."""
     angles = moving("phi theta psi")
     m, g, *arm = constants("m g a b c")
     turned = matrix(sequence, angles)
     skew = turned.T * sp.diff(turned, t)
     w, arm = sp.Matrix([skew[2, 1], skew[0, 2], skew[1, 0]]), sp.Matrix(arm)
-    about_point = sp.diag(*inertia) + m * (arm.dot(arm) * sp.eye(3) - arm * arm.T)
+    tensor = inertia if isinstance(inertia, sp.Matrix) else sp.diag(*inertia)
+    about_point = tensor + m * (arm.dot(arm) * sp.eye(3) - arm * arm.T)
     moment = arm.cross(turned.T * sp.Matrix([m * g, 0, 0]))
     momentum = about_point * w
     return literature("phi theta psi", sp.diff(momentum, t) + w.cross(momentum) - moment)
@@ -97,6 +98,52 @@ def test_every_sequence_against_newton_and_euler(problem: Read, sequence: str) -
     solution = solve(problem(BODY.format(sequence=sequence, inertia="A, B, C")))
     assert solution.holds
     same_motion(solution, route_of(sequence, constants("A B C")), int(sequence))
+
+
+def test_products_of_inertia_against_newton_and_euler(problem: Read) -> None:
+    """A body whose axes are no principal axes; with A = B its triad must take part in the last rotation all the same."""
+    text = BODY.replace("[{inertia}]", "[[A, F, E], [F, A, D], [E, D, C]]").replace("A, B, C, a", "A, C, D, E, F, a")
+    shown = report(problem(text.format(sequence="313")))
+    assert shown.holds
+    A, C, D, E, F = constants("A C D E F")
+    same_motion(shown.solution, route_of("313", sp.Matrix([[A, F, E], [F, A, D], [E, D, C]])), 313)
+    statement, *_ = as_object(shown)["steps"]
+    assert {"matrices": {"J_B": [["A", "F", "E"], ["F", "A", "D"], ["E", "D", "C"]]}} in statement["body"]
+
+
+UNBALANCED = """
+title: A rotor that turns uniformly
+parameters: {J: positive, C: positive, E: real, D: real, Omega: real}
+coordinates: [alpha, beta]
+bodies:
+  rotor:
+    inertia: [[J, 0, E], [0, J, D], [E, D, C]]
+    position: 0*i
+    orientation: {axes: 123, angles: [alpha, beta, Omega*t]}
+constraints: {x: {equation: alpha = 0, reaction: M_x}, y: {equation: beta = 0, reaction: M_y}}
+"""
+
+
+def test_the_couple_of_the_bearings_of_an_unbalanced_rotor(problem: Read) -> None:
+    """dH/dt of H = Ω (E e_1 + D e_2 + C e_3), which turns with the rotor: Ω² (E e_2 − D e_1)."""
+    solution = solve(problem(UNBALANCED))
+    assert solution.holds
+    E, D, Omega, time = (sp.Symbol(n, real=True) for n in ("E", "D", "Omega", "t"))
+    turned = Omega * time
+    wanted = {
+        "x": -(Omega**2) * (E * sp.sin(turned) + D * sp.cos(turned)),
+        "y": Omega**2 * (E * sp.cos(turned) - D * sp.sin(turned)),
+    }
+    assert solution.own.dynamics is not None
+    found = solution.own.dynamics.reactions.multipliers
+    level = {sp.Symbol(n, real=True): sp.S.Zero for n in ("alpha", "beta")}
+    assert all(is_zero(found[n].xreplace(level) - wanted[n]) for n in wanted)
+
+
+def test_a_tensor_must_be_constant_in_the_axes_that_are_given(problem: Read) -> None:
+    text = TURNED.replace("[{inertia}]", "[[A, B, 0], [B, A, 0], [0, 0, C]]")
+    with pytest.raises(ProblemError, match="its tensor of inertia about them does not stay constant"):
+        solve(problem(text.format(spin="psi'*k")))
 
 
 @pytest.mark.parametrize("sequence", ["313", "212", "121", "132"])
@@ -269,7 +316,10 @@ find: motion
 """
     with pytest.raises(ProblemError) as refused:
         solve(problem(text.format(mass=0)))
-    assert refused.value.diagnostics[0].code == "no-inertia"
+    [found] = refused.value.diagnostics
+    assert found.code == "no-inertia"
+    assert "`crank` then turns about an axis about which it has no moment of inertia" in found.message
+    assert found.span is not None
     solution = solve(problem(text.format(mass="m")))
     assert solution.holds
     theta = sp.Symbol("theta", real=True)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
+from lagrange.core.inertia import InertiaTensor
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import check_motion
 from lagrange.mechanics.results import Solution
@@ -29,8 +30,8 @@ def test_the_checks_notice_another_moment_of_inertia(name: str) -> None:
     configuration = solution.own.configuration
     [turning] = configuration.rotations
     assert False not in checks_with(solution, configuration)
-    a, b, c = turning.inertia
-    wrong = replace(turning, inertia=(a, b, 2 * c))
+    a, b, c = turning.inertia.moments
+    wrong = replace(turning, inertia=InertiaTensor((a, b, 2 * c)))
     assert False in checks_with(solution, replace(configuration, rotations=(wrong,)))
 
 

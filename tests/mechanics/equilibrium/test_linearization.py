@@ -7,6 +7,8 @@ given by hand, at random values of the parameters; det(M p² + D p + K) = 0 is s
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 import sympy as sp
 from mpmath import diff, matrix, mp, mpc, mpf, polyroots
@@ -249,3 +251,41 @@ def test_gyroscopic_beside_circulatory_forces() -> None:
     assert sp.expand(polynomial - matrix.det()) == 0
     assert max(sp.re(root) for root in sp.Poly(matrix.det(), s).nroots()) > 0
     assert oscillation.judgement.stability.verdict is StabilityVerdict.UNSTABLE
+
+
+FREE_BODY = """
+parameters: [A, B, C, Omega]
+coordinates: [beta, gamma]
+bodies: {body: {inertia: [A, B, C], position: 0*i, orientation: {axes: 123, angles: [Omega*t, beta, gamma]}}}
+"""
+
+
+def test_copies_of_an_equilibrium_are_worked_out_once() -> None:
+    """A body that turns about one of its axes: eight positions, but two systems of equations. Each copy is checked."""
+    solution = solved(FREE_BODY)
+    assert solution.holds
+    linear = linear_equations(solution)
+    known = [(s, linear.copy_of(n)) for n, s in enumerate(linear.at) if s is not None]
+    assert (len(known), len(linear.originals)) == (8, 2)
+    for s, copy in known:
+        if copy is not None:
+            original = linear.at[copy.of]
+            assert original is not None
+            mine, others = s.system, original.system
+            signs = sp.diag(*(-1 if linear.displacements[k] in copy.reversed else 1 for k in s.free))
+            for a, b in ((mine.mass, others.mass), (mine.damping, others.damping), (mine.stiffness, others.stiffness)):
+                assert (sp.Matrix(a) - signs * sp.Matrix(b) * signs).expand() == sp.zeros(len(s.free))
+
+
+def test_a_long_chain_has_linear_equations() -> None:
+    """Nine masses: more than a polynomial is worked out for, and the verdict does not need it."""
+    names = [f"x{n}" for n in range(1, 10)]
+    springs = "+".join(f"({a} - {b})^2" for a, b in pairwise(["0", *names, "0"]))
+    places = ", ".join(f"P{n}: {{mass: m, position: {n}*i}}" for n in names)
+    text = f"parameters: [m, k]\ncoordinates: [{', '.join(names)}]\nparticles: {{{places}}}\n"
+    solution = solved(f"{text}forces: {{springs: {{potential: k/2*({springs})}}}}\n")
+    assert solution.holds
+    [s] = linear_equations(solution).at
+    assert s is not None
+    assert (len(s.equations), s.characteristic) == (9, None)
+    assert s.judgement.stability.verdict is StabilityVerdict.STABLE
