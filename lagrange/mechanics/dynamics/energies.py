@@ -107,6 +107,8 @@ def energies(configuration: Configuration) -> Energies:
     applied = [_applied(configuration, v, ring) for v in slots.velocities]
     if configuration.generalized:
         applied = [q + ring.from_sympy(e) for q, e in zip(applied, configuration.generalized, strict=True)]
+    if configuration.mass_terms:
+        applied = [q + ring.from_sympy(e) for q, e in zip(applied, configuration.mass_terms, strict=True)]
     quasi = [_quasi(configuration, k, ring) for k in range(len(slots.coordinates))]
     left = [r - p - n for r, p, n in zip(rates, partials, quasi, strict=True)]
     massive = [p for p in configuration.points if p.mass != 0 and not configuration.is_pinned(p)]

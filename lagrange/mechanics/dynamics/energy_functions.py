@@ -31,6 +31,7 @@ from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import dot
 
 
@@ -311,6 +312,7 @@ def energy_functions(
     frictions  the names of the friction forces, which have no potential even if they are constant
     """
     ring = textbook.ring
+    frictions = {*frictions, *(REACTIVE for _ in configuration.variable_masses[:1])}
     springs = sp.Add(*(s.energy for s in configuration.springs))
     fields = configuration.potential - springs
     steady = [f for f in configuration.loads if f.name not in frictions and is_constant_force(f, configuration, ring)]
@@ -322,6 +324,8 @@ def energy_functions(
         potential, fields = potential + ring.from_sympy(fields), sp.S.Zero
     if configuration.generalized:
         forces = tuple(f + ring.from_sympy(q) for f, q in zip(forces, configuration.generalized, strict=True))
+    if configuration.mass_terms:
+        forces = tuple(f + ring.from_sympy(q) for f, q in zip(forces, configuration.mass_terms, strict=True))
     return EnergyFunctions(
         configuration=configuration,
         textbook=textbook,
