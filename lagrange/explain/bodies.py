@@ -1,4 +1,4 @@
-"""Rigid bodies, springs and dampers: how they are stated, and what they add to d'Alembert's principle."""
+"""Rigid bodies, springs, dampers, masses that vary: how they are stated, and what they add to d'Alembert's principle."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import DotProduct, VectorSymbol, prime, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Equation, Part
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Equation, Part, Prose
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+from lagrange.mechanics.constraints.variable_mass import REACTIVE, VariableMass, validities
 from lagrange.problem.model import Body, Problem
 
 ZERO = sp.S.Zero
@@ -149,6 +151,58 @@ def explain_links(configuration: Configuration) -> list[Block]:
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
     return blocks
+
+
+def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
+    """With what velocity mass leaves or joins a particle, the reactive force, and where the mass is positive."""
+    blocks: list[Block] = []
+    for m in configuration.variable_masses:
+        called = the(m.name)
+        goes, carries = ("leaves", "away from") if m.leaves else ("joins", "to")
+        rate = textbook_form(-m.rate) if m.leaves else m.rate
+        at_rate = prose(f"Mass {goes} {called} at the rate ", math(rate), *_velocity(m), ".")
+        force = next((f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE), None)
+        if force is None:
+            sentence = prose(f"It has the velocity of {called}, and exerts no force on it.")
+            blocks += [paragraph(at_rate, sentence), *_positive(configuration, m.name)]
+            continue
+        rule = "the rate of change of its mass times the velocity of that mass relative to it"
+        carried = prose(
+            f"This mass carries momentum {carries} {called}. The momentum of both together changes only by the impulse "
+            f"of the other forces. For {called} alone this amounts to a reactive force, {rule} (Meshchersky):"
+        )
+        line = Equation(_reactive(m, force), label=f"reactive-{m.name}")
+        blocks += [paragraph(at_rate, carried), display(line), *_positive(configuration, m.name)]
+    return blocks
+
+
+def _velocity(m: VariableMass) -> tuple[Part, ...]:
+    """With what velocity mass leaves or joins."""
+    if m.velocity.is_zero and m.relative:
+        return (" without velocity relative to it",)
+    if m.velocity.is_zero:
+        return (" and is at rest then" if m.leaves else "; before, it is at rest",)
+    return (", with the velocity ", math(m.velocity), " relative to it" if m.relative else "")
+
+
+def _reactive(m: VariableMass, force: Vector) -> tuple[sp.Expr | Vector, ...]:
+    """Φ = (dm/dt) (u − v), carried out."""
+    phi = VectorSymbol(f"Phi_{m.name}")
+    if m.relative:
+        return phi, force
+    between = m.rate * (m.velocity.as_sum() - VectorSymbol(f"r_{m.name}'"))
+    return phi, between, force
+
+
+def _positive(configuration: Configuration, name: str) -> list[Prose]:
+    """`Its mass is positive as long as t < m₀/q.`"""
+    found = next((v for v in validities(configuration.variable_masses, configuration.slots) if v.name == name), None)
+    if found is None:
+        return []
+    if found.symbol is None:
+        return [prose("The equations hold as long as its mass is positive.")]
+    where = math(found.symbol, found.bound, relation=">" if found.above else "<")
+    return [prose("Its mass is positive, and the equations hold, as long as ", where, ".")]
 
 
 def link_called(name: str, kind: str) -> str:

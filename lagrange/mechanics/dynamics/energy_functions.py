@@ -85,8 +85,12 @@ def of_the_rest(
     """
     coordinates = configuration.slots.coordinates
     n = len(coordinates)
-    each = [_generalized(load, configuration, ring) for load in loads if load.name not in frictions]
-    without_potential = [_generalized(load, configuration, ring) for load in loads if load.name in frictions]
+    varying = {m.name for m in configuration.variable_masses if t in m.mass.free_symbols}
+    powerless = [f.name in frictions or (f.name == "weight" and f.on in varying) for f in loads]
+    each = [_generalized(f, configuration, ring) for f, without in zip(loads, powerless, strict=True) if not without]
+    without_potential = [
+        _generalized(f, configuration, ring) for f, without in zip(loads, powerless, strict=True) if without
+    ]
     for moment in configuration.torques:
         [turning] = (r for r in configuration.rotations if r.name == moment.on)
         q = tuple(dot(moment.vector, partial, ring) for partial in turning.partials)

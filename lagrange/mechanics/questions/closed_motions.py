@@ -3,6 +3,7 @@
 Of an equation for one coordinate q alone:
 
     q'' + c q' + k q = F(t)     with constant c and k; F a sum of constants, powers of t, cosines and sines
+    q'' = A(t) + B(t) q'        `linear_in_speed`: a rocket
     q'' = α − β q'^2            drag with the square of the velocity: u = exp(β (q − q_0)) satisfies u'' = α β u
 
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
@@ -26,6 +27,7 @@ from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
+from lagrange.mechanics.questions.linear_in_speed import of_rates_in_time
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
 from lagrange.mechanics.questions.states import Values
 
@@ -84,6 +86,8 @@ def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[Cl
     if a.has(Unspecified):
         return []
     found = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
+    if not found and (solution := of_rates_in_time(q, a, place, speed)) is not None:
+        found = [ClosedMotion({q: _tidy(solution)})]
     verified = [m for m in found if _is_solution(m, q, a, place, speed)]
     return verified if len(verified) == len(found) else []
 
