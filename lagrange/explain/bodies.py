@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import DotProduct, VectorSymbol, prime, variation
+from lagrange.core.symbols import DotProduct, VectorSymbol, prime, t, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
@@ -160,7 +160,10 @@ def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
         called = the(m.name)
         goes, carries = ("leaves", "away from") if m.leaves else ("joins", "to")
         rate = textbook_form(-m.rate) if m.leaves else m.rate
-        at_rate = prose(f"Mass {goes} {called} at the rate ", math(rate), *_velocity(m), ".")
+        while_positive = ""
+        if any(s.name.endswith("'") for s in rate.free_symbols) and not (m.relative and m.velocity.is_zero):
+            while_positive = " The equations hold while this rate is positive."
+        at_rate = prose(f"Mass {goes} {called} at the rate ", math(rate), *_velocity(m), f".{while_positive}")
         force = next((f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE), None)
         if force is None:
             sentence = prose(f"It has the velocity of {called}, and exerts no force on it.")
@@ -181,7 +184,7 @@ def _velocity(m: VariableMass) -> tuple[Part, ...]:
     if m.velocity.is_zero and m.relative:
         return (" without velocity relative to it",)
     if m.velocity.is_zero:
-        return (" and is at rest then" if m.leaves else "; before, it is at rest",)
+        return (" and is at rest from then on" if m.leaves else "; until then it is at rest",)
     return (", with the velocity ", math(m.velocity), " relative to it" if m.relative else "")
 
 
@@ -201,6 +204,8 @@ def _positive(configuration: Configuration, name: str) -> list[Prose]:
         return []
     if found.symbol is None:
         return [prose("The equations hold as long as its mass is positive.")]
+    if found.symbol == t and found.above and found.bound.is_nonpositive:
+        return []
     where = math(found.symbol, found.bound, relation=">" if found.above else "<")
     return [prose("Its mass is positive, and the equations hold, as long as ", where, ".")]
 

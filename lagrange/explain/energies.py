@@ -89,7 +89,14 @@ def explain_energies(setup: LagrangeExposition) -> Step:
     """v² and ω, T, V, and the generalized forces of forces that have no potential energy."""
     if setup.energies.configuration.is_outright:
         return _outright(setup)
-    body = [*_velocities(setup), *_kinetic(setup), *_potential(setup), *_moving(setup), *_forces(setup), *_masses(setup)]
+    body = [
+        *_velocities(setup),
+        *_kinetic(setup),
+        *_potential(setup),
+        *_moving(setup),
+        *_forces(setup),
+        *_masses(setup),
+    ]
     title = "Kinetic and potential energy" if setup.energies.potential != 0 else "Kinetic energy"
     title += ", generalized forces" * any(q != 0 for q in setup.energies.applied)
     return Step(Rule.ENERGIES, setup.title(title), tuple(body))

@@ -33,7 +33,13 @@ def the(name: str) -> str:
 
 def load_called(name: str, kind: str = "force") -> str:
     """An applied force with its article: `the weight`, `the reactive force`, `the force push`."""
-    return f"the {name}" if name == "weight" else "the reactive force" if name == REACTIVE else f"the {kind} {spoken(name)}"
+    return (
+        f"the {name}"
+        if name == "weight"
+        else "the reactive force"
+        if name == REACTIVE
+        else f"the {kind} {spoken(name)}"
+    )
 
 
 def constraints_called(names: Iterable[str]) -> str:

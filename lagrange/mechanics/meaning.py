@@ -147,6 +147,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     if motion.completing or sum(e.count_ops() for e in equations) > MOST_OPERATIONS or _has_functions(equations):
         return
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
+    free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}
     symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
     found: list[tuple[sp.Expr, ...]] = []
     lengths = {p.symbol for p in solution.problem.parameters if p.unit == "m"}  # a pendulum of no length is none

@@ -264,7 +264,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
         spot=spot_value(
             System(equations.configuration, equations.expressions),
             {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
-            (*dynamics.slips, *(s.distance for s in dynamics.shown.springs if not s.distance.is_nonnegative)),
+            (*dynamics.slips, *dynamics.shown.positive),
             dynamics.contacts,
         ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,

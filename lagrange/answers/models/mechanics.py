@@ -24,6 +24,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, partial, prime
 from lagrange.core.vectors import Components, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, with_velocities_apart
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
@@ -104,7 +105,11 @@ class Kind(Enum):
     SPRING = auto()
     DAMPER = auto()
     FRICTION = auto()
+    REACTIVE = auto()
     QUASI = auto()  # the term that quasi-coordinates add to Lagrange's expression
+
+
+_KINDS = {"weight": Kind.WEIGHT, REACTIVE: Kind.REACTIVE}
 
 
 @record
@@ -223,9 +228,10 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
 
     pairs = [*zip(slots.coordinates, slots.velocities, strict=True)]
     for load in configuration.loads:
-        kind = Kind.WEIGHT if load.name == "weight" else Kind.FRICTION if load.name in rough else Kind.FORCE
+        kind = Kind.FRICTION if load.name in rough else _KINDS.get(load.name, Kind.FORCE)
         shares = tuple(share_of_load(load, v, configuration) for _, v in pairs)
-        yield Force(kind, load.name, shares, is_constant(load, configuration), (load.on,))
+        conservative = kind is not Kind.REACTIVE and is_constant(load, configuration)
+        yield Force(kind, load.name, shares, conservative, (load.on,))
     for f in problem.forces:
         if isinstance(f, Potential):
             static, _ = with_velocities_apart([f.energy], problem.slots)

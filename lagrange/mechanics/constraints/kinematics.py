@@ -180,6 +180,12 @@ class Configuration:
         turning = {r.name for r in self.rotations}
         return tuple(p for p in self.points if p.name not in turning)
 
+    @property
+    def positive(self) -> tuple[sp.Expr, ...]:
+        """What is positive at every state of the system, though not by itself: lengths of springs, masses that vary."""
+        lengths = tuple(s.distance for s in self.springs if not s.distance.is_nonnegative)
+        return (*lengths, *(m.mass for m in self.variable_masses if not m.mass.is_positive))
+
     def loads_beside(self, body: str) -> tuple[Load, ...]:
         """The applied forces on a body that do not act at its mass centre."""
         [centre] = (p.position for p in self.points if p.name == body)

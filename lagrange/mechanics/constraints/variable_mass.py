@@ -76,14 +76,10 @@ def rewritten_mass(variable: VariableMass, rule: dict[sp.Basic, sp.Basic], slots
     """The same in other coordinates."""
     mass = variable.mass.xreplace(rule)
     velocity = variable.velocity.xreplace(rule)
-    return VariableMass(
-        variable.name, mass, slots.time_derivative(mass), velocity, variable.relative, variable.leaves
-    )
+    return VariableMass(variable.name, mass, slots.time_derivative(mass), velocity, variable.relative, variable.leaves)
 
 
-def mass_terms(
-    variables: Sequence[VariableMass], positions: dict[str, Vector], slots: Slots
-) -> tuple[sp.Expr, ...]:
+def mass_terms(variables: Sequence[VariableMass], positions: dict[str, Vector], slots: Slots) -> tuple[sp.Expr, ...]:
     """S_k = Σ (dm/dt) v·∂v/∂q_k' − Σ (∂m/∂q_k) v²/2, shape (n,), v from the positions in i, j, k; none if no mass varies."""
     if not variables:
         return ()

@@ -5,7 +5,7 @@ The equation is linear in the speed v = q'. With the integrating factor μ = exp
     v = (v_0 + ∫_0^t μ A dt)/μ ,     q = q_0 + ∫_0^t v dt .
 
 The antiderivatives come from the table, with real logarithms of what is positive at t = 0: log X(t) is written as
-log (X(0)/X(t)) or its opposite, so that a rocket has v = u log (m_0/m) − g t. They hold until X vanishes.
+log (X(t)/X(0)), so that a rocket has v = u log (m_0/m) − g t. They hold until X vanishes.
 """
 
 from __future__ import annotations
@@ -17,51 +17,65 @@ from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.symbols import prime, t
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
 
-ZERO = sp.S.Zero
 
-
-def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> sp.Expr | None:
-    """q(t) for q'' = a, from q_0 and q'_0; None where a is not of this kind, or an integral is not in the table."""
+def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+    """q(t) and q'(t) for q'' = a, from q_0 and q'_0; None where a is not of this kind, or an integral is not in the table."""
     v = prime(q)
     if t not in a.free_symbols or q in a.free_symbols or not a.is_polynomial(v) or sp.degree(a, v) > 1:
         return None
     factor = a.diff(v)
-    source = a.xreplace({v: ZERO})
+    source = a.xreplace({v: sp.S.Zero})
     integral = _since_start(-factor)
     if integral is None:
         return None
-    mu = sp.powsimp(sp.exp(integral))
-    driven = _since_start(sp.powsimp(mu * source) if mu != 1 else source)
+    mu = sp.powsimp(sp.exp(sp.logcombine(integral))) if integral != 0 else sp.S.One
+    driven = _since_start(mu * source)
     if driven is None:
         return None
-    way = _since_start(sp.cancel((speed + driven) / mu) if mu.is_rational_function(t) else (speed + driven) / mu)
-    return None if way is None else place + way
+    rate = (speed + driven) / mu
+    way = _since_start(rate)
+    if way is None:
+        return None
+    return place + _with_ratios(way), sp.factor(rate) if rate.is_rational_function(t) else _with_ratios(rate)
 
 
 def _since_start(e: sp.Expr) -> sp.Expr | None:
     """∫_0^t e dt; None where it is not in the table, or a logarithm is not real at t = 0."""
     if e == 0:
-        return ZERO
-    prepared = sp.apart(sp.cancel(e), t) if e.is_rational_function(t) else sp.expand(e, log=False, power_exp=False)
-    if prepared.count_ops() > LONGEST_INTEGRATED:
-        return None
-    found = antiderivative(prepared, t)
+        return sp.S.Zero
+    e = sp.apart(sp.cancel(e), t) if e.is_rational_function(t) else sp.expand(e, log=False, power_exp=False)
+    found = antiderivative(e, t) if e.count_ops() <= LONGEST_INTEGRATED else None
     if found is None:
         return None
     found = found.replace(sp.Abs, lambda x: x)
-    logarithms = [x for x in found.atoms(sp.log) if t in x.free_symbols]
-    now, then = found, found.xreplace({t: ZERO})
-    for x in logarithms:
-        inside, start = x.args[0], x.args[0].xreplace({t: ZERO})
-        sign = sign_of(start)
-        if sign not in (1, -1):
+    rule = {}
+    for x in found.atoms(sp.log):
+        sign = sign_of(x.args[0].xreplace({t: sp.S.Zero}))
+        if t in x.free_symbols and sign not in (1, -1):
             return None
-        constant = sp.Dummy("c", real=True)
-        ratio = sp.factor(start / inside)
-        now = now.xreplace({x: constant - sp.log(ratio)})
-        then = then.xreplace({x.xreplace({t: ZERO}): constant})
-        difference = sp.expand(now - then, log=False, power_exp=False)
-        if sp.cancel(difference.coeff(constant, 1)) != 0:
-            return None
-        now, then = difference.coeff(constant, 0), ZERO
-    return sp.expand(now - then, log=False, power_exp=False)
+        rule[x] = sp.log(sp.expand(-x.args[0])) if sign == -1 else x
+    found = found.xreplace(rule)
+    return found - found.xreplace({t: sp.S.Zero})
+
+
+def _with_ratios(e: sp.Expr) -> sp.Expr:
+    """log (X(t)/X(0)), or −log (X(0)/X(t)) where X decreases, in place of log X(0) and log X(t); each once."""
+    written: dict[sp.Symbol, sp.Expr] = {}
+    for x in sorted((x for x in e.atoms(sp.log) if t in x.free_symbols), key=str):
+        inside, start = x.args[0], sp.factor(x.args[0].xreplace({t: sp.S.Zero}))
+        constant, ratio = sp.Dummy("c", real=True), sp.Dummy("R", real=True)
+        grows = sign_of(inside.diff(t).xreplace({t: sp.S.Zero})) == 1
+        put = sp.expand(
+            e.xreplace({sp.log(x.args[0].xreplace({t: sp.S.Zero})): constant}).xreplace(
+                {x: constant + (ratio if grows else -ratio)}
+            )
+        )
+        if sp.cancel(put.diff(constant)) == 0:
+            e = put.xreplace({constant: sp.S.Zero})
+            written[ratio] = sp.log(inside / start if grows else start / inside)
+    rest = e.xreplace(dict.fromkeys(written, sp.S.Zero))
+    if rest.is_polynomial(t):
+        rest = sp.Add(*(sp.factor(share) * power for power, share in sp.collect(rest, t, evaluate=False).items()))
+    elif rest.is_rational_function(t):
+        rest = sp.factor(rest)
+    return sp.Add(rest, *(sp.factor(e.diff(r)) * log for r, log in written.items()))
