@@ -1,4 +1,4 @@
-"""Rigid bodies, springs, dampers, masses that vary: how they are stated, and what they add to d'Alembert's principle."""
+"""Rigid bodies, springs, dampers, varying masses: how they are stated, and their share in d'Alembert's principle."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import DotProduct, VectorSymbol, prime, t, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -154,35 +154,32 @@ def explain_links(configuration: Configuration) -> list[Block]:
 
 
 def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
-    """With what velocity mass leaves or joins a particle, the reactive force, and where the mass is positive."""
+    """With what velocity mass leaves or joins a particle, the reactive force, and while what the equations hold."""
     blocks: list[Block] = []
     for m in configuration.variable_masses:
         called = the(m.name)
         goes, carries = ("leaves", "away from") if m.leaves else ("joins", "to")
-        rate = textbook_form(-m.rate) if m.leaves else m.rate
-        while_positive = ""
-        if any(s.name.endswith("'") for s in rate.free_symbols) and not (m.relative and m.velocity.is_zero):
-            while_positive = " The equations hold while this rate is positive."
-        at_rate = prose(f"Mass {goes} {called} at the rate ", math(rate), *_velocity(m), f".{while_positive}")
-        force = next((f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE), None)
-        if force is None:
-            sentence = prose(f"It has the velocity of {called}, and exerts no force on it.")
-            blocks += [paragraph(at_rate, sentence), *_positive(configuration, m.name)]
+        at_rate: tuple[Part, ...] = (f"Mass {goes} {called} at the rate ", math(m.exchanged))
+        if m.is_smooth:
+            blocks.append(prose(*at_rate, f", with the velocity of {called} itself, and exerts no force on it.",
+                                *_while(m, configuration)))  # fmt: skip
             continue
         rule = "the rate of change of its mass times the velocity of that mass relative to it"
-        carried = prose(
-            f"This mass carries momentum {carries} {called}. The momentum of both together changes only by the impulse "
-            f"of the other forces. For {called} alone this amounts to a reactive force, {rule} (Meshchersky):"
-        )
-        line = Equation(_reactive(m, force), label=f"reactive-{m.name}")
-        blocks += [paragraph(at_rate, carried), display(line), *_positive(configuration, m.name)]
+        force = next(f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE)
+        blocks += [
+            paragraph(prose(*at_rate, *_velocity(m), "."), prose(
+                f"This mass carries momentum {carries} {called}. The momentum of both together changes only by the "
+                f"impulse of the other forces. For {called} alone this amounts to a reactive force, {rule} "
+                "(Meshchersky):")),
+            display(Equation(_reactive(m, force), label=f"reactive-{m.name}")),
+        ]  # fmt: skip
+        if holds := _while(m, configuration):
+            blocks.append(prose(*holds))
     return blocks
 
 
 def _velocity(m: VariableMass) -> tuple[Part, ...]:
     """With what velocity mass leaves or joins."""
-    if m.velocity.is_zero and m.relative:
-        return (" without velocity relative to it",)
     if m.velocity.is_zero:
         return (" and is at rest from then on" if m.leaves else "; until then it is at rest",)
     return (", with the velocity ", math(m.velocity), " relative to it" if m.relative else "")
@@ -197,17 +194,22 @@ def _reactive(m: VariableMass, force: Vector) -> tuple[sp.Expr | Vector, ...]:
     return phi, between, force
 
 
-def _positive(configuration: Configuration, name: str) -> list[Prose]:
-    """`Its mass is positive as long as t < m₀/q.`"""
-    found = next((v for v in validities(configuration.variable_masses, configuration.slots) if v.name == name), None)
-    if found is None:
-        return []
-    if found.symbol is None:
-        return [prose("The equations hold as long as its mass is positive.")]
-    if found.symbol == t and found.above and found.bound.is_nonpositive:
-        return []
-    where = math(found.symbol, found.bound, relation=">" if found.above else "<")
-    return [prose("Its mass is positive, and the equations hold, as long as ", where, ".")]
+def _while(m: VariableMass, configuration: Configuration) -> tuple[Part, ...]:
+    """`The equations hold as long as mass joins, k ẋ > 0, and the mass is positive, x > 0.`"""
+    clauses: list[tuple[Part, ...]] = []
+    if m.has_one_sense:
+        clauses.append((f"mass {'leaves' if m.leaves else 'joins'}, ", math(m.exchanged, ZERO, relation=">"), ","))
+    for v in validities([m], configuration.slots):
+        if v.symbol is None:
+            clauses.append(("the mass is positive",))
+        elif not (v.symbol == t and v.above and v.bound.is_nonpositive):
+            where = math(v.symbol, v.bound, relation=">" if v.above else "<")
+            clauses.append(("the mass is positive, ", where))
+    if not clauses:
+        return ()
+    alone = clauses[0][:-1] if len(clauses) == 1 and m.has_one_sense else ()
+    parts = alone or series(clauses)
+    return (" The equations hold as long as " if m.is_smooth else "The equations hold as long as ", *parts, ".")
 
 
 def link_called(name: str, kind: str) -> str:

@@ -6,6 +6,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.core.symbols import t
+from lagrange.mechanics.constraints.variable_mass import variable_masses
 from lagrange.problem.model import Belt, Choice, Find, Friction, Problem
 
 
@@ -40,6 +41,10 @@ def _refuse_of_variable_mass(problem: Problem) -> None:
     timed = next((p for p in variable if {t, *problem.slots.prescribed} & p.mass.free_symbols), None)
     if Find.LINEARIZATION in problem.find and timed is not None:
         raise NotCoveredError(f"small oscillations while the mass of `{timed.name}` varies with time", timed.span)
+    turning = next((m for m in variable_masses(problem) if m.has_one_sense and not m.velocity.is_zero), None)
+    if Find.LINEARIZATION in problem.find and turning is not None:
+        what = f"small oscillations in which `{turning.name}` would lose mass and gain it in turn"
+        raise NotCoveredError(what, next(p.span for p in variable if p.name == turning.name))
     start = {t: sp.S.Zero, **{i.symbol: i.value for i in problem.initial}}
     for p in variable:
         if p.mass.xreplace(start) == 0:

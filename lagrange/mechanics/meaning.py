@@ -123,6 +123,8 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     stated = view.linearization is not None or view.equilibrium is not None
     if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) != 1:
         return None
+    if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
+        return None
     [equation] = motion.expressions
     if equation.has(Unspecified) or equation.count_ops() > MOST_OPERATIONS:
         return None

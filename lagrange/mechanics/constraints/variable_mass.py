@@ -23,6 +23,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, partial, t
 from lagrange.core.vectors import Vector
@@ -49,6 +50,21 @@ class VariableMass:
     velocity: Vector
     relative: bool
     leaves: bool
+
+    @property
+    def exchanged(self) -> sp.Expr:
+        """The mass that leaves or joins per time."""
+        return textbook_form(-self.rate) if self.leaves else textbook_form(self.rate)
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether mass leaves or joins with the velocity of the particle, and exerts no force on it."""
+        return self.relative and self.velocity.is_zero
+
+    @property
+    def has_one_sense(self) -> bool:
+        """Whether the law holds only while mass leaves, or only while it joins, and the velocities decide which."""
+        return not self.is_smooth and any(s.name.endswith("'") for s in self.rate.free_symbols)
 
 
 def variable_masses(problem: Problem) -> tuple[VariableMass, ...]:
@@ -80,7 +96,7 @@ def rewritten_mass(variable: VariableMass, rule: dict[sp.Basic, sp.Basic], slots
 
 
 def mass_terms(variables: Sequence[VariableMass], positions: dict[str, Vector], slots: Slots) -> tuple[sp.Expr, ...]:
-    """S_k = Σ (dm/dt) v·∂v/∂q_k' − Σ (∂m/∂q_k) v²/2, shape (n,), v from the positions in i, j, k; none if no mass varies."""
+    """S_k = Σ (dm/dt) v·∂v/∂q_k' − Σ (∂m/∂q_k) v²/2, shape (n,), v from positions in i, j, k; none if no mass varies."""
     if not variables:
         return ()
     terms = [sp.S.Zero] * len(slots.coordinates)
@@ -94,7 +110,7 @@ def mass_terms(variables: Sequence[VariableMass], positions: dict[str, Vector], 
 
 @record
 class Validity:
-    """Where a mass is positive: `symbol` < `bound`, or > where `above`; `symbol` is None where that is not solved for."""
+    """Where a mass is positive: `symbol` < `bound`, or > where `above`; `symbol` is None if it is not solved for."""
 
     name: str
     mass: sp.Expr

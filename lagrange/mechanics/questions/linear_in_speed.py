@@ -19,7 +19,7 @@ from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
 
 
 def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
-    """q(t) and q'(t) for q'' = a, from q_0 and q'_0; None where a is not of this kind, or an integral is not in the table."""
+    """q(t) and q'(t) for q'' = a, from q_0 and q'_0; None if a is not of this kind, or an integral not in the table."""
     v = prime(q)
     if t not in a.free_symbols or q in a.free_symbols or not a.is_polynomial(v) or sp.degree(a, v) > 1:
         return None
