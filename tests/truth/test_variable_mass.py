@@ -86,4 +86,3 @@ def test_a_chain_of_links_that_all_have_the_same_speed() -> None:
     assert found["speed"] == pytest.approx(v, rel=5e-3)
     assert found["length"] == pytest.approx(x, rel=5e-3)
     assert a * cosh(sqrt(G / l) * time) == pytest.approx(x, rel=5e-3)
-
