@@ -6,12 +6,11 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import DotProduct, VectorSymbol, prime, t, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Equation, Part, Prose
+from lagrange.document.derivation import Block, Equation, Part
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation

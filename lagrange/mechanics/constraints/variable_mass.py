@@ -85,7 +85,8 @@ def reactive_force(particle: Particle, slots: Slots) -> Vector:
     velocity = particle.exchange.velocity
     if not particle.exchange.relative:
         velocity = velocity - particle.position.time_derivative(slots)
-    return velocity * slots.time_derivative(particle.mass)
+    force: Vector = velocity * slots.time_derivative(particle.mass)
+    return force
 
 
 def rewritten_mass(variable: VariableMass, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> VariableMass:
@@ -96,7 +97,7 @@ def rewritten_mass(variable: VariableMass, rule: dict[sp.Basic, sp.Basic], slots
 
 
 def mass_terms(variables: Sequence[VariableMass], positions: dict[str, Vector], slots: Slots) -> tuple[sp.Expr, ...]:
-    """S_k = Σ (dm/dt) v·∂v/∂q_k' − Σ (∂m/∂q_k) v²/2, shape (n,), v from positions in i, j, k; none if no mass varies."""
+    """S_k = Σ (dm/dt) v·∂v/∂q_k' − Σ (∂m/∂q_k) v²/2, shape (n,), v from positions in i, j, k; or none."""
     if not variables:
         return ()
     terms = [sp.S.Zero] * len(slots.coordinates)

@@ -3,7 +3,7 @@
 Of an equation for one coordinate q alone:
 
     q'' + c q' + k q = F(t)     with constant c and k; F a sum of constants, powers of t, cosines and sines
-    q'' = A(t) + B(t) q'        `linear_in_speed`: a rocket
+    q'' = A(t) + B(t) q'        as of a rocket (`closed_forms.linear_in_speed`)
     q'' = α − β q'^2            drag with the square of the velocity: u = exp(β (q − q_0)) satisfies u'' = α β u
 
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
@@ -22,6 +22,7 @@ from itertools import product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
@@ -31,7 +32,6 @@ from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
 from lagrange.mechanics.questions.forms import with_whole_logarithms, without_roots_in_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
-from lagrange.mechanics.questions.linear_in_speed import of_rates_in_time
 from lagrange.mechanics.questions.states import Values
 
 

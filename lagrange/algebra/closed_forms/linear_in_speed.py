@@ -15,7 +15,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.symbols import prime, t
-from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
+
+HIGHEST_DEGREE = 12
+"""Of a rational function of t that is taken apart."""
 
 
 def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
@@ -43,8 +45,14 @@ def _since_start(e: sp.Expr) -> sp.Expr | None:
     """∫_0^t e dt; None where it is not in the table, or a logarithm is not real at t = 0."""
     if e == 0:
         return sp.S.Zero
-    e = sp.apart(sp.cancel(e), t) if e.is_rational_function(t) else sp.expand(e, log=False, power_exp=False)
-    found = antiderivative(e, t) if e.count_ops() <= LONGEST_INTEGRATED else None
+    if e.is_rational_function(t):
+        e = sp.cancel(e)
+        if max(sp.degree(part, t) for part in sp.fraction(e)) > HIGHEST_DEGREE:
+            return None
+        e = sp.apart(e, t)
+    else:
+        e = sp.expand(e, log=False, power_exp=False)
+    found = antiderivative(e, t)
     if found is None:
         return None
     found = found.replace(sp.Abs, lambda x: x)
