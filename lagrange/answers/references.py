@@ -24,6 +24,7 @@ from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_bef
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
@@ -380,7 +381,7 @@ def _of_impact(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
-    """F_P of each particle P on which forces act, and F and r of a force that acts elsewhere, as in a derivation.
+    """F_P of each particle P on which forces act, its reactive force Phi_P, and F and r of a force that acts elsewhere.
 
     Names of the file keep their meaning.
     """
@@ -391,6 +392,8 @@ def _applied_forces(solution: Solution) -> dict[str, Vector]:
             forces[f"r_{load.name}"] = load.point
         if name not in solution.problem.scope.names():
             forces[name] = forces.get(name, Vector.zero()) + load.vector
+        if load.name == REACTIVE and f"Phi_{load.on}" not in solution.problem.scope.names():
+            forces[f"Phi_{load.on}"] = load.vector
     return forces
 
 

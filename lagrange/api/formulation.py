@@ -29,14 +29,17 @@ from lagrange.problem.model import Assumption, Parameter, Problem
 
 if TYPE_CHECKING:
     from lagrange.core.vectors import Vector
+    from lagrange.mechanics.constraints.variable_mass import VariableMass
     from lagrange.mechanics.dynamics.conservation import Integral
     from lagrange.mechanics.dynamics.equations import WithMultipliers
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.dynamics.spot_values import SpotValue
+    from lagrange.mechanics.equilibrium.driven.response import Response
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 
 
 @record
@@ -182,6 +185,21 @@ class Formulation:
     def hamiltonian(self) -> Hamiltonian | None:
         """Hamilton's function and equations, if the problem asks for them."""
         return self.view.hamiltonian
+
+    @property
+    def steady(self) -> SteadyMotions | None:
+        """Steady motions, if the problem asks for them: `families`, each with its conditions and `about`."""
+        return self.view.steady
+
+    @property
+    def response(self) -> Response | None:
+        """The steady state under a harmonic drive: `amplitudes`, `phases` and `motions`, shape (n,) each."""
+        return self.view.response
+
+    @property
+    def variable_masses(self) -> tuple[VariableMass, ...]:
+        """The particles whose mass varies: `name`, `mass`, `rate`, and the `velocity` of what leaves or joins."""
+        return self.configuration.variable_masses
 
     @property
     def linearization(self) -> Linearization | None:

@@ -25,6 +25,8 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.api.motion import SimulatedMotion
+    from lagrange.mechanics.momenta.impact import ImpulsiveMotion
+    from lagrange.mechanics.questions.results import Asked
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 
@@ -110,6 +112,16 @@ class Result:
         if choice not in self.choices:
             raise KeyError(f"the solution has no choice `{choice}`; {suggestion(choice, [*self.choices], 'choices')}")
         return self.choices[choice]
+
+    @property
+    def impact(self) -> ImpulsiveMotion | None:
+        """The impact of the file: `all_velocities` just after, by coordinate, `impulses`, `energy_lost`, `kinetic`."""
+        return self.solution.impact
+
+    @property
+    def asked(self) -> Mapping[str, Asked]:
+        """The answers to the questions of the file, by name: `branches`, each with `rhs` and `conditions`; `how`."""
+        return MappingProxyType({a.question.name: a for a in self.solution.asked})
 
     @property
     def checks(self) -> tuple[Check, ...]:

@@ -1,4 +1,4 @@
-"""Rigid bodies, springs and dampers: how they are stated, and what they add to d'Alembert's principle."""
+"""Rigid bodies, springs, dampers, varying masses: how they are stated, and their share in d'Alembert's principle."""
 
 from __future__ import annotations
 
@@ -6,15 +6,16 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from lagrange.core.symbols import DotProduct, VectorSymbol, prime, variation
+from lagrange.core.symbols import DotProduct, VectorSymbol, prime, t, variation
 from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Matrices, Part
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+from lagrange.mechanics.constraints.variable_mass import REACTIVE, VariableMass, validities
 from lagrange.problem.model import Body, Problem
 
 ZERO = sp.S.Zero
@@ -159,6 +160,65 @@ def explain_links(configuration: Configuration) -> list[Block]:
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
     return blocks
+
+
+def explain_exchanged_mass(configuration: Configuration) -> list[Block]:
+    """With what velocity mass leaves or joins a particle, the reactive force, and while what the equations hold."""
+    blocks: list[Block] = []
+    for m in configuration.variable_masses:
+        called = the(m.name)
+        goes, carries = ("leaves", "away from") if m.leaves else ("joins", "to")
+        at_rate: tuple[Part, ...] = (f"Mass {goes} {called} at the rate ", math(m.exchanged))
+        if m.is_smooth:
+            blocks.append(prose(*at_rate, f", with the velocity of {called} itself, and exerts no force on it.",
+                                *_while(m, configuration)))  # fmt: skip
+            continue
+        rule = "the rate of change of its mass times the velocity of that mass relative to it"
+        force = next(f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE)
+        blocks += [
+            paragraph(prose(*at_rate, *_velocity(m), "."), prose(
+                f"This mass carries momentum {carries} {called}. The momentum of both together changes only by the "
+                f"impulse of the other forces. For {called} alone this amounts to a reactive force, {rule} "
+                "(Meshchersky):")),
+            display(Equation(_reactive(m, force), label=f"reactive-{m.name}")),
+        ]  # fmt: skip
+        if holds := _while(m, configuration):
+            blocks.append(prose(*holds))
+    return blocks
+
+
+def _velocity(m: VariableMass) -> tuple[Part, ...]:
+    """With what velocity mass leaves or joins."""
+    if m.velocity.is_zero:
+        return (" and is at rest from then on" if m.leaves else "; until then it is at rest",)
+    return (", with the velocity ", math(m.velocity), " relative to it" if m.relative else "")
+
+
+def _reactive(m: VariableMass, force: Vector) -> tuple[sp.Expr | Vector, ...]:
+    """Φ = (dm/dt) (u − v), carried out."""
+    phi = VectorSymbol(f"Phi_{m.name}")
+    if m.relative:
+        return phi, force
+    between = m.rate * (m.velocity.as_sum() - VectorSymbol(f"r_{m.name}'"))
+    return phi, between, force
+
+
+def _while(m: VariableMass, configuration: Configuration) -> tuple[Part, ...]:
+    """`The equations hold as long as mass joins, k ẋ > 0, and the mass is positive, x > 0.`"""
+    clauses: list[tuple[Part, ...]] = []
+    if m.has_one_sense:
+        clauses.append((f"mass {'leaves' if m.leaves else 'joins'}, ", math(m.exchanged, ZERO, relation=">"), ","))
+    for v in validities([m], configuration.slots):
+        if v.symbol is None:
+            clauses.append(("the mass is positive",))
+        elif not (v.symbol == t and v.above and v.bound.is_nonpositive):
+            where = math(v.symbol, v.bound, relation=">" if v.above else "<")
+            clauses.append(("the mass is positive, ", where))
+    if not clauses:
+        return ()
+    alone = clauses[0][:-1] if len(clauses) == 1 and m.has_one_sense else ()
+    parts = alone or series(clauses)
+    return (" The equations hold as long as " if m.is_smooth else "The equations hold as long as ", *parts, ".")
 
 
 def link_called(name: str, kind: str) -> str:

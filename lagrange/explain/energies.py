@@ -13,7 +13,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Rule, Step
 from lagrange.explain.displacements import points_called
 from lagrange.explain.newton import explain_friction, nature
-from lagrange.explain.words import capital, joined, plural, spoken, suffix_of, the, title_in
+from lagrange.explain.words import capital, joined, load_called, plural, spoken, suffix_of, the, title_in
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.energies import Energies, is_weight
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
@@ -89,7 +89,14 @@ def explain_energies(setup: LagrangeExposition) -> Step:
     """v² and ω, T, V, and the generalized forces of forces that have no potential energy."""
     if setup.energies.configuration.is_outright:
         return _outright(setup)
-    body = [*_velocities(setup), *_kinetic(setup), *_potential(setup), *_moving(setup), *_forces(setup)]
+    body = [
+        *_velocities(setup),
+        *_kinetic(setup),
+        *_potential(setup),
+        *_moving(setup),
+        *_forces(setup),
+        *_masses(setup),
+    ]
     title = "Kinetic and potential energy" if setup.energies.potential != 0 else "Kinetic energy"
     title += ", generalized forces" * any(q != 0 for q in setup.energies.applied)
     return Step(Rule.ENERGIES, setup.title(title), tuple(body))
@@ -219,6 +226,30 @@ def _forces(setup: LagrangeExposition) -> list[Block]:
     ]
 
 
+def _masses(setup: LagrangeExposition) -> list[Block]:
+    """What masses that vary add on the right."""
+    energies, letters, configuration = setup.energies, setup.letters, setup.energies.configuration
+    if not configuration.variable_masses:
+        return []
+    lines = [
+        Equation((letters.of_masses(x), s), label=f"of-masses{setup.suffix}-{x.name}")
+        for s, x in zip(energies.of_masses, setup.coordinates, strict=True)
+        if s != 0
+    ]
+    kinetic = math(letters.kinetic)
+    if not lines:
+        return [prose("That masses vary adds nothing else: they vary at places that do not move.")]
+    one = len(configuration.variable_masses) == 1
+    whose = f"The mass of {the(configuration.variable_masses[0].name)} varies" if one else "Masses vary"
+    return [
+        prose(f"{whose}. The derivatives of ", kinetic, " differentiate ", "it" if one else "them", " too, and give "
+              "more than the mass times the acceleration. So that the law of motion results, a further term belongs on "
+              "the right: for each such mass, its rate of change times the generalized momentum per unit mass, minus "
+              "its partial derivative with respect to the coordinate times half the square of the velocity,"),
+        display(*lines),
+    ]  # fmt: skip
+
+
 def explain_friction_first(setup: LagrangeExposition) -> Step:
     """The reaction on which the friction depends, before T and V."""
     natures = [s for r in setup.rows for s in nature(setup.reaction(r))]
@@ -238,8 +269,8 @@ def _acting(setup: LagrangeExposition) -> list[str]:
     names = []
     for load in configuration.loads:
         if not is_weight(load, configuration):
-            kind = "the friction" if load.name in rubbing else "the force"
-            names.append(f"{kind} {spoken(load.name)}" if load.name != "weight" else "the weight")
+            kind = "friction" if load.name in rubbing else "force"
+            names.append(load_called(load.name, kind))
     names += [f"the moment {spoken(m.name)}" for m in configuration.torques]
     names += [f"the force {spoken(f.name)}" for f in setup.problem.forces if isinstance(f, GeneralizedForce)]
     names += [

@@ -36,6 +36,8 @@ def _general(setup: LagrangeExposition) -> list[Block]:
     momentum, force, _ = letters.any
     bound = bool(setup.energies.configuration.rows)
     right = force if bound or any(q != 0 for q in setup.energies.applied) else ZERO
+    if any(s != 0 for s in setup.energies.of_masses):
+        right += letters.of_masses(sp.Symbol(letters.index, real=True))
     with_potential: tuple[Part, ...] = ("Lagrange's equations for the coordinates ", math(q))
     if setup.energies.has_lagrangian and setup.energies.moving == 0 and not _is_outright(setup):
         with_potential = ("With ", math(function, letters.kinetic - letters.potential), ", ", *with_potential)
@@ -227,8 +229,10 @@ def _conserved(setup: LagrangeExposition) -> list[Block]:
     energies = setup.energies
     constant = [
         q
-        for q, p, force, n in zip(setup.coordinates, energies.partials, energies.applied, energies.quasi, strict=True)
-        if p == 0 and force == 0 and n == 0
+        for q, *terms in zip(
+            setup.coordinates, energies.partials, energies.applied, energies.of_masses, energies.quasi, strict=True
+        )
+        if all(term == 0 for term in terms)
     ]
     if not constant:
         return []

@@ -10,7 +10,7 @@ from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, 
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.words import capital, constraints_called, counted, joined, plural, spoken, the
+from lagrange.explain.words import capital, constraints_called, counted, joined, load_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
@@ -192,7 +192,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
     """All forces that act on one particle."""
     name, called = body.particle.name, the(body.particle.name)
     kinds = {n: "friction" if n in rough else "force" for n in body.loads}
-    acting = ["its weight" if n == "weight" else f"the {kinds[n]} {spoken(n)}" if n else of_field for n in body.loads]
+    acting = ["its weight" if n == "weight" else load_called(n, kinds[n]) if n else of_field for n in body.loads]
     if body.bound:
         acting.append(f"the {plural(len(body.bound), 'reaction', 'reactions')} of "
                       + constraints_called(r.name for r in body.bound))  # fmt: skip

@@ -230,9 +230,11 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     for c in solution.choices:
         yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
     if solution.impact is not None and problem.impact is not None:
-        from lagrange.explain.contact.impact import explain_impact
+        from lagrange.explain.contact.impact import explain_impact, explain_motion_after
 
         yield explain_impact(solution.impact, problem.impact, energy_symbols(solution))
+        if solution.after is not None:
+            yield explain_motion_after(solution.after, solution.impact)
     if solution.asked:
         from lagrange.explain.questions import explain_questions
 

@@ -12,10 +12,18 @@ from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
-from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies, unit_vectors
+from lagrange.explain.bodies import (
+    explain_exchanged_mass,
+    explain_links,
+    explain_rotation,
+    moments_on,
+    triads_of_bodies,
+    unit_vectors,
+)
 from lagrange.explain.page.texts import set_text
-from lagrange.explain.words import are, capital, constraints_called, plural, spoken, the
+from lagrange.explain.words import are, capital, constraints_called, load_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
 
@@ -180,7 +188,7 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
             blocks += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
         else:
             blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
-    return blocks
+    return [*blocks, *explain_exchanged_mass(configuration)]
 
 
 def _forces(configuration: Configuration, frictions: Sequence[Friction], with_potential: bool) -> list[Block]:
@@ -252,4 +260,6 @@ def _force_called(name: str, rough: bool, alone: bool) -> str:
     """`its weight`, `the friction rub`, `the force push`; only `push` where it is the only force."""
     if name == "weight":
         return "its weight"
+    if name == REACTIVE:
+        return load_called(name)
     return f"the friction {spoken(name)}" if rough else spoken(name) if alone else f"the force {spoken(name)}"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Part, Prose
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
@@ -28,6 +29,17 @@ def the(name: str) -> str:
     if not words.islower() or len(words) == 1:
         return words
     return f"the {words} body" if words in _ADJECTIVES else f"the {words}"
+
+
+def load_called(name: str, kind: str = "force") -> str:
+    """An applied force with its article: `the weight`, `the reactive force`, `the force push`."""
+    return (
+        f"the {name}"
+        if name == "weight"
+        else "the reactive force"
+        if name == REACTIVE
+        else f"the {kind} {spoken(name)}"
+    )
 
 
 def constraints_called(names: Iterable[str]) -> str:

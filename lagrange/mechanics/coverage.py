@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import sympy as sp
+
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
+from lagrange.core.symbols import t
+from lagrange.mechanics.constraints.variable_mass import variable_masses
 from lagrange.problem.model import Belt, Choice, Find, Friction, Problem
 
 
@@ -18,8 +22,42 @@ def chosen_coordinates(problem: Problem, name: str | None) -> list[Choice]:
     return chosen
 
 
+def _refuse_of_variable_mass(problem: Problem) -> None:
+    """Raise if a problem of variable mass asks for what is not available, or begins with the mass zero."""
+    variable = [p for p in problem.particles if p.exchange is not None]
+    if not variable:
+        return
+    [p, *_] = variable
+    refused = {
+        Find.EQUILIBRIUM: "equilibrium",
+        Find.IMPENDING: "equilibrium",
+        Find.HAMILTONIAN: "Hamilton's function",
+        Find.STEADY: "steady motions",
+        Find.RESPONSE: "forced oscillations",
+        Find.IMPACT: "an impact",
+    }
+    if what := next((words for f, words in refused.items() if f in problem.find), ""):
+        raise NotCoveredError(f"{what} of a system in which the mass of `{p.name}` varies", p.span)
+    timed = next((p for p in variable if {t, *problem.slots.prescribed} & p.mass.free_symbols), None)
+    if Find.LINEARIZATION in problem.find and timed is not None:
+        raise NotCoveredError(f"small oscillations while the mass of `{timed.name}` varies with time", timed.span)
+    turning = next((m for m in variable_masses(problem) if m.has_one_sense and not m.velocity.is_zero), None)
+    if Find.LINEARIZATION in problem.find and turning is not None:
+        what = f"small oscillations in which `{turning.name}` would lose mass and gain it in turn"
+        raise NotCoveredError(what, next(p.span for p in variable if p.name == turning.name))
+    start = {t: sp.S.Zero, **{i.symbol: i.value for i in problem.initial}}
+    for p in variable:
+        if p.mass.xreplace(start) == 0:
+            message = f"the mass of `{p.name}` is 0 at t = 0, where the equations of motion do not determine the motion"
+            help_ = (
+                "begin with a small mass, such as that at `x: a` under `initial`, and let it tend to 0 in the result"
+            )
+            raise ProblemError(Diagnostic("starts-without-mass", message, p.span, help=help_))
+
+
 def refuse_what_is_not_covered(problem: Problem) -> None:
     """Raise NotCoveredError or ProblemError if what a problem asks for is not available for such a system."""
+    _refuse_of_variable_mass(problem)
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
             what = (

@@ -1,4 +1,4 @@
-"""The symbols for T, V, L, H, R, p_k, Q_k and v, and replacements where the problem uses these letters otherwise.
+"""The symbols for T, V, L, H, R, p_k, Q_k, S_k and v, and replacements where the problem uses these letters otherwise.
 
 A pendulum of length L has the Lagrangian Λ; one whose rod has the tension T has the kinetic energy K. The names are
 valid in the language of problem files, so that what is printed with them can be read back.
@@ -31,6 +31,7 @@ class EnergySymbols:
     momenta: str
     forces: str
     quasi: str
+    masses: str
     speeds: str
     index: str
 
@@ -57,6 +58,10 @@ class EnergySymbols:
         """N_k, of quasi-coordinates."""
         return _symbol(f"{self.quasi}_{coordinate.name}")
 
+    def of_masses(self, coordinate: sp.Symbol) -> sp.Symbol:
+        """S_k, of masses that vary."""
+        return _symbol(f"{self.masses}_{coordinate.name}")
+
     def speed(self, point: str) -> sp.Symbol:
         """v of a particle or mass centre."""
         return _symbol(f"{self.speeds}_{point}")
@@ -68,11 +73,11 @@ class EnergySymbols:
             self.potential: energies.potential,
             self.lagrangian: energies.lagrangian,
         }
-        known |= {s: s for s in self.any}
+        known |= {s: s for s in (*self.any, self.of_masses(_symbol(self.index)))}
         known |= {self.speed(name): sp.sqrt(square) for name, square in energies.squares.items()}
         for k, q in enumerate(energies.configuration.slots.coordinates):
             known |= {self.momentum(q): energies.momenta[k], self.force(q): energies.applied[k]}
-            known[self.addition(q)] = energies.quasi[k]
+            known |= {self.addition(q): energies.quasi[k], self.of_masses(q): energies.of_masses[k]}
         return known
 
 
@@ -97,6 +102,7 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
         momenta=free_letter("p", "P", "p_gen", taken=taken, of=coordinates),
         forces=free_letter("Q", "K", "Q_gen", taken=taken, of=coordinates),
         quasi=free_letter("N", "B", "N_gen", taken=taken, of=coordinates),
+        masses=free_letter("S", "M", "S_gen", taken=taken, of=coordinates),
         speeds=free_letter("v", "u", "v_abs", taken=taken, of=points),
         index=next(k for k in ("k", "n", "s", "gen") if k not in coordinates and f"q_{k}" not in taken),
     )

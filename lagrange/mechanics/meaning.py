@@ -123,6 +123,8 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     stated = view.linearization is not None or view.equilibrium is not None
     if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) != 1:
         return None
+    if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
+        return None
     [equation] = motion.expressions
     if equation.has(Unspecified) or equation.count_ops() > MOST_OPERATIONS:
         return None
@@ -147,6 +149,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     if motion.completing or sum(e.count_ops() for e in equations) > MOST_OPERATIONS or _has_functions(equations):
         return
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
+    free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}
     symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
     found: list[tuple[sp.Expr, ...]] = []
     lengths = {p.symbol for p in solution.problem.parameters if p.unit == "m"}  # a pendulum of no length is none

@@ -125,6 +125,7 @@ class Solution:
     asked            the answers to the questions of the file
     from_start       the motion from the initial state, where nothing is asked
     impact           the velocities after an impact, and the impulses
+    after            the motion after it, where something is asked
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -140,6 +141,7 @@ class Solution:
     asked: tuple[Asked, ...] = ()
     from_start: FromStart | None = None
     impact: ImpulsiveMotion | None = None
+    after: Solution | None = None
     given_up: str = ""
 
     @property

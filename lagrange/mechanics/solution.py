@@ -99,7 +99,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     refuse_what_is_not_covered(problem)
     if problem.lagrangian is not None:
         method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
-    asks_of_motion = problem.questions and not _asks_at_rest(problem)
+    asks_of_motion = problem.questions and problem.impact is None and not _asks_at_rest(problem)
     needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {
         *problem.find
     } or asks_of_motion
@@ -161,7 +161,7 @@ def _stages(
         yield lambda s: _with_rest(s, blank, on_stage)
     if problem.questions and _asks_at_rest(problem):
         yield lambda s: _with_questions_at_rest(s, on_stage)
-    elif problem.questions or (problem.initial and Find.MOTION in problem.find):
+    elif (problem.questions and problem.impact is None) or (problem.initial and Find.MOTION in problem.find):
         yield lambda s: _with_questions(s, on_stage)
     yield _with_numbers
 
@@ -264,7 +264,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
         spot=spot_value(
             System(equations.configuration, equations.expressions),
             {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
-            (*dynamics.slips, *(s.distance for s in dynamics.shown.springs if not s.distance.is_nonnegative)),
+            (*dynamics.slips, *dynamics.shown.positive),
             dynamics.contacts,
         ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
@@ -427,14 +427,13 @@ def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
 
 
 def _with_impact(solution: Solution, on_stage: OnStage) -> Solution:
-    """The solution with the velocities after the impact of the file, and the impulses."""
-    from lagrange.mechanics.momenta.impact import impulsive_motion
-    from lagrange.mechanics.momenta.impact_checks import check_impact
+    """The solution with the velocities after the impact of the file, the impulses, the answers to its questions."""
+    from lagrange.mechanics.through_impact import with_impact
 
     on_stage("the impact")
-    choices = [c.coordinates for c in solution.choices]
-    found = impulsive_motion(solution.problem, choices, solution.own.coordinates, _names(solution.problem))
-    return replace(solution, impact=found, checks=(*solution.checks, *check_impact(found, solution.problem)))
+    return with_impact(
+        solution, _names(solution.problem), lambda p: _solved(p, None, False, Method.DALEMBERT, on_stage)
+    )
 
 
 def _names(problem: Problem) -> frozenset[str]:

@@ -175,11 +175,21 @@ SHAPE = Form(
 )
 _SHAPE = Key("shape", "shape", "What it looks like in the figure: {disc: R}, {rod: [A, B]}, {box: [a, b]}.")
 
+EXCHANGE = Form(
+    "exchanged mass",
+    (
+        Key("velocity", "vector", "Its velocity just after it leaves, or just before it joins.", example="0"),
+        Key("relative", "vector", "Instead: that velocity relative to the particle.", example="-u*j"),
+    ),
+)
+
 PARTICLE = Form(
     "a particle",
     (
-        Key("mass", "expression", "Its mass; without one it is a massless point."),
+        Key("mass", "expression", "Its mass, m or m_0 - q*t; without one it is a massless point."),
         Key("position", "vector", "Where it is.", required=True, example="x*i + y*j"),
+        Key("leaves", EXCHANGE, "Where its mass decreases: with what velocity mass leaves it."),
+        Key("gains", EXCHANGE, "Where its mass increases: with what velocity mass joins it."),
         _SHAPE,
     ),
 )
@@ -496,11 +506,7 @@ PROBLEM = Form(
         Key("title", "text", "What the problem is called.", required=True, example="..."),
         Key("source", "text", "Where it is from: book, chapter, number."),
         Key("description", "text", "The system in words. Declared symbols, `...` and $...$ are set as mathematics."),
-        Key(
-            "axes",
-            or_nothing(AXES),
-            "Words for the unit vectors, for the prose and the pictures: {i: right, j: up}.",
-        ),
+        Key("axes", or_nothing(AXES), "Words for the unit vectors, for the prose and the pictures: {i: right, j: up}."),
         Key(
             "parameters",
             or_nothing(ListOf("name"), Named("parameter")),
@@ -584,7 +590,7 @@ PARTS: dict[str, Kind] = {
 """Kinds with a name of their own."""
 
 FORMS = (
-    *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
+    *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, EXCHANGE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
     *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, POINTS, VARY, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

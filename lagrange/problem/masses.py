@@ -29,13 +29,16 @@ from lagrange.core.records import record
 from lagrange.core.triads import axis_names, names_before_last
 from lagrange.core.vectors import Vector
 from lagrange.problem.declared_names import names_in
-from lagrange.problem.keys import BODY, ORIENTATION, PARTICLE, SEQUENCES, WAYS_OF_TURNING
+from lagrange.problem.keys import BODY, EXCHANGE, ORIENTATION, PARTICLE, SEQUENCES, WAYS_OF_TURNING
 from lagrange.problem.load_context import LoadContext
-from lagrange.problem.model import Body, Particle
+from lagrange.problem.model import Body, Exchange, Particle
 from lagrange.problem.sections import (
     CONSTANT,
+    MASS,
+    MASS_OF_BODY,
     POSITION,
     RATE,
+    Allowed,
     Section,
     entries_of,
     items_of,
@@ -107,18 +110,18 @@ def keep_shape(section: Section, name: str, context: LoadContext) -> None:
         context.shapes[name] = node
 
 
-def constant(node: Node, what: str, context: LoadContext) -> sp.Expr:
-    """A constant expression that is not negative. Raises ProblemError where it is not one."""
-    value = context.scalar(node, what, CONSTANT)
+def constant(node: Node, what: str, context: LoadContext, allowed: Allowed = CONSTANT) -> sp.Expr:
+    """An expression that is not negative, constant by default. Raises ProblemError where it is not one."""
+    value = context.scalar(node, what, allowed)
     if value.xreplace(context.values).is_negative:
         shown = "" if value.is_negative else ", with the values that the file gives"
         raise ProblemError(Diagnostic("negative", f"{what} is negative{shown}", node.span, help="change its sign"))
     return value
 
 
-def mass_of(node: Node | None, name: str, context: LoadContext) -> sp.Expr:
+def mass_of(node: Node | None, name: str, context: LoadContext, allowed: Allowed = MASS_OF_BODY) -> sp.Expr:
     """The mass of a particle or body; 0 where the file gives none."""
-    return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", context)
+    return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", context, allowed)
 
 
 def _inertia(node: Node, context: LoadContext) -> tuple[tuple[sp.Expr, ...], Three]:
@@ -347,13 +350,67 @@ def _particles(root: Section, context: LoadContext, particles: dict[str, Particl
 def _read_particle(name: str, key: Scalar, node: Node, context: LoadContext, particles: dict[str, Particle]) -> None:
     mapping = mapping_of(node, f"the particle `{name}`", f"{name}: {{mass: m, position: x*i + y*j}}")
     section = Section(mapping, f"the particle `{name}`", PARTICLE, context.diagnostics)
-    mass = context.diagnostics.attempt(lambda: mass_of(section.get("mass"), name, context))
+    mass = context.diagnostics.attempt(lambda: mass_of(section.get("mass"), name, context, MASS))
     keep_shape(section, name, context)
     position = context.vector(section.required("position", key.span), f"the position of `{name}`")
     context.points[name] = position
     context.add_vectors({f"r_{name}": position})
     if mass is not None:
-        particles[name] = Particle(name, mass, position, key.span)
+        exchange = context.diagnostics.attempt(lambda: _exchange(mass, section, key, context))
+        particles[name] = Particle(name, mass, position, key.span, exchange)
+
+
+_LAW = "give the velocity of that mass: `leaves: {relative: -u*j}`, or `gains: {velocity: 0}` where it was at rest"
+
+
+def _exchange(mass: sp.Expr, section: Section, key: Scalar, context: LoadContext) -> Exchange | None:
+    """How a particle loses or gains mass; None where its mass is constant.
+
+    Raises ProblemError where the mass varies and the file does not say with what velocity mass leaves or joins, and
+    where what it says contradicts the mass.
+    """
+    rate = context.scope.slots.time_derivative(mass)
+    given = [way for way in ("leaves", "gains") if section.has(way)]
+    node = section.get("mass")
+    span = node.span if node is not None else key.span
+    if not given:
+        if rate == 0:
+            return None
+        message = f"the mass of `{key.text}` varies, and nothing says with what velocity mass leaves or joins it"
+        raise ProblemError(Diagnostic("variable-mass", message, span, help=_LAW))
+    if len(given) > 1:
+        message, help_ = f"`{key.text}` both loses and gains mass", "keep the one of them that changes its mass"
+        raise ProblemError(Diagnostic("mass-exchange", message, section.span_of("gains"), help=help_))
+    [way] = given
+    at = section.span_of(way)
+    if rate == 0:
+        message = f"`{key.text}` has `{way}`, and its mass is constant"
+        help_ = "give the mass as a function of time or of a coordinate, such as `mass: m_0 - q*t`"
+        raise ProblemError(Diagnostic("mass-exchange", message, at, help=help_))
+    if rate.is_negative if way == "gains" else rate.is_positive:
+        change, other = ("decreases", "leaves") if way == "gains" else ("increases", "gains")
+        message = f"`{key.text}` has `{way}`, and its mass {change}"
+        raise ProblemError(Diagnostic("mass-exchange", message, at, help=f"write `{other}`, or correct the mass"))
+    what = f"`{way}` of `{key.text}`"
+    inner = Section(
+        mapping_of(section.required(way, at), what, f"{way}: {{relative: -u*j}}"), what, EXCHANGE, context.diagnostics
+    )
+    kinds = [k for k in ("velocity", "relative") if inner.has(k)]
+    if len(kinds) != 1:
+        if inner.strange:
+            raise ProblemError(())
+        message = f"{what} has {'both' if kinds else 'neither'} `velocity` {'and' if kinds else 'nor'} `relative`"
+        help_ = "`velocity` is that in the fixed axes, `relative` that with respect to the particle: give one of them"
+        raise ProblemError(Diagnostic("mass-exchange", message, at, help=help_))
+    velocity = _velocity(inner.required(kinds[0], at), f"`{kinds[0]}` of {what}", context)
+    return Exchange(velocity, kinds[0] == "relative", way == "leaves", at)
+
+
+def _velocity(node: Node, what: str, context: LoadContext) -> Vector:
+    """A velocity; `0` is one."""
+    if isinstance(node, Scalar) and node.text.strip() == "0":
+        return Vector.zero()
+    return context.vector(node, what, RATE)
 
 
 def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Iterator[_Entry]:

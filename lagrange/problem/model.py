@@ -78,13 +78,27 @@ class Coordinate:
 
 
 @record
+class Exchange:
+    """With what velocity mass leaves or joins a particle of variable mass.
+
+    velocity   in the fixed axes or, where `relative`, with respect to the particle
+    """
+
+    velocity: Vector
+    relative: bool
+    leaves: bool
+    span: Span
+
+
+@record
 class Particle:
-    """A point of mass m (0: a massless point) at the position r(q, t)."""
+    """A point of mass m (0: a massless point) at the position r(q, t); `exchange` where the mass varies, m(q, t)."""
 
     name: str
     mass: sp.Expr
     position: Vector
     span: Span
+    exchange: Exchange | None = None
 
 
 @record

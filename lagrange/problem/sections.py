@@ -4,9 +4,10 @@ A `Section` is a mapping of the file whose keys are declared by a form. An unkno
 declared one, and its value is taken for that one's, so that the same mistake is not reported again as a missing key or
 as undeclared names; mistakes inside the value are not reported, for it may be meant otherwise.
 
-Which quantities may occur where: no velocity in a position, nothing variable in a mass.
+Which quantities may occur where: no velocity in a position, nothing variable in a moment of inertia.
 
-    a mass, a moment of inertia     parameters
+    a moment of inertia             parameters
+    a mass                          parameters; of a particle that exchanges mass: time, coordinates
     a position, an angle            parameters, time, coordinates
     a potential energy              the same, velocities, and unknown forces
     a Lagrangian                    the same, without unknown forces
@@ -65,6 +66,11 @@ _T, _Q, _V, _P, _D = (
     AllowedQuantity.DIFFERENTIAL,
 )
 CONSTANT = Allowed(frozenset(), "it is made of numbers and of names under `parameters:`", "not-constant")
+MASS = Allowed(
+    frozenset({_T, _Q}),
+    "a mass depends on time and coordinates; a rate such as k*m*x' is integrated first: m_0*exp(k*x)",
+)
+MASS_OF_BODY = Allowed(frozenset(), "a rigid body keeps its mass; that of a particle may vary", "not-constant")
 POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")
 PLACE = Allowed(frozenset({_T, _Q, _P}), "where a force acts depends on coordinates, time and unknowns")
 ENERGY = Allowed(frozenset({_T, _Q, _V, _P}), "it depends on coordinates, velocities and time")

@@ -322,6 +322,8 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
     for body in problem.masses:
         yield body.mass, "kg"
         yield from _components(body.position, "m")
+    for particle in problem.particles:
+        yield from _components(particle.exchange.velocity if particle.exchange is not None else None, "m/s")
     for body in problem.bodies:
         yield from ((moment, "kg m^2") for moment in (*body.inertia, *body.products) if moment != 0)
         yield from ((angle, "1") for angle in (body.angle, *body.angles) if angle is not None)

@@ -1,4 +1,4 @@
-"""Forced oscillations, impacts, Hamilton's function, Routh's function and steady motions in JSON."""
+"""Masses that vary, forced oscillations, impacts, Hamilton's function, Routh's function and steady motions in JSON."""
 
 from __future__ import annotations
 
@@ -8,9 +8,13 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from lagrange.core.symbols import prime
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.variable_mass import REACTIVE, validities
 from lagrange.render.json_steps import condition
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.kinematics import Configuration
+    from lagrange.mechanics.constraints.variable_mass import VariableMass
     from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
@@ -21,9 +25,14 @@ Write = Callable[[Any], str]
 
 
 def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
-    """`steady`, `hamiltonian`, `response` and `impact`, as far as they are asked for."""
+    """`variable_masses` where there are any; `steady`, `hamiltonian`, `response` and `impact` if they are asked for."""
     found: dict[str, Any] = {}
     views = solution.views
+    configuration = solution.own.configuration
+    if configuration.variable_masses:
+        found["variable_masses"] = {
+            m.name: variable_mass(m, configuration, write) for m in configuration.variable_masses
+        }
     steady = next((v for v in reversed(views) if v.steady is not None), None)
     if steady is not None and steady.steady is not None:
         found["steady"] = steady_motions(steady.steady, write)
@@ -36,6 +45,25 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
     if solution.impact is not None:
         found["impact"] = impact(solution.impact, write)
     return found
+
+
+def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -> dict[str, Any]:
+    """`mass` and its `rate`; whether mass `leaves`; its `velocity`, and whether that is `relative`; the reactive force;
+    `valid` where the mass is positive, if that is solved for one symbol.
+    """
+    force = next((f.vector for f in configuration.loads if f.on == m.name and f.name == REACTIVE), Vector.zero())
+    result: dict[str, Any] = {
+        "mass": write(m.mass),
+        "rate": write(m.rate),
+        "leaves": m.leaves,
+        "velocity": write(m.velocity),
+        "relative": m.relative,
+        "reactive_force": write(force),
+    }
+    for v in validities(configuration.variable_masses, configuration.slots):
+        if v.name == m.name and v.symbol is not None:
+            result["valid"] = f"{write(v.symbol)} {'>' if v.above else '<'} {write(v.bound)}"
+    return result
 
 
 def _named(view: InCoordinates) -> dict[str, str]:

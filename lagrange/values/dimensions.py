@@ -51,6 +51,7 @@ def dimensions_needed(
     p [a] + q [b] = D. A number in front may hide a unit (10 m for m g), and its term is passed over unless the number
     is small; so are terms that are no products of powers.
     """
+    known = {t: _SECOND, **known}
     symbols: dict[sp.Symbol, int] = {}
     rows: list[tuple[dict[int, sp.Rational], Dimension]] = []
     for expression, expected in stated:

@@ -57,6 +57,13 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "words-in-equation": ("Words stand beside an equation, not in it.", r"\theta = 0 + \text{a constant} + x"),
     "bad-exponent": ("A superscript is an integer.", "x⁻ = 0"),
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
+    "mass-exchange": ("Mass leaves a particle whose mass decreases, and joins one whose mass increases, with one velocity.",
+        problem("particles: {P: {mass: m + l*t, position: x*i, leaves: {velocity: 0}}}\n", coordinates="[x]")),
+    "variable-mass": ("Say with what velocity mass leaves or joins a particle whose mass varies.", problem(
+        "particles: {P: {mass: m - l*t, position: x*i}}\n", coordinates="[x]")),
+    "starts-without-mass": ("A particle that has no mass at t = 0 has no determined motion: begin with a small one.", problem(
+        "particles: {P: {mass: m*x, position: x*i, gains: {velocity: 0}}}\ngravity: g*i\ninitial: {x: 0, x': 0}\n",
+        coordinates="[x]")),
     "misplaced-gravity": ("Gravity acts on every mass: it is a key of the problem, and not one of its forces.", problem(
         PARTICLE + "forces: {gravity: -g*j}\n")),
     "components": ("A vector has two or three components.", problem("gravity: '[1, 2, 3, 4]'")),

@@ -7,7 +7,7 @@ Suslov's problem, Hill's equations, Huygens' law of the cycloid), that form is a
 from __future__ import annotations
 
 import sympy as sp
-from sympy import Rational, cos, exp, sin, sqrt
+from sympy import Rational, cos, diff, exp, sin, sqrt
 
 from tests.support.second_route import (
     Rigid,
@@ -287,6 +287,44 @@ def coin_on_shaken_table() -> tuple[Route, ...]:
     return (newton_euler(names, [coin], kinematic=rolling), literature(names, book, kinematic=rolling))
 
 
+# -- masses that vary --------------------------------------------------------------------------------------------------
+
+
+def balance(mass: sp.Expr, velocity: sp.Expr, exchanged: sp.Expr, force: sp.Expr) -> sp.Expr:
+    """d(m v)/dt - (dm/dt) u - F: momentum changes by what the exchanged mass brings and by the force."""
+    return diff(mass * velocity, t) - diff(mass, t) * exchanged - force
+
+
+def rocket() -> tuple[Route, ...]:
+    [y] = moving("y")
+    m_0, q, u, g = constants("m_0 q u g")
+    m = m_0 - q * t
+    return (literature("y", (balance(m, d(y), d(y) - u, -m * g),)),)
+
+
+def chain_off_a_table() -> tuple[Route, ...]:
+    """The energy of the whole chain, whose mass does not vary."""
+    [x] = moving("x")
+    density, l, g = constants("rho l g")
+    return (lagrange("x", HALF * density * l * d(x) ** 2, -HALF * density * g * x**2),)
+
+
+def raindrop() -> tuple[Route, ...]:
+    [x] = moving("x")
+    k, g = constants("k g")
+    return (literature("x", (balance(k * x**3, d(x), 0, k * x**3 * g),)),)
+
+
+def load_that_lifts_a_chain() -> tuple[Route, ...]:
+    """The string pulls both up with the same tension: its multiplier is the force down on each."""
+    x, y = moving("x y")
+    big, density, h, g = constants("M rho h g")
+    pull = sp.Symbol("lambda_string")
+    m = density * (h - y)
+    laws = (balance(big, d(x), 0, big * g + pull), balance(m, d(y), 0, m * g + pull))
+    return (literature("x y", laws, {"string": x + y - h}, multipliers="lambda_string"),)
+
+
 ROLLING = ("rolling.1", "rolling.2")
 
 FURTHER: dict[str, Textbook] = {
@@ -294,6 +332,7 @@ FURTHER: dict[str, Textbook] = {
     "ballistic-curve": Textbook(ballistic_curve, HOLONOMIC, 2, 0, functions={"D": ("v", "v**2 + 3*v + sin(v)")}),
     "bead-on-any-wire": Textbook(bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("x", "sin(x) + x**2")}),
     "bead-on-lemniscate": Textbook(bead_on_lemniscate, HOLONOMIC, 1, 1, ranges={"a": (2, 3)}),
+    "chain-off-a-table": Textbook(chain_off_a_table, HOLONOMIC, 1, 0),
     "charge-and-monopole": Textbook(charge_and_monopole, HOLONOMIC, 3, 0),
     "clockwork-skate": Textbook(clockwork_skate, "nonholonomic rheonomic catastatic", 1, 0, ("blade",)),
     "coin-on-shaken-table": Textbook(coin_on_shaken_table, "nonholonomic rheonomic acatastatic", 2, 0, ROLLING),
@@ -304,7 +343,10 @@ FURTHER: dict[str, Textbook] = {
     ),
     "furuta-pendulum": Textbook(furuta_pendulum, HOLONOMIC, 2, 0),
     "hill-moon": Textbook(hill_moon, "holonomic rheonomic catastatic", 2, 0),
+    "load-that-lifts-a-chain": Textbook(load_that_lifts_a_chain, HOLONOMIC, 1, 1),
     "planetary-gear": Textbook(planetary_gear, HOLONOMIC, 1, 2),
+    "raindrop": Textbook(raindrop, HOLONOMIC, 1, 0),
+    "rocket": Textbook(rocket, HOLONOMIC, 1, 0),
     "skate-on-springs": Textbook(skate_on_springs, NONHOLONOMIC, 2, 0, ("blade",)),
     "slide-off-a-dome": Textbook(slide_off_a_dome, HOLONOMIC, 1, 1),
     "snakeboard": Textbook(snakeboard, NONHOLONOMIC, 3, 0, ("front_wheels", "rear_wheels")),

@@ -12,7 +12,9 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.models.mechanics import Force, Kind, Mechanics, weight_shares
 from lagrange.answers.models.variation import Variation, called, written
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import share_of_damper, share_of_load, share_of_spring
 
@@ -24,12 +26,44 @@ _NAMES = {
     Kind.SPRING: "the spring",
     Kind.DAMPER: "the damper",
     Kind.FRICTION: "the friction",
+    Kind.REACTIVE: "the reactive force on",
 }
 
 
 def name_of(force: Force) -> str:
     """A force in a sentence: the spring `middle`."""
-    return f"{_NAMES[force.kind]} {called(force.on[0] if force.kind is Kind.WEIGHT else force.name)}"
+    by_place = force.kind in (Kind.WEIGHT, Kind.REACTIVE)
+    return f"{_NAMES[force.kind]} {called(force.on[0] if by_place else force.name)}"
+
+
+def exchanged_momentum(m: Mechanics) -> Iterator[Variation]:
+    """The velocity of mass that leaves or joins, taken as another one; T with the mass, and no momentum with it."""
+    configuration = m.configuration
+    places = {p.name: p for p in configuration.points}
+    for mass in configuration.variable_masses:
+        point = places[mass.name]
+        loads = [f for f in configuration.loads if f.on == mass.name and f.name == REACTIVE]
+        load = loads[0] if loads else Load(REACTIVE, mass.name, Vector.zero(), point.position)
+        place = f"the momentum of the mass that {'leaves' if mass.leaves else 'joins'} {called(mass.name)}"
+        carried, given = point.velocity * -mass.rate, mass.velocity * mass.rate
+        taken, instead = ("in the fixed axes", "relative to the particle")[:: 1 if mass.relative else -1]
+        other = f"for a velocity of the exchanged mass taken {taken} instead of {instead}"
+        confused = given + carried if mass.relative else given
+        for clause, vector in (
+            ("for d(m v)/dt = F, as if the exchanged mass had no velocity", carried),
+            (other, confused),
+        ):
+            if vector.is_zero:
+                continue  # without the reactive force, which is a model of its own
+            shares = [share_of_load(replace(load, vector=vector), v, configuration) for v in m.slots.velocities]
+            yield Variation(clause, place, _with_reactive(m, mass.name, shares))
+        clause = "with the derivatives of the varying mass in T, and without the momentum of the exchanged mass"
+        yield Variation(clause, place, _with_reactive(m, mass.name, [-s for s in configuration.mass_terms]))
+
+
+def _with_reactive(m: Mechanics, name: str, shares: Sequence[sp.Expr]) -> Mechanics:
+    others = tuple(f for f in m.forces if not (f.kind is Kind.REACTIVE and f.on == (name,)))
+    return replace(m, forces=(*others, Force(Kind.REACTIVE, REACTIVE, tuple(shares), False, (name,))))
 
 
 def gravity_reversed(m: Mechanics) -> Iterator[Variation]:

@@ -25,6 +25,7 @@ from lagrange.core.symbols import Slots, partial, prime
 from lagrange.core.vectors import Components, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, with_velocities_apart
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
@@ -105,7 +106,11 @@ class Kind(Enum):
     SPRING = auto()
     DAMPER = auto()
     FRICTION = auto()
+    REACTIVE = auto()
     QUASI = auto()  # the term that quasi-coordinates add to Lagrange's expression
+
+
+_KINDS = {"weight": Kind.WEIGHT, REACTIVE: Kind.REACTIVE}
 
 
 @record
@@ -234,9 +239,10 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
 
     pairs = [*zip(slots.coordinates, slots.velocities, strict=True)]
     for load in configuration.loads:
-        kind = Kind.WEIGHT if load.name == "weight" else Kind.FRICTION if load.name in rough else Kind.FORCE
+        kind = Kind.FRICTION if load.name in rough else _KINDS.get(load.name, Kind.FORCE)
         shares = tuple(share_of_load(load, v, configuration) for _, v in pairs)
-        yield Force(kind, load.name, shares, is_constant(load, configuration), (load.on,))
+        conservative = kind is not Kind.REACTIVE and is_constant(load, configuration)
+        yield Force(kind, load.name, shares, conservative, (load.on,))
     for f in problem.forces:
         if isinstance(f, Potential):
             static, _ = with_velocities_apart([f.energy], problem.slots)

@@ -37,6 +37,7 @@ MODELS = (
     Model("friction the other way", forces.friction_reversed),
     Model("force reversed", forces.force_reversed),
     Model(MEASURED_FROM_ELSEWHERE, coordinates.measured_from_elsewhere),
+    Model("momentum of exchanged mass", forces.exchanged_momentum),
     Model("constraint put into T", kinetic.constraint_in_energy),
     Model("quasi-velocities taken for velocities", quasi.products_left_out),
     Model("moving frame or support taken as fixed", kinetic.frame_at_rest),

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.core.symbols import prime, variation, velocity_before
+from lagrange.core.symbols import prime, t, variation, velocity_before
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Rule, Step
 from lagrange.explain.words import (
@@ -22,6 +22,7 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.energy_symbols import EnergySymbols
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, ReactionImpulse
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import AppliedMoment, Impact
 
 ZERO = sp.S.Zero
@@ -38,6 +39,28 @@ def explain_impact(found: ImpulsiveMotion, impact: Impact, letters: EnergySymbol
         *_energy(found, letters),
     ]
     return Step(Rule.IMPACT, title_in("The impact", found.configuration.name), tuple(body))
+
+
+def explain_motion_after(after: Solution, found: ImpulsiveMotion) -> Step:
+    """What acts after the impact, when t = 0 is, and the equations of motion from then on."""
+    persistent = [name for name in found.new if any(c.name == name for c in after.problem.constraints)]
+    ended = [name for name in found.new if name not in persistent]
+    words = "The questions are about the motion after the impact. It begins with the velocities just after it, at "
+    parts: list[Part] = [words, math(t, ZERO), "."]
+    if persistent:
+        remain = plural(len(persistent), "remains in force", "remain in force")
+        parts.append(f" {capital(constraints_called(persistent))} {remain}.")
+    if ended:
+        over = plural(len(ended), "no longer acts", "no longer act")
+        parts.append(f" {capital(constraints_called(ended))} {over}, until the parts meet again.")
+    view = next((v for v in reversed(after.views) if v.motion is not None and not v.signs), after.own)
+    if view.motion is None:
+        return Step(Rule.IMPACT, "The motion after the impact", (prose(*parts),))
+    lines = [Equation((e.expression, ZERO), label=f"after-{n}") for n, e in enumerate(view.motion.final, start=1)]
+    lines += [Equation((r.finite, ZERO), label=f"after-{r.name}") for r in view.configuration.rows if r.finite]
+    motion = plural(len(view.motion.final), "The equation of motion is then", "The equations of motion are then")
+    body = (prose(*parts, f" {motion}"), display(*lines))
+    return Step(Rule.IMPACT, "The motion after the impact", body)
 
 
 def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:

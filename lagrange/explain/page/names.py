@@ -12,8 +12,8 @@ from collections.abc import Collection, Iterator
 from lagrange.mechanics.dynamics.newton import short_reactions
 from lagrange.mechanics.results import Solution
 
-VECTORS = ("r", "v", "F", "R", "omega", "H", "M", "Gamma", "pi")
-"""Position, velocity, forces, angular velocity and momentum, moments, virtual rotation."""
+VECTORS = ("r", "v", "F", "R", "omega", "H", "M", "Gamma", "pi", "Phi")
+"""Position, velocity, forces, angular velocity and momentum, moments, virtual rotation, reactive force."""
 
 
 def short_names(solution: Solution, taken: Collection[str]) -> dict[str, str]:

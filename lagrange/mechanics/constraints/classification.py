@@ -66,6 +66,7 @@ class Classification:
     losses     special configurations where the constraints are not independent, as far as they were found
     moving     names of particles and bodies whose position contains t
     driven     names of bodies whose rotation contains t
+    weighed    names of particles whose mass contains t, which makes no difference to the classification
     further_angles  how many more numbers than quasi-coordinates determine the orientation of bodies
     """
 
@@ -78,6 +79,7 @@ class Classification:
     losses: tuple[RankLoss, ...]
     moving: tuple[str, ...]
     driven: tuple[str, ...]
+    weighed: tuple[str, ...] = ()
     further_angles: int = 0
 
     @property
@@ -181,6 +183,7 @@ def classify(problem: Problem) -> Classification:
         losses=rank_losses(independent) if system.is_pfaffian else (),
         moving=_moving_positions(problem),
         driven=_driven_rotations(problem),
+        weighed=tuple(p.name for p in problem.particles if {t, *problem.slots.prescribed} & p.mass.free_symbols),
         further_angles=len(quasi.slots.coordinates) - len(slots.coordinates) if quasi and in_quasi_coordinates else 0,
     )
 

@@ -34,6 +34,14 @@ from lagrange.mechanics.constraints.springs_dampers import (
     rewritten_spring,
     stretched_springs,
 )
+from lagrange.mechanics.constraints.variable_mass import (
+    REACTIVE,
+    VariableMass,
+    mass_terms,
+    reactive_force,
+    rewritten_mass,
+    variable_masses,
+)
 from lagrange.problem.model import AppliedForce, AppliedMoment, GeneralizedForce, Potential, Problem, Range
 
 
@@ -90,6 +98,7 @@ class Configuration:
     velocity_part  what the Lagrangian has beside T − V: terms of a given Lagrangian, or of potentials, with velocities
     generalized  shape (n,), or none: the generalized forces that the file gives as such
     is_outright  whether the file gives the Lagrangian: then there are no masses, and −V is its part without velocities
+    variable_masses  the particles whose mass varies; their reactive forces are among the loads
     """
 
     name: str
@@ -106,6 +115,7 @@ class Configuration:
     velocity_part: sp.Expr = sp.S.Zero
     generalized: tuple[sp.Expr, ...] = ()
     is_outright: bool = False
+    variable_masses: tuple[VariableMass, ...] = ()
 
     @property
     def slots(self) -> Slots:
@@ -170,6 +180,12 @@ class Configuration:
         turning = {r.name for r in self.rotations}
         return tuple(p for p in self.points if p.name not in turning)
 
+    @property
+    def positive(self) -> tuple[sp.Expr, ...]:
+        """What is positive at every state of the system, though not by itself: lengths of springs, masses that vary."""
+        lengths = tuple(s.distance for s in self.springs if not s.distance.is_nonnegative)
+        return (*lengths, *(m.mass for m in self.variable_masses if not m.mass.is_positive))
+
     def loads_beside(self, body: str) -> tuple[Load, ...]:
         """The applied forces on a body that do not act at its mass centre."""
         [centre] = (p.position for p in self.points if p.name == body)
@@ -193,6 +209,11 @@ class Configuration:
         fixed = all(v.is_zero for v in (*point.partials, point.velocity))
         return fixed and any(r.name == point.name for r in self.rotations)
 
+    @cached_property
+    def mass_terms(self) -> tuple[sp.Expr, ...]:
+        """What Lagrange's expression with T contains of the rates of masses beyond m r''; none if no mass varies."""
+        return mass_terms(self.variable_masses, {p.name: p.position for p in self.points}, self.slots)
+
     def rewritten(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates, velocities and accelerations in the present ones."""
         return expression.xreplace(self.substitution) if self.expressed else expression
@@ -208,11 +229,15 @@ class Configuration:
 
 
 def applied_loads(problem: Problem) -> tuple[Load, ...]:
-    """The weights, then the forces in the order of the file."""
+    """The weights and reactive forces, then the forces in the order of the file."""
     loads = []
     for p in problem.masses:
         if problem.gravity is not None and p.mass != 0:
             loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
+    for particle in problem.particles:
+        if particle.exchange is not None:
+            force = reactive_force(particle, problem.slots)
+            loads += [] if force.is_zero else [Load(REACTIVE, particle.name, force, particle.position)]
     positions = {p.name: p.position for p in problem.masses}
     bodies = {b.name for b in problem.bodies}
     for f in problem.forces:
@@ -242,6 +267,7 @@ def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Conf
         velocity_part=-moving,
         generalized=_given_forces(problem),
         is_outright=problem.lagrangian is not None,
+        variable_masses=variable_masses(problem),
     )
 
 
@@ -285,7 +311,7 @@ def substituted_configuration(
     constrained = ConstrainedSystem(slots, rows)
     blank = Configuration(name, constrained, (), (), sp.S.Zero, expressed)
     rule = blank.substitution
-    points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
+    points = tuple(_moving(p.name, p.mass.xreplace(rule), p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
     springs = tuple(rewritten_spring(s, rule) for s in original.springs)
     others = original.potential - sp.Add(*(s.energy for s in original.springs))
@@ -304,6 +330,7 @@ def substituted_configuration(
         velocity_part=original.velocity_part.xreplace(rule),
         generalized=_pulled_back(original, expressed, rule, coordinates),
         is_outright=original.is_outright,
+        variable_masses=tuple(rewritten_mass(m, rule, slots) for m in original.variable_masses),
     )
 
 

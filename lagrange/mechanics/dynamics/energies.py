@@ -53,6 +53,7 @@ class Energies(Balance):
     rates       shape (n,): d/dt p_k
     partials    shape (n,): ∂L/∂q_k
     applied     shape (n,): Q_k of the forces that are not in V
+    of_masses   shape (n,): S_k, what masses that vary add on the right (`variable_mass`); 0 where none does
     quasi       shape (n,): N_k; 0 in true coordinates
     left        shape (n,): d/dt p_k − ∂L/∂q_k − N_k
     """
@@ -66,6 +67,7 @@ class Energies(Balance):
     rates: tuple[sp.Expr, ...]
     partials: tuple[sp.Expr, ...]
     applied: tuple[sp.Expr, ...]
+    of_masses: tuple[sp.Expr, ...]
     quasi: tuple[sp.Expr, ...]
     left: tuple[sp.Expr, ...]
 
@@ -109,6 +111,7 @@ def energies(configuration: Configuration) -> Energies:
         applied = [q + ring.from_sympy(e) for q, e in zip(applied, configuration.generalized, strict=True)]
     quasi = [_quasi(configuration, k, ring) for k in range(len(slots.coordinates))]
     left = [r - p - n for r, p, n in zip(rates, partials, quasi, strict=True)]
+    of_masses = [ring.from_sympy(e) for e in configuration.mass_terms] or [ring.zero] * len(left)
     massive = [p for p in configuration.points if p.mass != 0 and not configuration.is_pinned(p)]
 
     def forms(elements: list[Element]) -> tuple[sp.Expr, ...]:
@@ -116,7 +119,7 @@ def energies(configuration: Configuration) -> Energies:
 
     return Energies(
         configuration=configuration,
-        coefficients=tuple(a - q for a, q in zip(left, applied, strict=True)),
+        coefficients=tuple(a - q - s for a, q, s in zip(left, applied, of_masses, strict=True)),
         forces=forms([q - s for q, s in zip(applied, slopes, strict=True)]),
         textbook=textbook,
         velocities={p.name: p.velocity.map(textbook.form) for p in massive},
@@ -128,6 +131,7 @@ def energies(configuration: Configuration) -> Energies:
         rates=forms(rates),
         partials=forms(partials),
         applied=tuple(Textbook(ring, merge=True).form(q) for q in applied),
+        of_masses=forms(of_masses),
         quasi=forms(quasi),
         left=forms(left),
     )

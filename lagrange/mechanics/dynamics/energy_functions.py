@@ -31,6 +31,7 @@ from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import dot
 
 
@@ -85,8 +86,12 @@ def of_the_rest(
     """
     coordinates = configuration.slots.coordinates
     n = len(coordinates)
-    each = [_generalized(load, configuration, ring) for load in loads if load.name not in frictions]
-    without_potential = [_generalized(load, configuration, ring) for load in loads if load.name in frictions]
+    varying = {m.name for m in configuration.variable_masses if t in m.mass.free_symbols}
+    powerless = [f.name in frictions or (f.name == "weight" and f.on in varying) for f in loads]
+    each = [_generalized(f, configuration, ring) for f, without in zip(loads, powerless, strict=True) if not without]
+    without_potential = [
+        _generalized(f, configuration, ring) for f, without in zip(loads, powerless, strict=True) if without
+    ]
     for moment in configuration.torques:
         [turning] = (r for r in configuration.rotations if r.name == moment.on)
         q = tuple(dot(moment.vector, partial, ring) for partial in turning.partials)
@@ -312,6 +317,7 @@ def energy_functions(
     frictions  the names of the friction forces, which have no potential even if they are constant
     """
     ring = textbook.ring
+    frictions = {*frictions, *(REACTIVE for _ in configuration.variable_masses[:1])}
     springs = sp.Add(*(s.energy for s in configuration.springs))
     fields = configuration.potential - springs
     steady = [f for f in configuration.loads if f.name not in frictions and is_constant_force(f, configuration, ring)]
@@ -323,6 +329,8 @@ def energy_functions(
         potential, fields = potential + ring.from_sympy(fields), sp.S.Zero
     if configuration.generalized:
         forces = tuple(f + ring.from_sympy(q) for f, q in zip(forces, configuration.generalized, strict=True))
+    if configuration.mass_terms:
+        forces = tuple(f + ring.from_sympy(q) for f, q in zip(forces, configuration.mass_terms, strict=True))
     return EnergyFunctions(
         configuration=configuration,
         textbook=textbook,

@@ -356,7 +356,7 @@ class LagrangeMotion(EquationsOfMotion):
     principle    T, V and the equations with multipliers
     used         indices of the rows that have a multiplier
     multipliers  of these, in textbook form, containing accelerations; None if they are too long
-    right        Q_k + Σ λ_j a_jk, shape (n,), with named tensions in place of their multipliers
+    right        Q_k + S_k + Σ λ_j a_jk, shape (n,), with named tensions in place of their multipliers
     forces       the values of `multipliers` in the same way: of the tension where the file names one
     """
 

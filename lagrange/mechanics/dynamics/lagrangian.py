@@ -58,6 +58,7 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
         force += sp.Add(*(share_of_spring(s, q) for s in configuration.springs))
         force += sp.Add(*(share_of_damper(d, v, slots) for d in configuration.dampers))
         force += configuration.generalized[k] if configuration.generalized else 0
+        force += configuration.mass_terms[k] if configuration.mass_terms else 0
         force += partial(X, q) - slots.time_derivative(partial(X, v))
         quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
         left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
@@ -167,7 +168,10 @@ def share_of_damper(damper: DamperForce, velocity: sp.Symbol, slots: Slots) -> s
 
 
 def applied_power(configuration: Configuration) -> sp.Expr:
-    """Σ F·v + Σ M·ω − Σ c d'², the power of forces without a potential; d' without the prescribed motion of ends."""
+    """Σ F·v + Σ M·ω − Σ c d'², the power of forces without a potential; d' without the prescribed motion of ends.
+
+    A mass that varies adds (dm/dt) v²/2: dT/dt is the power of all forces, the reactive ones included, and that.
+    """
     slots = configuration.slots
     terms = [f.vector.fixed().dot(_rate_at(f, configuration)) for f in configuration.loads]
     spins = {r.name: angular_velocity(r, slots) for r in configuration.rotations}
@@ -177,4 +181,8 @@ def applied_power(configuration: Configuration) -> sp.Expr:
         rate = apart.time_derivative(slots)
         own = rate - apart.frozen_derivative(slots)
         terms.append(-d.coefficient * apart.dot(rate) * apart.dot(own) / apart.dot(apart))
+    positions = {p.name: p for p in configuration.points}
+    for m in configuration.variable_masses:
+        velocity = velocity_of(positions[m.name], slots)
+        terms.append(m.rate * velocity.dot(velocity) / 2)
     return sp.Add(*terms)

@@ -115,9 +115,9 @@ class NewtonLaw:
         by_name = {r.name: r for r in self.newton.reactions}
         reactions = [by_name[row.name] for row in rows]
         right = []
-        for k, applied in enumerate(motion.principle.applied):
+        for k, (q, s) in enumerate(zip(motion.principle.applied, motion.principle.of_masses, strict=True)):
             factors = (_tidy(row.coefficients[k], r.per_force) for row, r in zip(rows, reactions, strict=True))
-            right.append(sp.Add(applied, *(f * r.force for f, r in zip(factors, reactions, strict=True))))
+            right.append(sp.Add(q, s, *(f * r.force for f, r in zip(factors, reactions, strict=True))))
         forces = None
         if motion.multipliers is not None:
             forces = tuple(_tidy(v, 1 / r.per_force) for v, r in zip(motion.multipliers, reactions, strict=True))

@@ -120,7 +120,8 @@ def first_branches(
     left = [_with_radius(b, beginning) for b in (_without_negative_radii(b, beginning) for b in left) if b is not None]
     if by is not None:
         left, gone = _beginning_right(left, beginning, by, quantity)
-        return Chosen(tuple(left), tuple((b, Because.START) for b in gone), _are_mirrored(left))
+        either = _are_mirrored(left) and beginning.direction(by) not in (1, -1)
+        return Chosen(tuple(left), tuple((b, Because.START) for b in gone), either)
     one = beginning.free == 1
     arriving = beginning.slots.coordinates if one else tuple(reached)
     for reason in (Because.INITIAL, Because.ARRIVAL, Because.TURNING):
@@ -162,8 +163,9 @@ def _beginning_right(
     """The branches that have the initial value of the quantity at the initial place, and the others."""
     way = beginning.direction(by)
     if way in (1, -1):
-        right = [replace(b, states=kept) for b in branches if (kept := _moving(b, by, way or 0)) or not b.states]
-        gone = [b for b in branches if b.states and not _moving(b, by, way or 0)]
+        start = beginning.initial.get(by)
+        right = [replace(b, states=kept) for b in branches if (kept := _moving(b, by, way or 0, start)) or not b.states]
+        gone = [b for b in branches if b.states and not _moving(b, by, way or 0, start)]
         if right and gone:
             return right, gone
     start = quantity.xreplace(dict(beginning.initial))
@@ -183,9 +185,15 @@ def _beginning_right(
     return [b for b, keeps in pairs if keeps], [b for b, keeps in pairs if not keeps]
 
 
-def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
-    """The states in which q does not move against a direction."""
-    return tuple(s for s in b.states if prime(q) not in s or sign_of_value(s[prime(q)], b.conditions) != -way)
+def _moving(b: AnswerBranch, q: sp.Symbol, way: int, start: sp.Expr | None) -> tuple[State, ...]:
+    """The states in which q does not move against a direction, in which it starts: it is ahead of its start then."""
+    ahead = {} if start is None else {q: start + way * sp.Dummy("s", positive=True)}
+
+    def is_against(speed: sp.Expr) -> bool:
+        sign = sign_of_value(speed, b.conditions)
+        return (sign_of_value(speed.xreplace(ahead)) if sign is None else sign) == -way
+
+    return tuple(s for s in b.states if prime(q) not in s or not is_against(s[prime(q)]))
 
 
 def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:

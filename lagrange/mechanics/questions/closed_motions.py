@@ -3,6 +3,7 @@
 Of an equation for one coordinate q alone:
 
     q'' + c q' + k q = F(t)     with constant c and k; F a sum of constants, powers of t, cosines and sines
+    q'' = A(t) + B(t) q'        as of a rocket (`closed_forms.linear_in_speed`)
     q'' = α − β q'^2            drag with the square of the velocity: u = exp(β (q − q_0)) satisfies u'' = α β u
 
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
@@ -16,16 +17,20 @@ relation holds.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
 from itertools import product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
+from lagrange.mechanics.questions.forms import with_whole_logarithms, without_roots_in_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
 from lagrange.mechanics.questions.states import Values
 
@@ -35,16 +40,27 @@ class ClosedMotion:
     """Coordinates as functions of time, in one case.
 
     conditions  under which it is the solution; the relation `=` is one between parameters
+    speeds      the velocities that were found before the coordinates, in the form in which they are printed
     """
 
     solutions: Mapping[sp.Symbol, sp.Expr]
     conditions: tuple[SignCondition, ...] = ()
+    speeds: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    def speed(self, q: sp.Symbol) -> sp.Expr:
+        """q' as a function of time."""
+        return self.speeds[q] if q in self.speeds else self.solutions[q].diff(t)
+
+    def written(self, value: sp.Expr) -> sp.Expr:
+        """The value of a quantity at one time, in the form in which it is printed."""
+        found = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value)
+        return without_roots_in_logarithms(min(value, found, key=sp.count_ops) if self.speeds else found)
 
     def at_time(self, e: sp.Expr) -> sp.Expr:
         """An expression of the state as a function of time."""
         rule: dict[sp.Symbol, sp.Expr] = {}
         for q, s in self.solutions.items():
-            rule |= {q: s, prime(q): s.diff(t)}
+            rule |= {q: s, prime(q): self.speed(q)}
         return e.xreplace(rule)
 
 
@@ -72,10 +88,12 @@ def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol
     for combination in product(*cases):
         solutions: dict[sp.Symbol, sp.Expr] = {}
         conditions: list[SignCondition] = []
+        speeds: dict[sp.Symbol, sp.Expr] = {}
         for motion in combination:
             solutions |= motion.solutions
+            speeds |= motion.speeds
             conditions += [c for c in motion.conditions if c not in conditions]
-        joined.append(ClosedMotion(solutions, tuple(conditions)))
+        joined.append(ClosedMotion(solutions, tuple(conditions), speeds))
     return joined if len(joined) <= MOST_CASES else []
 
 
@@ -84,6 +102,8 @@ def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[Cl
     if a.has(Unspecified):
         return []
     found = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
+    if not found and (both := of_rates_in_time(q, a, place, speed)) is not None:
+        found = [ClosedMotion({q: both[0]}, speeds={q: both[1]})]
     verified = [m for m in found if _is_solution(m, q, a, place, speed)]
     return verified if len(verified) == len(found) else []
 
@@ -101,9 +121,9 @@ def _of_several(group: Sequence[sp.Symbol], accelerations: Values, initial: Valu
 
 def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> bool:
     """Whether the equation and the initial values are satisfied, exactly; where a relation holds, if there is one."""
-    solution = motion.solutions[q]
-    rate = solution.diff(t)
+    solution, rate = motion.solutions[q], motion.speed(q)
     residuals = [
+        solution.diff(t) - rate,
         rate.diff(t) - motion.at_time(a),
         solution.xreplace({t: sp.S.Zero}) - place,
         rate.xreplace({t: sp.S.Zero}) - speed,

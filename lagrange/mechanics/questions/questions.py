@@ -20,7 +20,6 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
@@ -36,9 +35,7 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import (
     joined,
     under_one_root,
-    with_whole_logarithms,
     without_roots_below,
-    without_roots_in_logarithms,
 )
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
@@ -479,7 +476,7 @@ class _Search:
             solutions={}
             if len(motions) > 1
             else {
-                prime(q) if q in places else q: under_one_root(e.diff(t) if q in places else e)
+                prime(q) if q in places else q: under_one_root(motions[0].speed(q) if q in places else e)
                 for q, e in motions[0].solutions.items()
             },
         )
@@ -558,9 +555,8 @@ class _Search:
             return [replace(b, conditions=b.conditions) for b in right]
         if any(is_zero(e) is not True for e in left):
             return None
-        at = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value.xreplace(rule))
-        at = without_roots_in_logarithms(at)
-        rates = {prime(q): e.diff(t) for q, e in motion.solutions.items()}
+        at = motion.written(value.xreplace(rule))
+        rates = {prime(q): motion.speed(q) for q in motion.solutions}
         senses = self.setting.known.senses
         if not all(keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
             return None

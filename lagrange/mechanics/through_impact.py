@@ -1,0 +1,87 @@
+"""An impact, and the motion that begins with it.
+
+The questions of a file with an impact are about the motion after it. That begins at t = 0 in the position of the impact
+with the velocities just after it, under the old constraints and those of the new ones that persist, whose coefficient
+of restitution is 0: a bullet that lodges stays in the block, a ball that rebounds is free. It is a problem of its own,
+solved like any other: its equations of motion, first integrals and checks know nothing of the impact. Energy is lost in
+the instant of the impact, and may be conserved from then on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.symbols import base, prime
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion, impulsive_motion
+from lagrange.mechanics.momenta.impact_checks import check_impact
+from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Choice, Constraint, Find, InitialValue, Problem
+
+
+def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable[[Problem], Solution]) -> Solution:
+    """The solution with the velocities after the impact of the file, the impulses, and the answers to its questions.
+
+    solve_after  solves the motion after the impact
+    """
+    problem = solution.problem
+    choices = [c.coordinates for c in solution.choices]
+    found = impulsive_motion(problem, choices, solution.own.coordinates, taken)
+    checks = (*solution.checks, *check_impact(found, problem))
+    solution = replace(solution, impact=found, checks=checks)
+    if not problem.questions:
+        return solution
+    after = solve_after(problem_after(problem, found))
+    known = {(c.name, c.choice) for c in checks}
+    checks += tuple(c for c in after.checks if (c.name, c.choice) not in known)
+    return replace(solution, after=after, asked=after.asked, checks=checks, given_up=after.given_up)
+
+
+def problem_after(problem: Problem, found: ImpulsiveMotion) -> Problem:
+    """The motion after an impact as a problem: its constraints, and its state at t = 0."""
+    impact = problem.impact
+    assert impact is not None
+    names = {i.name for i in found.impulses if i.is_new and i.restitution == 0}
+    persistent = tuple(c for c in impact.constraints if c.name in names)
+    choices = tuple(c for c in (_within(c, persistent) for c in problem.choices) if c is not None)
+    known = {*problem.slots.coordinates, *(q for c in choices for q in c.coordinates)}
+    for question in problem.questions:
+        asked = {base(s) for e in (question.quantity, *(w.function for w in question.when)) for s in e.free_symbols}
+        if lost := sorted(q.name for c in problem.choices for q in c.coordinates if q in asked - known):
+            raise NotCoveredError(
+                f"a question about `{lost[0]}` after the impact: the choice that has it", question.span
+            )
+    state = {**found.position, **{prime(q): v for q, v in zip(found.slots.coordinates, found.velocities, strict=True)}}
+    return replace(
+        problem,
+        constraints=(*problem.constraints, *persistent),
+        choices=choices,
+        impact=None,
+        initial=tuple(InitialValue(s, value, impact.span) for s, value in state.items() if base(s) in known),
+        find=(Find.MOTION,),
+        answers=None,
+        speeds=(),
+    )
+
+
+def _within(choice: Choice, persistent: Sequence[Constraint]) -> Choice | None:
+    """The choice without the coordinates that persistent constraints give by the others; None where that fails."""
+    coordinates, substitute = [*choice.coordinates], dict(choice.substitute or {})
+    for c in persistent:
+        if c.kinematic or choice.substitute is None:
+            return None
+        f = c.function.xreplace(substitute)
+        for q in reversed(coordinates):
+            slope = sp.diff(f, q)
+            if slope != 0 and slope.free_symbols.isdisjoint(coordinates):
+                value = sp.expand(q - f / slope)
+                coordinates.remove(q)
+                substitute = {old: e.xreplace({q: value}) for old, e in substitute.items()}
+                substitute |= {} if q in substitute else {q: value}
+                break
+        else:
+            return None
+    return replace(choice, coordinates=tuple(coordinates), substitute=substitute) if persistent else choice

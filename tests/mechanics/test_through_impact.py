@@ -1,0 +1,94 @@
+"""Questions about the motion after an impact, against results worked out by hand."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import NotCoveredError, Source
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
+from tests.support.shared import reported
+
+BALL = """
+title: Ball
+parameters: {m: positive, g: positive, h: positive, e: {assume: positive, range: [0, 1]}}
+coordinates: [y]
+particles: {ball: {mass: m, position: y*j}}
+gravity: -g*j
+impact:
+  before: {y: 0, y': -sqrt(2*g*h)}
+  constraints: {floor: y >= 0}
+  restitution: {floor: e}
+ask:
+  height: {quantity: y, when: y' = 0}
+  back: {quantity: t, when: y = 0}
+"""
+ROD = """
+title: Rod
+parameters: [m, l, g, v]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: m*l^2/3, position: x*i + y*j, angle: theta}}
+gravity: -g*j
+impact:
+  before: {x: l, y: 0, theta: 0, x': 0, y': -v, theta': 0}
+  constraints: {hinge: r_rod - l*(cos(theta)*i + sin(theta)*j) = 0}
+ask:
+  at_once: {quantity: theta', when: t = 0}
+  below: {quantity: theta', when: theta = -pi/2}
+"""
+
+
+def solved(text: str) -> Solution:
+    solution = solve(read_problem(Source("case.yaml", text)))
+    assert [c.name for c in solution.checks if c.passed is not True] == []
+    return solution
+
+
+def answers(solution: Solution) -> dict[str, sp.Expr]:
+    found = {}
+    for a in solution.asked:
+        [b] = a.branches
+        found[a.question.name] = b.rhs
+    return found
+
+
+def equal(a: sp.Expr, b: str) -> bool:
+    other = sp.sympify(b, locals={s.name: s for s in a.free_symbols})
+    return bool(sp.simplify(a - other) == 0)
+
+
+def test_a_ball_that_rebounds() -> None:
+    found = answers(solved(BALL))
+    assert equal(found["height"], "e**2*h")
+    assert equal(found["back"], "2*e*sqrt(2*h/g)")
+
+
+def test_a_new_constraint_without_restitution_remains_and_one_with_it_does_not() -> None:
+    ball, rod = solved(BALL), solved(ROD)
+    assert ball.after is not None
+    assert rod.after is not None
+    assert ball.after.problem.constraints == ()
+    assert [c.name for c in rod.after.problem.constraints] == ["hinge.1", "hinge.2"]
+    found = answers(rod)
+    assert equal(found["at_once"], "-3*v/(4*l)")
+    assert equal(found["below"], "-sqrt(9*v**2/(16*l**2) + 3*g/(2*l))")
+
+
+def test_the_ballistic_pendulum_in_its_angle() -> None:
+    report = reported("ballistic-pendulum")
+    after = report.solution.after
+    assert after is not None
+    assert [c.coordinates for c in after.problem.choices] == [(sp.Symbol("theta", real=True),)]
+    titles = [s.title for s in report.derivation.steps]
+    assert titles.index("The motion after the impact") < titles.index("Question: swing")
+
+
+def test_a_question_in_a_coordinate_that_is_lost_is_refused() -> None:
+    text = ROD.replace(
+        "ask:", "generalized_coordinates: {w: {coordinates: [x, y, phi], substitute: {theta: phi + x}}}\nask:"
+    )
+    text = text.replace("quantity: theta', when: t = 0", "quantity: phi', when: t = 0")
+    with pytest.raises(NotCoveredError, match="`phi` after the impact"):
+        solve(read_problem(Source("case.yaml", text)))
