@@ -116,7 +116,7 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
     if of_a == of_b:
         return of_a
     # A and B √D of different signs: the one with the larger square decides.
-    square = _of_product(_factored(sp.expand(a**2 - b**2 * root.base)), known)
+    square = _of_product(_factored(_in_sines(sp.expand(a**2 - b**2 * root.base))), known)
     if of_a is not None:
         return None if square is None else of_a * square
     if square == -1:
@@ -127,6 +127,12 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
         return None
     rest = _of_product(_factored(sp.expand(b**2 * root.base - against**2)), known)
     return of_b if rest == 1 else None
+
+
+def _in_sines(e: sp.Expr) -> sp.Expr:
+    """An expanded sum with cos² α = 1 − sin² α: 9 cos² α + 4 sin² α − 9 is −5 sin² α."""
+    squares = {c**2: 1 - sp.sin(c.args[0]) ** 2 for c in e.atoms(sp.cos)}
+    return sp.expand(e.xreplace(squares)) if squares else e
 
 
 def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[SignCondition, ...] | None:

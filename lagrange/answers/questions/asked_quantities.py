@@ -224,12 +224,12 @@ class _Claim:
 
     def _states(
         self, values: Sequence[sp.Expr], states: Sequence[Mapping[sp.Symbol, sp.Expr]]
-    ) -> list[dict[sp.Symbol, sp.Expr]]:
+    ) -> list[dict[sp.Expr, sp.Expr]]:
         if self.quantity.is_Symbol:
-            shared = dict(states[0]) if len(states) == 1 and len(values) == 1 else {}
-            reached = {s[self.quantity]: dict(s) for s in states if self.quantity in s}  # with its sine and cosine
+            shared = _with_functions(states[0]) if len(states) == 1 and len(values) == 1 else {}
+            reached = {s[self.quantity]: _with_functions(s) for s in states if self.quantity in s}
             return [reached.get(v, {**shared, self.quantity: v}) for v in values]
-        return [dict(s) for s in states]
+        return [_with_functions(s) for s in states]
 
     def _is_open(self, e: sp.Expr) -> bool:
         """Whether an expression contains coordinates, velocities or reactions that have no value here."""
@@ -247,7 +247,8 @@ class _Claim:
         if not found.solved or found.free:
             return Verdict.EQUIVALENT, ""
         derived = self._derived()
-        for value in (v for b in found.branches for v in b.values):
+        stated_alike = {(b.lhs, b.rhs) for b in self.asked.branches if b.lhs != self.quantity}
+        for value in (v for b in found.branches if (b.lhs, b.rhs) not in stated_alike for v in b.values):
             same = [self._same(value, d) for d in derived]
             if True in same:
                 continue
@@ -256,6 +257,21 @@ class _Claim:
             if None not in same:
                 return Verdict.INCOMPLETE, _OTHER
         return Verdict.EQUIVALENT, ""
+
+
+def _with_functions(state: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    """A state with the sines and cosines of its angles, whose values it has under their names.
+
+    sin θ = 2/3 sin α says more than θ = acos √(1 − 4/9 sin² α), where the sine of α may have either sign.
+    """
+    letters = {s.name: v for s, v in state.items()}
+    rule: dict[sp.Expr, sp.Expr] = dict(state)
+    for q in state:
+        pair = [letters.get(str(f(q))) for f in (sp.sin, sp.cos)]
+        rule |= {f(q): v for f, v in zip((sp.sin, sp.cos), pair, strict=True) if v is not None}
+        if pair[0] is not None and pair[1] not in (None, 0):
+            rule[sp.tan(q)] = pair[0] / pair[1]
+    return rule
 
 
 def _parted_logarithms(e: sp.Expr) -> sp.Expr:

@@ -336,9 +336,7 @@ class _Search:
             places = [n for n, s in enumerate(b.states) if beginning.is_initial(s)]
             is_possible = not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1)
             if places and is_possible:
-                values = tuple(b.values[n] for n in places) if len(b.values) == len(b.states) else b.values
-                rhs = values[0] if len(values) == 1 else b.rhs
-                found.append(replace(b, rhs=rhs, values=values, states=tuple(b.states[n] for n in places)))
+                found.append(b.at([b.states[n] for n in places]))
         return found
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
@@ -354,7 +352,7 @@ class _Search:
     def _with_stated_slip(self, b: AnswerBranch) -> AnswerBranch | None:
         """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
         states = tuple(s for s in b.states if not self._slips_backwards(s, b))
-        return b if len(states) == len(b.states) else replace(b, states=states) if states else None
+        return b.at(states) if states or not b.states else None
 
     def _slip_is_open(self, b: AnswerBranch) -> bool:
         """Whether a state of a branch does not say that slip has the sense that the file states."""
