@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import UnitSymbol
 from lagrange.core.units import unit_called
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
-from lagrange.explain.questions import answer_label
+from lagrange.explain.questions import angle_of, answer_label
 from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
@@ -34,6 +35,9 @@ RESULTS = (
     Rule.IMPACT,
 )
 """The steps whose boxed equations are results."""
+Sides = tuple[object, ...]
+Angles = Mapping[Sides, Math]
+"""The angle in degrees for an answer by its sides, sin θ = 2/3 sin α."""
 
 
 def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digits: int) -> Iterator[Step]:
@@ -41,12 +45,14 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
+    angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+              if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule is Rule.RESULT:
-            yield replace(step, body=tuple(_with_values(b, values, digits, bare) for b in step.body))
+            yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
@@ -54,7 +60,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif view is not None and not _determines_forces(view):
             yield step
         else:
-            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare)))
+            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare, angles)))
 
 
 def _start(values: Values) -> str:
@@ -102,7 +108,7 @@ def _excluded_answers(solution: Solution, values: Values) -> Iterator[str]:
 
 
 def _blocks(
-    step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[tuple[sp.Expr, sp.Expr]]
+    step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[Sides], angles: Angles
 ) -> Iterator[Block]:
     for block in step.body:
         yield block
@@ -119,25 +125,31 @@ def _blocks(
             if shown and len(shown) == len(lines):
                 yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)
+                if measured_ := [angles[e.sides] for e in possible if e.sides in angles]:
+                    yield prose("That is ", *listed(measured_), ".", detail=Detail.BRIEF)
 
 
-def _with_values(block: Block, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Block:
+def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Block:
     """The box at the head, with the number beside each quantity that has one."""
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_with_value(e, values, digits, bare) for e in block.equations))
+    return replace(block, equations=tuple(_with_value(e, values, digits, bare, angles) for e in block.equations))
 
 
-def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Equation:
+def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:
     found = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
     if found is None or found.sides[0] != equation.sides[0] or not isinstance(found.sides[0], sp.Expr):
         return equation
+    right = found.sides[-1]
+    if not isinstance(right, sp.Expr) or not all(isinstance(s, UnitSymbol) for s in right.free_symbols):
+        return equation  # with coordinates in it: the step has it
     number: tuple[Part, ...] = ("that is ", math(*found.sides, relation=found.relation))
+    number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
 def _in_numbers(
-    equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]] = ()
+    equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()
 ) -> Equation | None:
     """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
 

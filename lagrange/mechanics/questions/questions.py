@@ -19,7 +19,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
@@ -594,5 +594,5 @@ class _Search:
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:
-    rhs = under_one_root(without_leading_minus(without_roots_below(b.rhs)))
+    rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
     return replace(b, rhs=rhs, conditions=joined(b.conditions))
