@@ -19,6 +19,7 @@ from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.values.bounds import bound_with
 from lagrange.values.dimensions import dimension, dimension_of_unit
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
@@ -115,6 +116,8 @@ def _blocks(
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
             lines = [_in_numbers(e, values, digits, bare) for e in possible]
+            if any(e.relation == "≤" for e in possible):
+                lines = [line for line in lines if line is not None]  # a condition without values stands as it is
             shown = [e for e in lines if e is not None]
             if len(possible) < len(block.equations):
                 gone = [Ref(e.label) for e in block.equations if e.label in excluded]
@@ -137,6 +140,12 @@ def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sid
 
 
 def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:
+    if equation.relation == "≤" and (bound := _in_numbers(equation, values, digits)) is not None:
+        same = bound.sides == equation.sides
+        more = bound.condition[1:] if bound.condition[:1] == ("that is ",) else bound.condition
+        said = (math(*bound.sides, relation=bound.relation), ", " if more else "", *more)
+        before = (*equation.condition, ", " if equation.condition else "", "that is ")
+        return equation if same else replace(equation, condition=(*before, *said))
     found = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
     if found is None or found.sides[0] != equation.sides[0] or not isinstance(found.sides[0], sp.Expr):
         return equation
@@ -156,6 +165,8 @@ def _in_numbers(
     bare  sides of equations in which a number hides a unit: only that of the left side is known
     """
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
+    if equation.relation != "=":
+        return _bound(equation, values, digits) if equation.relation == "≤" and len(sides) == 2 else None
     if len(sides) != len(equation.sides) or not any(s.free_symbols & values.parameters for s in sides):
         return None
     right = values.quantity(sides[-1])
@@ -175,6 +186,27 @@ def _in_numbers(
     except NotRealError:
         return None
     return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+
+
+def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
+    """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
+    left, right = equation.sides
+    assert isinstance(left, sp.Expr) and isinstance(right, sp.Expr)
+    found = bound_with(left, right, values)
+    if found is None:
+        return None
+    try:
+        shown = found.left.shown(digits) if isinstance(found.left, Quantity) else found.left
+        words: tuple[Part, ...] = ()
+        if found.angle is not None:
+            symbol, relation, angle = found.angle
+            degrees = with_unit(rounded(angle * 180 / sp.pi, digits), "°")
+            words = ("that is ", math(symbol, degrees, relation=relation), " for an acute angle")
+        elif found.holds is not None:
+            words = ("which holds" if found.holds else "which does not hold",)
+        return Equation((shown, found.bound.shown(digits)), relation=found.relation, condition=words)
+    except NotRealError:
+        return None
 
 
 def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
