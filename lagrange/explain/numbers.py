@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import UnitSymbol
 from lagrange.core.units import unit_called
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
-from lagrange.explain.questions import answer_label
+from lagrange.explain.questions import angle_of, answer_label
 from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
@@ -18,6 +19,7 @@ from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.values.bounds import bound_with
 from lagrange.values.dimensions import dimension, dimension_of_unit
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
@@ -36,6 +38,9 @@ RESULTS = (
     Rule.IMPACT,
 )
 """The steps whose boxed equations are results."""
+Sides = tuple[object, ...]
+Angles = Mapping[Sides, Math]
+"""The angle in degrees for an answer by its sides, sin θ = 2/3 sin α."""
 
 
 def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digits: int) -> Iterator[Step]:
@@ -43,12 +48,14 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
+    angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+              if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule is Rule.RESULT:
-            yield replace(step, body=tuple(_with_values(b, values, digits, bare) for b in step.body))
+            yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
@@ -56,7 +63,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif view is not None and not _determines_forces(view):
             yield step
         else:
-            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare)))
+            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare, angles)))
 
 
 def _start(values: Values) -> str:
@@ -104,13 +111,15 @@ def _excluded_answers(solution: Solution, values: Values) -> Iterator[str]:
 
 
 def _blocks(
-    step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[tuple[sp.Expr, sp.Expr]]
+    step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[Sides], angles: Angles
 ) -> Iterator[Block]:
     for block in step.body:
         yield block
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
             lines = [_in_numbers(e, values, digits, bare) for e in possible]
+            if any(e.relation == "≤" for e in possible):
+                lines = [line for line in lines if line is not None]  # a condition without values stands as it is
             shown = [e for e in lines if e is not None]
             if len(possible) < len(block.equations):
                 gone = [Ref(e.label) for e in block.equations if e.label in excluded]
@@ -121,31 +130,45 @@ def _blocks(
             if shown and len(shown) == len(lines):
                 yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)
+                if measured_ := [angles[e.sides] for e in possible if e.sides in angles]:
+                    yield prose("That is ", *listed(measured_), ".", detail=Detail.BRIEF)
 
 
-def _with_values(block: Block, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Block:
+def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Block:
     """The box at the head, with the number beside each quantity that has one."""
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_with_value(e, values, digits, bare) for e in block.equations))
+    return replace(block, equations=tuple(_with_value(e, values, digits, bare, angles) for e in block.equations))
 
 
-def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Equation:
+def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:
+    if equation.relation == "≤" and (bound := _in_numbers(equation, values, digits)) is not None:
+        same = bound.sides == equation.sides
+        more = bound.condition[1:] if bound.condition[:1] == ("that is ",) else bound.condition
+        said = (math(*bound.sides, relation=bound.relation), ", " if more else "", *more)
+        before = (*equation.condition, ", " if equation.condition else "", "that is ")
+        return equation if same else replace(equation, condition=(*before, *said))
     found = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
     if found is None or found.sides[0] != equation.sides[0] or not isinstance(found.sides[0], sp.Expr):
         return equation
+    right = found.sides[-1]
+    if not isinstance(right, sp.Expr) or not all(isinstance(s, UnitSymbol) for s in right.free_symbols):
+        return equation  # with coordinates in it: the step has it
     number: tuple[Part, ...] = ("that is ", math(*found.sides, relation=found.relation))
+    number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
 def _in_numbers(
-    equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]] = ()
+    equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()
 ) -> Equation | None:
     """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
 
     bare  sides of equations in which a number hides a unit: only that of the left side is known
     """
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
+    if equation.relation != "=":
+        return _bound(equation, values, digits) if equation.relation == "≤" and len(sides) == 2 else None
     if len(sides) != len(equation.sides) or not any(s.free_symbols & values.parameters for s in sides):
         return None
     right = values.quantity(sides[-1])
@@ -165,6 +188,27 @@ def _in_numbers(
     except NotRealError:
         return None
     return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+
+
+def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
+    """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
+    left, right = equation.sides
+    assert isinstance(left, sp.Expr) and isinstance(right, sp.Expr)
+    found = bound_with(left, right, values)
+    if found is None:
+        return None
+    try:
+        shown = found.left.shown(digits) if isinstance(found.left, Quantity) else found.left
+        words: tuple[Part, ...] = ()
+        if found.angle is not None:
+            symbol, relation, angle = found.angle
+            degrees = with_unit(rounded(angle * 180 / sp.pi, digits), "°")
+            words = ("that is ", math(symbol, degrees, relation=relation), " for an acute angle")
+        elif found.holds is not None:
+            words = ("which holds" if found.holds else "which does not hold",)
+        return Equation((shown, found.bound.shown(digits)), relation=found.relation, condition=words)
+    except NotRealError:
+        return None
 
 
 def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:

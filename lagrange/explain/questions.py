@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -23,6 +24,9 @@ from lagrange.mechanics.questions.results import (
 )
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
+
+if TYPE_CHECKING:
+    from lagrange.values.quantities import Values
 
 
 def explain_questions(solution: Solution) -> Iterator[Step]:
@@ -254,16 +258,20 @@ def _angles(asked: Asked) -> Iterator[Math]:
     return (angle for b in asked.branches if (angle := angle_of(asked, b)) is not None)
 
 
-def angle_of(asked: Asked, b: AnswerBranch) -> Math | None:
-    """θ = 48.19° for cos θ = 2/3; None where the branch does not give an angle by its cosine or the like."""
-    from lagrange.values.quantities import rounded, with_unit
+def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
+    """θ = 48.19° for cos θ = 2/3, with values put in; None where the branch gives no angle by its cosine or the like."""
+    from lagrange.values.quantities import NotRealError, rounded, with_unit
 
-    if not b.lhs.is_Function or not b.rhs.is_number:
+    if not b.lhs.is_Function:
         return None
-    degrees = {abs(v) * 180 / sp.pi for v in b.values if v.is_number}
+    angles = [v if values is None else values.put_in(v) for v in b.values]
+    degrees = {abs(v) * 180 / sp.pi for v in angles if v.is_number}
     if len(degrees) != 1:
         return None
-    return math(asked.question.quantity, with_unit(rounded(degrees.pop()), "°"), relation="≈")
+    try:
+        return math(asked.question.quantity, with_unit(rounded(degrees.pop(), digits), "°"), relation="≈")
+    except NotRealError:
+        return None
 
 
 def _where(b: AnswerBranch) -> tuple[Part, ...]:

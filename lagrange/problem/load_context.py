@@ -199,7 +199,10 @@ def _refusal(symbol: sp.Symbol, kind: AllowedQuantity, what: str, fragment: Frag
     named = f"`{symbol}`" if kind is AllowedQuantity.TIME else f"{kind} `{symbol}`"
     place = place_of(symbol, fragment)
     if allowed.code == "not-constant":
-        return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=allowed.help)
+        help_ = allowed.help
+        if kind is AllowedQuantity.UNKNOWN:
+            help_ = f"declare `{symbol}` under `parameters:`; conditions may be solved for it in the answers"
+        return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=help_)
     return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
 
 

@@ -114,7 +114,7 @@ def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: I
         message = f"`{key.text}` is neither a coordinate nor a velocity"
         help_ = f"{at.state} has coordinates and velocities: `{at.example}`"
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
-    value = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
+    value = measured_in(node.fragment, scope, context.diagnostics.report) if isinstance(node, Scalar) else None
     if value is None:
         value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
     return InitialValue(symbol, value, key.span)
@@ -179,7 +179,7 @@ def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) ->
     left, equals, right = fragment.text.partition("=")
     if equals and "=" not in right:
         start = len(left) + 1 + len(right) - len(right.lstrip())
-        number = measured_in(_part(fragment, right.strip(), start), scope)
+        number = measured_in(_part(fragment, right.strip(), start), scope, context.diagnostics.report)
         if number is not None:
             quantity = _part(fragment, left.strip(), len(left) - len(left.lstrip()))
             value = context.read_quietly(read_value, quantity, scope, [])

@@ -8,7 +8,7 @@ parameter is used, as far as these determine it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -137,16 +137,22 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
 
 
-def measured_in(fragment: Fragment, scope: Scope) -> sp.Expr | None:
+def measured_in(fragment: Fragment, scope: Scope, note: Callable[[Diagnostic], None]) -> sp.Expr | None:
     """`30 deg` or `2.5 m/s` in a place where an expression may stand, in units of SI; None if it is no such text.
 
-    Where all the letters of the unit are names of the file, `2 m` is a product.
+    Where all the letters of the unit are names of the file, `2 m` is a product, which a note says.
     """
     parts = split_number(fragment.text)
     if parts is None or unit_of(parts[1]) is None or split_number(parts[0]) is not None:
         return None
     letters = re.findall(r"[^\W\d_]+", parts[1])
     if all(name in scope.names() for name in letters):
+        if "*" not in fragment.text:
+            names = ", ".join(f"`{name}`" for name in dict.fromkeys(letters))
+            product = "*".join((parts[0].strip(), parts[1]))
+            message = f"`{fragment.text}` is read as a product with {names}, which the file declares, not as a unit"
+            help_ = f"write `{product}` if this is meant; a value in `{parts[1]}` needs another name for {names}"
+            note(Diagnostic("read-as", message, fragment.whole, help=help_).as_note())
         return None
     return _measured(fragment, None).number
 

@@ -26,6 +26,7 @@ from lagrange.render.json_numbers import (
     equations_in_numbers,
     position,
     quantity,
+    rest_in_numbers,
     searched,
 )
 from lagrange.render.json_steps import block, condition, shown
@@ -114,7 +115,7 @@ def as_object(report: Report) -> dict[str, Any]:
             }
             for m in solution.from_start.motions
         ]
-    found |= _with_friction(solution, write)
+    found |= _with_friction(solution, report.values, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
@@ -134,14 +135,14 @@ def as_object(report: Report) -> dict[str, Any]:
     return found
 
 
-def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
+def _with_friction(solution: Solution, values: Values | None, write: Write) -> dict[str, Any]:
     """Rest with friction and impending motion, in a choice of coordinates if there is one."""
     rests = [v.at_rest for v in reversed(solution.views)] + [v.rolling for v in reversed(solution.views)]
     resting = next((r for r in rests if r is not None), None)
     motions = next((v.impending for v in reversed(solution.views) if v.impending is not None), None)
     found: dict[str, Any] = {}
     if resting is not None:
-        found["rest"] = _rest(resting, write)
+        found["rest"] = _rest(resting, write) | rest_in_numbers(resting.cases, values, write)
     if motions is not None:
         branches = [b for m in motions for b in m.equilibrium.branches]
         found["equilibrium"] = [_relations(b, write) for b in branches]

@@ -7,7 +7,7 @@ problem files, with the values in it.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -15,6 +15,7 @@ import sympy as sp
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.damped_modes import DampedModes
+    from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
     from lagrange.mechanics.equilibrium.in_numbers import Decay, EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
     from lagrange.mechanics.questions.results import Asked
@@ -136,6 +137,30 @@ def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write
     if not quantities or len(quantities) < len(expressions) or None in quantities:
         return {}
     return {"equations_in_numbers": [f"{write(q.shown(JSON_DIGITS))} = 0" for q in quantities if q is not None]}
+
+
+def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | None, write: Write) -> dict[str, Any]:
+    """`in_numbers`: what each condition of rest says with the values, `P >= 5.767`; of several cases, in their order."""
+    if values is None or not values.numbers or not cases:
+        return {}
+    from lagrange.values.bounds import bound_with
+    from lagrange.values.quantities import Quantity
+
+    signs = {"≤": "<=", "≥": ">="}
+
+    def entry(c: RestCondition) -> dict[str, Any]:
+        found = bound_with(c.left, c.right, values)
+        if found is None:
+            return {"condition": f"{write(c.left)} <= {write(c.right)}"}
+        left = found.left.formula_shown(JSON_DIGITS) if isinstance(found.left, Quantity) else found.left
+        right = found.bound.formula_shown(JSON_DIGITS)
+        said: dict[str, Any] = {"condition": f"{write(left)} {signs[found.relation]} {write(right)}"}
+        if found.holds is not None:
+            return said | {"holds": found.holds}
+        return said | (_measured(found.bound) if found.bound.is_number else {})
+
+    rows = [[entry(c) for c in case] for case in cases]
+    return {"in_numbers": rows[0] if len(rows) == 1 else rows}
 
 
 def add_oscillations(entries: list[dict[str, Any]], in_numbers: EquilibriaInNumbers) -> None:

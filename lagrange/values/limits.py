@@ -19,3 +19,6 @@ LARGEST_IN_NUMBERS = 2_000
 
 SMALLEST_BOX = 1e-9
 """Part of the width of the search at which a box that is neither excluded nor confirmed is given up."""
+
+MOST_STEPS = 20
+"""Steps of Newton's iteration from one start."""

@@ -13,7 +13,9 @@ so that a root on the edge of two is found. Reference: Neumaier, Interval Method
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import mpmath
@@ -21,11 +23,15 @@ import sympy as sp
 from mpmath import iv
 
 from lagrange.core.records import record
-from lagrange.values.limits import MOST_BOXES, MOST_OPERATIONS, SMALLEST_BOX, WORKING_DIGITS
+from lagrange.values.limits import MOST_BOXES, MOST_OPERATIONS, MOST_STEPS, SMALLEST_BOX, WORKING_DIGITS
 
 Box = list[Any]  # of intervals
 INFLATION = 0.05
 CUT = 0.4871  # never in the middle, where roots are
+
+
+STARTS = (0.13, 0.37, 0.62, 0.88)
+"""Where Newton's iteration starts, as parts of the width of the search."""
 
 
 class _NoValueError(Exception):
@@ -59,13 +65,23 @@ def real_roots(
     undecided: list[Box] = []
     operations = sum(int(e.count_ops()) + 1 for row in (equations, *jacobian) for e in row)
     most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
+    several = len(unknowns) > 2
+    if several:
+        found += _from_starts(equations, jacobian, unknowns, search)
     while waiting and boxes < most:
         boxes += 1
         box = waiting.pop()
         if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in found):
             continue
         larger = [_inflated(x) for x in box]
-        root = _confirmed(equations, jacobian, unknowns, larger)
+        mapped = _krawczyk(equations, jacobian, unknowns, larger)
+        if several and mapped is not None:
+            smaller = _common(mapped, box)
+            if smaller is None:
+                continue
+            if _size(smaller, widths) < 0.5 * _size(box, widths):
+                box = smaller
+        root = _confirmed(equations, jacobian, unknowns, larger, mapped)
         if root is not None:
             if not any(_same(root, other) for other in found):
                 found.append(root)
@@ -134,10 +150,10 @@ def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], bo
     return False
 
 
-def _confirmed(
+def _krawczyk(
     equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: Box
-) -> Root | None:
-    """The root in a box, if Krawczyk's operator proves that there is exactly one."""
+) -> Box | None:
+    """K(X), which contains every root in X; None where it has no value."""
     size = len(box)
     middle = [iv.mpf((_ends(x)[0] + _ends(x)[1]) / 2) for x in box]
     try:
@@ -153,27 +169,134 @@ def _confirmed(
     inverse = _inverse(slope)
     if inverse is None:
         return None
+    mapped = []
     for n in range(size):
         value = middle[n] - sum(inverse[n][k] * f[k] for k in range(size))
         for j in range(size):
             entry = int(n == j) - sum(inverse[n][k] * enclosed[k][j] for k in range(size))
             value += entry * (box[j] - middle[j])
-        if not (value.a > box[n].a and value.b < box[n].b):
-            return None
-    values = _refined(equations, jacobian, unknowns, [_ends(x)[0] for x in middle])
+        mapped.append(value)
+    return mapped
+
+
+def _confirmed(
+    equations: Sequence[sp.Expr],
+    jacobian: Sequence[Sequence[sp.Expr]],
+    unknowns: Sequence[sp.Symbol],
+    box: Box,
+    mapped: Box | None,
+) -> Root | None:
+    """The root in a box, if Krawczyk's operator proves that there is exactly one."""
+    if mapped is None or not all(k.a > x.a and k.b < x.b for k, x in zip(mapped, box, strict=True)):
+        return None
+    values = _refined(equations, jacobian, unknowns, [sum(_ends(x)) / 2 for x in box])
     ends = tuple(map(_ends, box))
     if values is None or not all(lo < v < hi for v, (lo, hi) in zip(values, ends, strict=True)):
         return None
     return Root(values, ends)
 
 
+def _common(mapped: Box, box: Box) -> Box | None:
+    """What two boxes have in common; None where that is nothing."""
+    both = [(max(_ends(k)[0], _ends(x)[0]), min(_ends(k)[1], _ends(x)[1])) for k, x in zip(mapped, box, strict=True)]
+    return None if any(low > high for low, high in both) else [iv.mpf(list(ends)) for ends in both]
+
+
+def _size(box: Box, widths: Sequence[float]) -> float:
+    return math.prod(_width(x) / w for x, w in zip(box, widths, strict=True))
+
+
+def _from_starts(
+    equations: Sequence[sp.Expr],
+    jacobian: Sequence[Sequence[sp.Expr]],
+    unknowns: Sequence[sp.Symbol],
+    search: Sequence[tuple[float, float]],
+) -> list[Root]:
+    """Roots to which Newton's iteration leads from a grid, each proved in a small box around it.
+
+    With three unknowns and more the boxes of the search are many, and these roots are known whether it ends or not.
+    """
+    found: list[Root] = []
+    grid = [[low + (high - low) * part for part in STARTS] for low, high in search]
+    for start in product(*grid):
+        place = _iterated(equations, jacobian, unknowns, start)
+        if place is None or not all(low <= x <= high for x, (low, high) in zip(place, search, strict=True)):
+            continue
+        if any(all(low <= x <= high for x, (low, high) in zip(place, r.box, strict=True)) for r in found):
+            continue
+        for part in (1e-2, 1e-4, 1e-6):
+            near = [iv.mpf([x - part * (high - low), x + part * (high - low)])
+                    for x, (low, high) in zip(place, search, strict=True)]  # fmt: skip
+            root = _confirmed(equations, jacobian, unknowns, near, _krawczyk(equations, jacobian, unknowns, near))
+            if root is not None:
+                found += [root] if not any(_same(root, other) for other in found) else []
+                break
+    return found
+
+
+def _iterated(
+    equations: Sequence[sp.Expr],
+    jacobian: Sequence[Sequence[sp.Expr]],
+    unknowns: Sequence[sp.Symbol],
+    start: Sequence[float],
+) -> list[float] | None:
+    """Newton's iteration in floating point; None where it does not converge soon."""
+    place = list(start)
+    for _ in range(MOST_STEPS):
+        known: dict[sp.Basic, float] = dict(zip(unknowns, place, strict=True))
+        try:
+            f = [_float(e, known) for e in equations]
+            inverse = _inverse([[_float(d, known) for d in row] for row in jacobian])
+        except (ValueError, ZeroDivisionError, OverflowError):
+            return None
+        if inverse is None:
+            return None
+        steps = [sum(a * b for a, b in zip(row, f, strict=True)) for row in inverse]
+        place = [x - s for x, s in zip(place, steps, strict=True)]
+        if all(abs(s) < 1e-11 * (1 + abs(x)) for s, x in zip(steps, place, strict=True)):
+            return place
+    return None
+
+
+def _float(e: sp.Basic, known: dict[sp.Basic, float]) -> float:
+    """The value of an expression in floating point. Raises ValueError, ZeroDivisionError, OverflowError."""
+    value = known.get(e)
+    if value is None:
+        parts = [_float(a, known) for a in e.args]
+        if not parts:
+            value = float(e)
+        elif e.is_Add:
+            value = math.fsum(parts)
+        elif e.is_Mul:
+            value = math.prod(parts)
+        elif e.is_Pow:
+            value = math.pow(*parts)
+        elif e.func in _FUNCTIONS:
+            value = _FUNCTIONS[e.func](*parts)
+        else:
+            raise ValueError
+        known[e] = value
+    return value
+
+
+_FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
+    sp.sin: math.sin, sp.cos: math.cos, sp.tan: math.tan, sp.exp: math.exp, sp.log: math.log, sp.Abs: abs,
+}  # fmt: skip
+
+
 def _inverse(matrix: Sequence[Sequence[float]]) -> list[list[float]] | None:
-    """The inverse of a matrix with one or two rows, roughly; None where it is singular."""
-    if len(matrix) == 1:
-        return [[1 / matrix[0][0]]] if matrix[0][0] else None
-    (a, b), (c, d) = matrix
-    det = a * d - b * c
-    return [[d / det, -b / det], [-c / det, a / det]] if det else None
+    """The inverse of a matrix, roughly; None where it is singular."""
+    size = len(matrix)
+    rows = [[*map(float, row), *(float(n == k) for k in range(size))] for n, row in enumerate(matrix)]
+    for n in range(size):
+        best = max(range(n, size), key=lambda k: abs(rows[k][n]))  # noqa: B023
+        if rows[best][n] == 0:
+            return None
+        rows[n], rows[best] = rows[best], rows[n]
+        pivot = [x / rows[n][n] for x in rows[n]]
+        rows = [pivot if k == n else [x - row[n] * y for x, y in zip(row, pivot, strict=True)]
+                for k, row in enumerate(rows)]  # fmt: skip
+    return [row[size:] for row in rows]
 
 
 def _refined(

@@ -15,6 +15,7 @@ from decimal import ROUND_HALF_EVEN, Context, Decimal
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import with_whole_contents
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol, base
@@ -89,7 +90,7 @@ class Values:
         """
         if not self.covers(expression) or expression.count_ops() > LARGEST_IN_NUMBERS:
             return None
-        formula = self.put_in(expression)
+        formula = with_whole_contents(self.put_in(expression))
         if formula.has(sp.zoo, sp.nan, sp.oo, sp.I):
             return None
         if formula.is_number:

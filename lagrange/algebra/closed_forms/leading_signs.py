@@ -31,3 +31,15 @@ def _turned(f: sp.Expr) -> sp.Expr:
     if base.is_Mul and exponent.is_Rational:
         return sp.Pow(without_leading_minus(base), exponent)
     return f
+
+
+def with_whole_contents(e: sp.Expr) -> sp.Expr:
+    """A product with the common numbers of its sums before it: 4 a (1 − M/m) for 2 a (2 − 2 M/m)."""
+    number, factors = sp.S.One, []
+    for f in sp.Mul.make_args(e):
+        base, exponent = f.as_base_exp()
+        if base.is_Add and exponent.is_Integer:
+            content, rest = base.primitive()
+            number, f = number * content**exponent, rest**exponent
+        factors.append(f)
+    return e if number == 1 or len(factors) < 2 else sp.Mul(number, *factors)

@@ -80,15 +80,23 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
 
 
 def _of_bounded(f: sp.Expr) -> int | None:
-    """The sign of a number and sines and cosines that cannot outweigh it: 1 − cos α."""
+    """The sign of a number and sines and cosines that cannot outweigh it: 1 − cos α, 3 − 2 |cos α|, 3 + sin² α."""
     number, rest = f.as_coeff_Add()
     most = sp.S.Zero
     for term in sp.Add.make_args(rest):
-        c, function = term.as_coeff_Mul()
-        if not isinstance(function, sp.sin | sp.cos):
+        c, factors = term.as_coeff_Mul()
+        if not all(_is_at_most_one(factor) for factor in sp.Mul.make_args(factors)):
             return None
         most += abs(c)
     return None if most > abs(number) else 1 if number > 0 else -1
+
+
+def _is_at_most_one(f: sp.Expr) -> bool:
+    """Whether a factor lies between −1 and 1: the sine or cosine of anything, its modulus, its powers."""
+    base, exponent = f.as_base_exp()
+    if isinstance(base, sp.Abs):
+        [base] = base.args
+    return isinstance(base, sp.sin | sp.cos) and bool(exponent.is_Integer and exponent > 0)
 
 
 @lru_cache(maxsize=1000)
@@ -116,7 +124,7 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
     if of_a == of_b:
         return of_a
     # A and B √D of different signs: the one with the larger square decides.
-    square = _of_product(_factored(sp.expand(a**2 - b**2 * root.base)), known)
+    square = _of_product(_factored(_in_sines(sp.expand(a**2 - b**2 * root.base))), known)
     if of_a is not None:
         return None if square is None else of_a * square
     if square == -1:
@@ -127,6 +135,12 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
         return None
     rest = _of_product(_factored(sp.expand(b**2 * root.base - against**2)), known)
     return of_b if rest == 1 else None
+
+
+def _in_sines(e: sp.Expr) -> sp.Expr:
+    """An expanded sum with cos² α = 1 − sin² α: 9 cos² α + 4 sin² α − 9 is −5 sin² α."""
+    squares = {c**2: 1 - sp.sin(c.args[0]) ** 2 for c in e.atoms(sp.cos)}
+    return sp.expand(e.xreplace(squares)) if squares else e
 
 
 def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[SignCondition, ...] | None:
@@ -151,6 +165,15 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
     if below and above:
         return (SignCondition(sp.Abs(value), "≤", sp.S.One),)
     return (*below, *above)
+
+
+def always_holds(c: SignCondition) -> bool:
+    """Whether a condition holds for all values of what occurs in it: 2/3 |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b for a ≥ b."""
+    if c.relation in ("≤", "<"):
+        return always_holds(SignCondition(c.rhs, {"≤": "≥", "<": ">"}[c.relation], c.lhs))
+    if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):
+        return sign_of(sp.log(c.lhs) - sp.log(c.rhs)) in (0, 1)
+    return c.relation in (">", "≥") and sign_of(c.lhs - c.rhs) == 1
 
 
 def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:

@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factors
-from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero
+from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
@@ -329,8 +329,9 @@ def _with_angles(
 
 
 def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
-    """Each condition once; a ≥ b and a ≠ b are a > b."""
+    """Each condition once, without what always holds; a ≥ b and a ≠ b are a > b."""
     relations_between: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
+    conditions = [c for c in conditions if not always_holds(c)]
     for c in sorted(conditions, key=lambda c: c.relation == "≠"):
         turned = c.relation == "≠" and (c.rhs, c.lhs) in relations_between
         pair = (c.rhs, c.lhs) if turned else (c.lhs, c.rhs)

@@ -120,7 +120,7 @@ class Point:
 
     def assign(self, symbol: sp.Symbol, value: Any) -> None:
         """Give a symbol that has no value yet its value. Raises InadmissibleError for a wrong sign."""
-        if symbol.is_positive:
+        if symbol.is_nonnegative:
             self.require_positive(value)
         self.assigned[symbol] = value
 

@@ -101,7 +101,7 @@ def _moved(start: Point, direction: dict[sp.Symbol, Any], s: Any) -> Point:
     if abs(s) > FARTHEST_WALL:
         raise InadmissibleError
     values = {symbol: start.input(symbol) + s * v for symbol, v in direction.items()}
-    if any(symbol.is_positive and value <= 0 for symbol, value in values.items()):
+    if any(symbol.is_nonnegative and value <= 0 for symbol, value in values.items()):
         raise InadmissibleError
     return start.with_values(values)
 

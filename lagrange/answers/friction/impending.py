@@ -6,12 +6,17 @@ for every direction.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
+import sympy as sp
+
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.equilibria import check_equilibria
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
+from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
@@ -21,18 +26,35 @@ def check_impending(
     alternatives: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
-    table = [[check_equilibria([a], [m.equilibrium], reference) for a in alternatives] for m in motions]
+    own = [[[*a, *_forces_beside(a, m)] for a in alternatives] for m in motions]
+    table = [
+        [check_equilibria([a], [m.equilibrium], reference) for a in row] for row, m in zip(own, motions, strict=True)
+    ]
     unreadable = next((v for row in table for v in row if v.verdict is Verdict.UNREADABLE), None)
     if unreadable is not None:
         return unreadable
     right = [[v.verdict in _RIGHT for v in row] for row in table]
     if all(any(column) for column in zip(*right, strict=True)):
         complete = True
-        for row, m in zip(right, motions, strict=True):
-            own = [a for a, is_right in zip(alternatives, row, strict=True) if is_right]
-            complete = complete and bool(own)
-            complete = complete and check_equilibria(own, [m.equilibrium], reference).verdict is Verdict.EQUIVALENT
+        for row, stated, m in zip(right, own, motions, strict=True):
+            kept = [a for a, is_right in zip(stated, row, strict=True) if is_right]
+            complete = complete and bool(kept)
+            complete = complete and check_equilibria(kept, [m.equilibrium], reference).verdict is Verdict.EQUIVALENT
         return AnswerVerdict(Verdict.EQUIVALENT if complete else Verdict.INCOMPLETE)
     columns = [[row[n].verdict for row in table] for n, _ in enumerate(alternatives)]
     wrong = any(all(v is Verdict.WRONG for v in column) for column in columns)
     return AnswerVerdict(Verdict.WRONG if wrong else Verdict.UNDECIDED)
+
+
+def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:
+    """T = m g for an unknown force that an answer does not mention: it may state the limit alone."""
+    words = {w for f in alternative for w in re.findall(r"[^\W\d]\w*", f.text)}
+    found = motion.equilibrium
+    if len(found.branches) != 1 or not (words & {s.name for b in found.branches for s in _symbols(b)}):
+        return []
+    relations = [r for r in found.branches[0].relations if r.lhs in found.forces and r.lhs.name not in words]
+    return [Fragment.of(f"{text(r.lhs)} = {text(r.rhs)}") for r in relations]
+
+
+def _symbols(b: Branch) -> set[sp.Symbol]:
+    return set().union(*(r.lhs.free_symbols | r.rhs.free_symbols for r in b.relations))

@@ -124,7 +124,11 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     def valued(e: sp.Expr) -> sp.Expr:
         return rest.configuration.rewritten(e).xreplace(numbers)
 
-    given = [part for s in stated for part in _without_modulus(_Stated(s.text, valued(s.slack), s.equation))]
+    given = [
+        part
+        for s in stated
+        for part in _without_modulus(_multiplied_out(_Stated(s.text, valued(s.slack), s.equation)))
+    ]
     cases = [
         [
             *(part for c in case for part in _without_modulus(_Stated("", valued(c.right - c.left), False))),
@@ -158,6 +162,20 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
 
 
+def _multiplied_out(s: _Stated) -> _Stated:
+    """P ≤ W (tan α + μ)/(1 − μ tan α) as (1 − μ tan α) P ≤ W (tan α + μ): books mean it where the divisor is positive."""
+    slack = sp.expand_trig(s.slack) if s.slack.has(sp.atan) else s.slack
+    divisors = {p.base for p in slack.atoms(sp.Pow) if p.exp == -1 and p.base.is_Add}  # as they are written
+    open_ = [f for f in divisors if Signs(_symbols(f)).of(f) is None]
+    if not open_ or s.equation:
+        return s
+    return replace(s, slack=sp.cancel(sp.together(slack * sp.Mul(*open_))))
+
+
+def _symbols(e: sp.Expr) -> set[sp.Symbol]:
+    return {x for x in e.free_symbols if isinstance(x, sp.Symbol)}
+
+
 def _without_modulus(s: _Stated) -> tuple[_Stated, ...]:
     """B ≥ |A| as B ≥ A and B ≥ −A."""
     moduli = [m for m in s.slack.atoms(sp.Abs) if not m.args[0].has(sp.Abs)]
@@ -166,8 +184,7 @@ def _without_modulus(s: _Stated) -> tuple[_Stated, ...]:
     [modulus] = moduli
     rate = sp.expand(s.slack).coeff(modulus, 1)
     rest = sp.expand(s.slack - rate * modulus)
-    symbols = {x for x in rate.free_symbols if isinstance(x, sp.Symbol)}
-    if rest.has(modulus) or rate.has(modulus) or Signs(symbols).of(rate) != -1:
+    if rest.has(modulus) or rate.has(modulus) or Signs(_symbols(rate)).of(rate) != -1:
         return (s,)
     return tuple(replace(s, slack=rest + sign * rate * modulus.args[0]) for sign in (1, -1))
 

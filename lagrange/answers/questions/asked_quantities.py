@@ -16,7 +16,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.force_names import meanings
+from lagrange.answers.force_names import Meaning, meanings
 from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
@@ -60,10 +60,16 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     reference = reference_of_solution(solution)
     asked = {a.question.name: _with_values(a, reference.values) for a in solution.asked}
 
+    taken: dict[sp.Expr, Meaning] = {}
+
     def judged(name: str, fragment: Fragment) -> Judged:
         if name not in asked:
             return Verdict.UNDECIDED, _NOT_ANSWERED
-        return _Claim(fragment, asked[name], solution, reference).verdict()
+        claim = _Claim(fragment, asked[name], solution, reference)
+        verdict, remark = claim.verdict()
+        if claim.meaning is not None and taken.setdefault(claim.quantity, claim.meaning) != claim.meaning:
+            return Verdict.WRONG, f"`{claim.quantity}` has another sign or meaning here than in the answer before"
+        return verdict, remark
 
     return check_each("ask", stated, judged)
 
@@ -84,6 +90,17 @@ class _Claim:
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
+        law = solution.law
+        self.reaction = next((r for r in law.newton.reactions if r.given == self.quantity), None) if law else None
+        self.meaning: Meaning | None = None  # of the reaction's name, where the answer is right
+        if self.equation is not None and self.reaction is not None and self.reaction.single is not None:
+            in_force = self.reaction.force / self.reaction.single.factor
+            self.equation = self.equation.xreplace({self.reaction.multiplier: self._rewritten(in_force)})
+
+    def _rewritten(self, e: sp.Expr) -> sp.Expr:
+        """An expression in the coordinates in which the question was answered."""
+        view = next(v for v in self.solution.views if v.name == self.asked.choice)
+        return view.configuration.rewritten(e)
 
     def verdict(self) -> tuple[Verdict, str]:
         """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
@@ -149,15 +166,20 @@ class _Claim:
         same = [self._same(claim, v) for v in derived]
         if True in same:
             if len(derived) == 1 or all(s is True for s in same):
+                if self.reaction is not None and is_zero(claim) is False:
+                    self.meaning = meanings(self.reaction)[0]
                 return Verdict.EQUIVALENT, ""
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
             return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED
-        for ratio, remark in self._ratios():
-            if any(self._same(claim, ratio * v) for v in derived):
-                return Verdict.EQUIVALENT, remark
+        if self._is_odd() and any(self._same(claim, -v) for v in derived):
+            return Verdict.EQUIVALENT, _SPEED
+        for meaning in meanings(self.reaction)[1:] if self.reaction is not None else ():
+            if any(self._same(claim, v) for v in self._values_for(meaning)):
+                self.meaning = meaning
+                return Verdict.EQUIVALENT, meaning.remark
         return Verdict.WRONG, ""
 
     def _in_some_cases(self, holds: Sequence[bool]) -> tuple[Verdict, str]:
@@ -178,17 +200,20 @@ class _Claim:
             return Verdict.WRONG, ""
         return (Verdict.EQUIVALENT, "") if decimals else (Verdict.UNDECIDED, UNDECIDED)
 
-    def _ratios(self) -> Iterator[tuple[sp.Expr, str]]:
-        """What a value may be multiplied by, with the remark that says so."""
+    def _is_odd(self) -> bool:
+        """Whether the quantity changes its sign with the velocities: a velocity, which may be given as a speed."""
         velocities = {
             s: -s for s in self.quantity.free_symbols if s.name.endswith("'") and base(s).name + "'" == s.name
         }
-        if velocities and sp.expand(self.quantity.xreplace(velocities) + self.quantity) == 0:
-            yield sp.S.NegativeOne, _SPEED
-        law = self.solution.law
-        for r in law.newton.reactions if law is not None else ():
-            if r.given == self.quantity:
-                yield from ((m.ratio, m.remark) for m in meanings(r)[1:] if not _moves(m.ratio))
+        return bool(velocities) and sp.expand(self.quantity.xreplace(velocities) + self.quantity) == 0
+
+    def _values_for(self, meaning: Meaning) -> Iterator[sp.Expr]:
+        """The values in another meaning of a reaction's name; that of a multiplier may depend on the position."""
+        ratio = self._rewritten(meaning.ratio)
+        for b in self.asked.branches:
+            for value in b.values:
+                at = [ratio.xreplace(_with_functions(s)) for s in b.states] or [ratio]
+                yield from (value * r for r in at if not self._is_open(r))
 
     def _of_equation(self, claim: sp.Expr) -> tuple[Verdict, str]:
         if is_zero(claim.xreplace(self.values)) is True:
@@ -224,12 +249,12 @@ class _Claim:
 
     def _states(
         self, values: Sequence[sp.Expr], states: Sequence[Mapping[sp.Symbol, sp.Expr]]
-    ) -> list[dict[sp.Symbol, sp.Expr]]:
+    ) -> list[dict[sp.Expr, sp.Expr]]:
         if self.quantity.is_Symbol:
-            shared = dict(states[0]) if len(states) == 1 and len(values) == 1 else {}
-            reached = {s[self.quantity]: dict(s) for s in states if self.quantity in s}  # with its sine and cosine
+            shared = _with_functions(states[0]) if len(states) == 1 and len(values) == 1 else {}
+            reached = {s[self.quantity]: _with_functions(s) for s in states if self.quantity in s}
             return [reached.get(v, {**shared, self.quantity: v}) for v in values]
-        return [dict(s) for s in states]
+        return [_with_functions(s) for s in states]
 
     def _is_open(self, e: sp.Expr) -> bool:
         """Whether an expression contains coordinates, velocities or reactions that have no value here."""
@@ -247,7 +272,8 @@ class _Claim:
         if not found.solved or found.free:
             return Verdict.EQUIVALENT, ""
         derived = self._derived()
-        for value in (v for b in found.branches for v in b.values):
+        stated_alike = {(b.lhs, b.rhs) for b in self.asked.branches if b.lhs != self.quantity}
+        for value in (v for b in found.branches if (b.lhs, b.rhs) not in stated_alike for v in b.values):
             same = [self._same(value, d) for d in derived]
             if True in same:
                 continue
@@ -256,6 +282,21 @@ class _Claim:
             if None not in same:
                 return Verdict.INCOMPLETE, _OTHER
         return Verdict.EQUIVALENT, ""
+
+
+def _with_functions(state: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Expr, sp.Expr]:
+    """A state with the sines and cosines of its angles, whose values it has under their names.
+
+    sin θ = 2/3 sin α says more than θ = acos √(1 − 4/9 sin² α), where the sine of α may have either sign.
+    """
+    letters = {s.name: v for s, v in state.items()}
+    rule: dict[sp.Expr, sp.Expr] = dict(state)
+    for q in state:
+        pair = [letters.get(str(f(q))) for f in (sp.sin, sp.cos)]
+        rule |= {f(q): v for f, v in zip((sp.sin, sp.cos), pair, strict=True) if v is not None}
+        if pair[0] is not None and pair[1] not in (None, 0):
+            rule[sp.tan(q)] = pair[0] / pair[1]
+    return rule
 
 
 def _parted_logarithms(e: sp.Expr) -> sp.Expr:
@@ -273,10 +314,6 @@ def _parted_logarithms(e: sp.Expr) -> sp.Expr:
 def _vanishes(e: sp.Expr) -> bool | None:
     """Whether an expression is zero, its decimals being numbers that round to them; None: undecided."""
     return rounded([e]) is not None if decimals_in([e]) else is_zero(e)
-
-
-def _moves(e: sp.Expr) -> bool:
-    return bool(e.free_symbols) and not all(s.is_positive for s in e.free_symbols)
 
 
 def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:

@@ -1,6 +1,6 @@
 """Equilibria found numerically, where the conditions have no solution in closed form.
 
-The conditions have numbers in them and one or two unknowns. All their roots in a stated box are enclosed
+The conditions have numbers in them and up to four unknowns. All their roots in a stated box are enclosed
 (`values.numerical_roots`); an angle that occurs in sines and cosines alone is searched once round the circle. Stability
 is read off the signs of the minors of the second variation over the enclosure of each root.
 """
@@ -20,7 +20,7 @@ from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityV
 from lagrange.values.numerical_roots import Root, real_roots, sign_at
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
-MOST_UNKNOWNS = 2
+MOST_UNKNOWNS = 4
 USUAL_SIZE = 10
 """Lengths are searched up to so many times the sum of the lengths in the problem."""
 WITHOUT_LENGTHS = 100

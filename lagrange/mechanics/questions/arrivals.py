@@ -46,7 +46,7 @@ class Arrivals:
             for n, state in enumerate(b.states):
                 reach = self._reach_of(state, b)
                 if reach.verdict is not Reached.NEVER:
-                    b = replace(b, states=b.states[n:])
+                    b = b.at(b.states[n:])
                     break
             if reach.verdict is Reached.NEVER:
                 continue

@@ -164,7 +164,7 @@ def _beginning_right(
     way = beginning.direction(by)
     if way in (1, -1):
         start = beginning.initial.get(by)
-        right = [replace(b, states=kept) for b in branches if (kept := _moving(b, by, way or 0, start)) or not b.states]
+        right = [b.at(kept) for b in branches if (kept := _moving(b, by, way or 0, start)) or not b.states]
         gone = [b for b in branches if b.states and not _moving(b, by, way or 0, start)]
         if right and gone:
             return right, gone
@@ -204,7 +204,7 @@ def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBran
         if not any(q in s and beginning.sign(s[q], b.conditions) == -1 for q in beginning.radii)
         and not any(beginning.sign(e.xreplace(s), b.conditions) == -1 for q, e in beginning.ranges if q in s)
     )
-    return b if len(kept) == len(b.states) else replace(b, states=kept) if kept else None
+    return b.at(kept) if kept or not b.states else None
 
 
 def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
@@ -223,7 +223,7 @@ def _parted(
     kept = tuple(s for s in b.states if not _is_ruled_out(s, reason, beginning, arriving, one, b.conditions))
     if len(kept) == len(b.states):
         return b, None
-    return (replace(b, states=kept), None) if kept else (None, b)
+    return (b.at(kept), None) if kept else (None, b)
 
 
 def _is_ruled_out(
@@ -396,11 +396,7 @@ def _reached_first(
     if not nearest or q not in beginning.initial or not _is_free(nearest[0][1][q], q, way, beginning):
         return branches, []
     [b, state], *_ = nearest
-    at = next((n for n, (other, s) in enumerate(pairs) if s is state and other is b), 0)
-    values = b.values
-    if len(b.values) == len(b.states):
-        values = (b.values[list(b.states).index(pairs[at][1])],)
-    return [replace(b, states=(state,), values=values)], [o for o in branches if o is not b]
+    return [b.at([state])], [o for o in branches if o is not b]
 
 
 def _nearest_on_each_side(

@@ -194,7 +194,7 @@ def _of_branches(
                 open_ = value.free_symbols & {*unknowns}
                 free |= open_
                 if not open_:
-                    pairs.append((value, state))
+                    pairs.append((value, {s: solved.letters.write(v) for s, v in state.items()}))
             branches += _stated(b, called, pairs, conditions)
     never = not branches and not free and complete and solved.verified is True
     return Eliminated(tuple(_without_repetitions(branches)), never, frozenset(free), complete, solved.verified)
@@ -307,16 +307,36 @@ def _stated(
     relation = _relation(b.relations, called)
     if relation is not None:
         states = tuple(state for _, state in pairs)
-        if isinstance(relation.lhs, sp.cos) and isinstance(relation.rhs, sp.cos):  # cos θ = cos α: θ = α or −α
-            share = called / relation.lhs.args[0]
-            for angle in (relation.rhs.args[0], -relation.rhs.args[0]):
-                turned = tuple({**s, called: angle * share} for s in states)
-                yield AnswerBranch(called, angle * share, (angle * share,), turned[:1], conditions)
+        measure = relation.lhs.args[0]
+        same = _independent_of_turning(states, measure, called)
+        if (angles := _angles_alike(relation)) and (same or isinstance(relation.lhs, sp.cos)):
+            share = called / measure
+            for angle in angles:
+                turned = {str(called): angle * share, **{str(f(measure)): f(angle) for f in (sp.cos, sp.sin)}}
+                kept = states[: len(states) // 2] if same and len(states) > 1 else states[:1]
+                there = tuple({x: turned.get(str(x), v) for x, v in {**s, called: angle * share}.items()} for s in kept)
+                yield AnswerBranch(called, angle * share, (angle * share,), there, conditions)
             return
         yield AnswerBranch(relation.lhs, relation.rhs, values, states, conditions)
         return
     for value in values:
         yield AnswerBranch(called, value, (value,), tuple(s for v, s in pairs if v == value), conditions)
+
+
+def _angles_alike(relation: Relation) -> tuple[sp.Expr, ...]:
+    """θ = α or −α where cos θ = cos α, θ = α or π − α where sin θ = sin α; empty for any other relation."""
+    if not isinstance(relation.lhs, sp.cos | sp.sin) or relation.rhs.func != relation.lhs.func:
+        return ()
+    [angle] = relation.rhs.args
+    return (angle, -angle if isinstance(relation.lhs, sp.cos) else sp.pi - angle)
+
+
+def _independent_of_turning(states: Sequence[State], measure: sp.Expr, called: sp.Symbol) -> bool:
+    """Whether the two angles with one cosine, or with one sine, differ in nothing else."""
+    own = {str(e) for e in (called, sp.sin(measure), sp.cos(measure))}
+    rest = [{s: v for s, v in state.items() if str(s) not in own} for state in states]
+    half = len(rest) // 2
+    return len(rest) == 1 or (len(rest) % 2 == 0 and rest[:half] == rest[half:])
 
 
 def _relation(relations: Sequence[Relation], wanted: sp.Expr) -> Relation | None:

@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
-from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 
@@ -102,7 +102,7 @@ def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
 
 def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once, without what always holds; a ≥ b and a ≠ b are a > b."""
-    kept = [c for c in dict.fromkeys(conditions) if not _always(c)]
+    kept = [c for c in dict.fromkeys(conditions) if not always_holds(c)]
     different = [c for c in kept if c.relation == "≠"]
     result: list[SignCondition] = []
     for c in kept:
@@ -119,11 +119,3 @@ def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
 def _between(c: SignCondition) -> sp.Expr:
     return sp.expand(c.lhs - c.rhs)
 
-
-def _always(c: SignCondition) -> bool:
-    """Whether a condition holds for all values: |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b where a ≥ b."""
-    if c.relation in (">", "≥") and sign_of(c.lhs - c.rhs) == 1:
-        return True
-    if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):
-        return sign_of(sp.log(c.lhs) - sp.log(c.rhs)) in (0, 1)
-    return c.relation == "≤" and c.rhs == 1 and isinstance(c.lhs, sp.Abs) and isinstance(c.lhs.args[0], sp.cos | sp.sin)

@@ -19,7 +19,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
@@ -141,7 +142,9 @@ class _Search:
         self.when = [a - b for a, b in self.conditions]
         self.used = tuple(self._used())
         parameters = {p.symbol for p in setting.problem.parameters} | {*setting.problem.unknowns}
-        of_quantity = sorted(question.quantity.free_symbols & parameters, key=str)
+        of_system: set[sp.Symbol] = set().union(*(e.free_symbols for e in setting.known.accelerations.values()))
+        # Of l ω_0 it is ω_0 that is asked for, which the system itself does not have.
+        of_quantity = sorted(question.quantity.free_symbols & parameters, key=lambda s: (s in of_system, s.name))
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
         slots = self.configuration.slots.coordinates
@@ -333,9 +336,7 @@ class _Search:
             places = [n for n, s in enumerate(b.states) if beginning.is_initial(s)]
             is_possible = not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1)
             if places and is_possible:
-                values = tuple(b.values[n] for n in places) if len(b.values) == len(b.states) else b.values
-                rhs = values[0] if len(values) == 1 else b.rhs
-                found.append(replace(b, rhs=rhs, values=values, states=tuple(b.states[n] for n in places)))
+                found.append(b.at([b.states[n] for n in places]))
         return found
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
@@ -351,7 +352,7 @@ class _Search:
     def _with_stated_slip(self, b: AnswerBranch) -> AnswerBranch | None:
         """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
         states = tuple(s for s in b.states if not self._slips_backwards(s, b))
-        return b if len(states) == len(b.states) else replace(b, states=states) if states else None
+        return b.at(states) if states or not b.states else None
 
     def _slip_is_open(self, b: AnswerBranch) -> bool:
         """Whether a state of a branch does not say that slip has the sense that the file states."""
@@ -592,5 +593,5 @@ class _Search:
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:
-    rhs = under_one_root(without_leading_minus(without_roots_below(b.rhs)))
+    rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
     return replace(b, rhs=rhs, conditions=joined(b.conditions))

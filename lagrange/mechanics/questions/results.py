@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import field
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
 from enum import StrEnum
 
 import sympy as sp
@@ -88,6 +88,18 @@ class AnswerBranch:
     conditions: tuple[SignCondition, ...] = ()
     provided: bool = False
     limit: bool = False
+
+    def at(self, states: Sequence[Mapping[sp.Symbol, sp.Expr]]) -> AnswerBranch:
+        """The part of the branch with some of its states, and with the values that the quantity has in these."""
+        if len(states) == len(self.states):
+            return self
+        left = self.values
+        if all(any(v in s.values() for v in left) for s in states):
+            left = tuple(v for v in left if any(v in s.values() for s in states))
+        elif len(left) == len(self.states):
+            left = tuple(v for v, s in zip(left, self.states, strict=True) if any(s is kept for kept in states))
+        rhs = left[0] if self.rhs in self.values and len(left) == 1 else self.rhs
+        return replace(self, rhs=rhs, values=left, states=tuple(states))
 
     def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
         """Whether values of the parameters violate one of the conditions."""

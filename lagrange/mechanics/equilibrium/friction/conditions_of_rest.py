@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 
@@ -28,6 +29,7 @@ def bounded_by(
     friction: Sequence[sp.Expr], pressed: sp.Expr, coefficient: sp.Expr, signed: bool, signs: Signs
 ) -> list[RestCondition] | None:
     """|F| ≤ μ N, or μ |N| unless `signed`; None if it never holds."""
+    friction, pressed = [_without_moduli(f) for f in friction], _without_moduli(pressed)
     sign = signs.of(pressed)
     if signed and sign == -1:
         return None
@@ -59,6 +61,13 @@ def _ratio(size: sp.Expr, pressed: sp.Expr, signs: Signs) -> sp.Expr:
     for factor in sp.Mul.make_args(factors):
         (outside if signs.of(factor.as_base_exp()[0]) == 1 else inside).append(factor)
     return sp.Abs(number) * sp.Mul(*outside) * sp.Abs(_in_tangents(sp.Mul(*inside)))
+
+
+def _without_moduli(e: sp.Expr) -> sp.Expr:
+    """cos α for |cos α| where α is acute."""
+    moduli = {m: sign_in_range(m.args[0]) for m in e.atoms(sp.Abs)}
+    known = {m: sense * m.args[0] for m, sense in moduli.items() if sense is not None}
+    return shortest(e.xreplace(known)) if known else e
 
 
 @record

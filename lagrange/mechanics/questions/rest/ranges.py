@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 import sympy as sp
 
@@ -19,18 +18,8 @@ _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
 
 def in_ranges(b: AnswerBranch, configuration: Configuration, values: Values) -> AnswerBranch | None:
     """The part of a branch in the ranges of the coordinates; None where there is none."""
-    kept = [
-        n
-        for n, s in enumerate(b.states)
-        if not any(_is_outside(q, s, configuration, values) for q in configuration.ranges)
-    ]
-    if len(kept) == len(b.states):
-        return b
-    if not kept:
-        return None
-    several = len(b.values) == len(b.states)
-    left = tuple(b.values[n] for n in kept) if several else b.values
-    return replace(b, rhs=left[0] if len(left) == 1 else b.rhs, values=left, states=tuple(b.states[n] for n in kept))
+    kept = [s for s in b.states if not any(_is_outside(q, s, configuration, values) for q in configuration.ranges)]
+    return b.at(kept) if kept or not b.states else None
 
 
 def _is_outside(q: sp.Symbol, state: Values, configuration: Configuration, values: Values) -> bool:

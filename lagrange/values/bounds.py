@@ -1,0 +1,84 @@
+"""Inequalities in numbers: with the values of a problem, W (tan α − μ)/(1 + μ tan α) ≤ P is P ≥ 5.767 N.
+
+An inequality in which one symbol is left, or one sine, cosine or tangent of it, is solved for that, if it is linear
+there. For an acute angle a bound of its sine or tangent is one of the angle in the same sense, and of its cosine in the
+opposite one. If nothing is left, the inequality holds or it does not.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
+
+_REVERSED = {"≤": "≥", "≥": "≤"}
+_INVERSE = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
+
+
+@record
+class Bound:
+    """What an inequality says with the values: left relation bound.
+
+    left     a symbol, or a function of one, tan θ; with nothing left to be bounded, the left side in numbers
+    bound    a number, or the right side in numbers
+    angle    the bound of θ itself, as symbol, relation and value in rad, if θ is acute
+    holds    whether it holds, where nothing is left in it; otherwise None
+    """
+
+    left: Quantity | sp.Expr
+    relation: str
+    bound: Quantity
+    angle: tuple[sp.Symbol, str, sp.Expr] | None = None
+    holds: bool | None = None
+
+
+def bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
+    """left ≤ right with the values; None where they change nothing, or it is not real with them."""
+    difference = right - left
+    if not difference.free_symbols & values.numbers.keys():
+        return None
+    sides = [values.quantity(e) for e in (left, right)]
+    in_numbers = values.put_in(difference)
+    if in_numbers.has(sp.zoo, sp.nan, sp.oo):
+        return None
+    try:
+        if not in_numbers.free_symbols:
+            return None if None in sides else Bound(sides[0], "≤", sides[1], holds=bool(real_value(in_numbers) >= 0))
+        solved = _solved(difference, in_numbers, values)
+    except NotRealError:
+        return None
+    if solved is not None or None in sides:
+        return solved
+    return Bound(sides[0], "≤", sides[1])
+
+
+def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound | None:
+    """difference ≥ 0 solved for the one quantity that is left; None where there are several, or it is not linear."""
+    if len(in_numbers.free_symbols) != 1:
+        return None
+    [symbol] = in_numbers.free_symbols
+    functions = [f for f in in_numbers.atoms(sp.sin, sp.cos, sp.tan) if f.args[0] == symbol]
+    letter = sp.Dummy(real=True)
+    wanted = functions[0] if len(functions) == 1 else symbol
+    number, formula = (sp.expand(sp.together(e).xreplace({wanted: letter})) for e in (in_numbers, difference))
+    slope, rest = number.coeff(letter, 1), number.coeff(letter, 0)
+    if sp.expand(number - slope * letter - rest) != 0 or not slope.is_number or not rest.is_number:
+        return None
+    sign = real_value(slope)
+    if sign == 0:
+        return None
+    bound = values.quantity(sp.factor(-formula.coeff(letter, 0) / formula.coeff(letter, 1)))
+    bound = Quantity(-rest / slope) if bound is None or not bound.is_number else bound
+    relation = "≥" if sign > 0 else "≤"
+    return Bound(wanted, relation, bound, _angle(wanted, relation, bound.formula))
+
+
+def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> tuple[sp.Symbol, str, sp.Expr] | None:
+    """θ ≥ 56.6° for tan θ ≥ 1.517 and 0 < θ < π/2; None where it says nothing in between."""
+    if wanted.is_Symbol or real_value(bound) <= 0:
+        return None
+    if not isinstance(wanted, sp.tan) and real_value(bound) >= 1:
+        return None
+    turned = isinstance(wanted, sp.cos)
+    return wanted.args[0], _REVERSED[relation] if turned else relation, _INVERSE[wanted.func](bound)
