@@ -31,6 +31,7 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
+from lagrange.answers.written.programs import declares, equations_of_program
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
@@ -176,6 +177,9 @@ def _code(fragment: Fragment) -> tuple[str, list[tuple[int, Fragment]]]:
 
 def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator[Fragment]:
     """The lines that are equations, and mathematics in displays and environments, over several lines too."""
+    if of_program := equations_of_program(fragment):
+        yield from of_program
+        return
     marks = [m for m in marks_of(fragment.text) if m.kind not in _INLINE]
     regions = _regions(fragment, marks)
     next_region = 0
@@ -188,6 +192,8 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
         inside = next_region and start < regions[next_region - 1].closes
         opens = next_region < len(regions) and regions[next_region].opens < end
         if not inside and not opens and line.strip() and not line.lstrip().startswith(("#", "%", "//")):
+            if declares(line):
+                continue
             block.append((start, end, line))
             continue
         for e in _of_block(fragment, block, number, bullet, words, labels):

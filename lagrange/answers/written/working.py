@@ -23,6 +23,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.answers.written.other_names import other_names, rates_without_bar
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
@@ -226,6 +227,7 @@ class _Sorting:
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        self._use_other_names(plain)
         self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
@@ -270,6 +272,19 @@ class _Sorting:
             len(quotes) > 0,
         )
 
+    def _use_other_names(self, lines: list[_Line]) -> None:
+        """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
+        scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
+        if not scalars and not vectors:
+            return
+        self.scope = replace(
+            self.scope, scalars={**self.scope.scalars, **scalars}, vectors={**self.scope.vectors, **vectors}
+        )
+        self.declared |= {*scalars, *vectors}
+        for name, meaning in scalars.items():
+            message = f"`{name}` is taken as `{meaning}`"
+            self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
+
     def _without_time(self, lines: list[_Line]) -> None:
         """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
         velocities = {*self.scope.slots.velocities}
@@ -285,7 +300,7 @@ class _Sorting:
 
     def _write_rates(self, lines: list[_Line]) -> None:
         """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
-        names = {}
+        names: dict[str, _Line | None] = {}
         for line in lines:
             match = _RATE_ALONE.match(line.fragment.text)
             if (
@@ -295,8 +310,10 @@ class _Sorting:
             ):
                 names[match[1]] = line
         if names.keys().isdisjoint({q.name for q in self.scope.slots.coordinates}):
+            names = dict.fromkeys(rates_without_bar([line.text for line in lines], self.scope))
+        if not names:
             return
-        pattern = re.compile(rf"(?<![A-Za-z0-9_'])d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
+        pattern = re.compile(rf"(?<![A-Za-z0-9_'/]|/ )d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
