@@ -29,6 +29,7 @@ from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
 from lagrange.answers.written.programs import declares, equations_of_program
@@ -75,6 +76,17 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
             return tuple(_in_markdown(fragment))
         case _:
             return tuple(_in_lines(fragment))
+
+
+def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
+    """The equations in a text; the text itself if it has none, but states degrees of freedom or a classification.
+
+    Raises ProblemError as `equations_in_file` does.
+    """
+    found = equations_in_file(source, ending, conditions=conditions)
+    if not found and stated_in_words(source.text) != Answers():
+        return (Fragment(source.text, Span(source, 0, len(source.text)), 0),)
+    return found
 
 
 def _conditions(fragment: Fragment) -> Iterator[Fragment]:
@@ -355,7 +367,7 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        if examiner.required is None and not examiner.asks_for_conditions and not examiner.problem.points:
+        if examiner.solution is None and examiner.required is None and not examiner.problem.points:
             examiner.check((Fragment.of("0 = 0"),))
         return cls(examiner, examiner.required)
 
@@ -396,7 +408,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += equations_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
+                fragments += answer_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"

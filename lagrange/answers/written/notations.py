@@ -104,7 +104,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_OF_TIME, "")
     draft.apply(_called_with_brackets(draft.text, scope))
     draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
-    draft.apply(_grouping(draft.text, scope))
+    draft.apply(_grouping(draft.text))
     draft.replace(_ELEMENTWISE, "")
     draft.replace(_DERIVATIVE, "diff")
     draft.replace(_MATLAB, lambda m: f"diff({m['name']}, t{',' if m['order'] else ''} {m['order'] or ''})")
@@ -151,7 +151,7 @@ def _displacements(draft: Draft, scope: Scope) -> None:
     moving = {q.name for q in scope.slots.coordinates} | {"t"}
 
     def displaced(match: re.Match[str], sign: str) -> str | None:
-        name = scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))
+        name = _spelled(match["name"], scope)
         own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
         if name in moving or own:
             return None if own else f" {sign}({name})"
@@ -167,6 +167,13 @@ def _displacements(draft: Draft, scope: Scope) -> None:
         draft.replace(_DIFFERENTIAL, lambda m: displaced(m, "d"))
 
 
+def _spelled(name: str, scope: Scope) -> str:
+    """The declared name that is written θ₁ or x_{2}."""
+    plain = "".join(GREEK.get(c, c) for c in name if c not in "{}")
+    digits = "".join(SUBSCRIPTS.get(c, c) for c in plain)
+    return scope.spelling(re.sub(r"(?<=[A-Za-z])(?=[0-9])", "_", digits, count=1) if digits != plain else plain)
+
+
 def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> Iterator[Edit]:
     """`d(2 b cos θ)` as diff(2 b cos θ, θ)*d(θ), and so with δ."""
     ends: dict[int, int] | None = None
@@ -177,9 +184,9 @@ def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> 
         if end is None or scope.role(sign) is not Role.UNDECLARED:
             continue
         inside = text[match.end() + 1 : end]
-        if inside.strip() in moving or scope.spelling(GREEK.get(inside.strip(), inside.strip())) in moving:
+        letters = {_spelled(n, scope) for n in _NAMES.findall(inside)}
+        if inside.strip() in moving or _spelled(inside.strip(), scope) in moving:
             continue
-        letters = {scope.spelling("".join(GREEK.get(c, c) for c in n)) for n in _NAMES.findall(inside)}
         terms = [f"diff({inside}, {q})*{sign}({q})" for q in sorted(letters & {*moving} - {"t"})]
         if terms and len(terms) <= 6:
             yield match.start(), end + 1, f"({' + '.join(terms)})"
@@ -228,7 +235,7 @@ def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
             yield ends[match.end()], ends[match.end()] + 1, ")"
 
 
-def _grouping(text: str, scope: Scope) -> Iterator[Edit]:
+def _grouping(text: str) -> Iterator[Edit]:
     """`[a + b]` as (a + b): brackets without a comma are no list."""
     if "[" not in text:
         return
@@ -252,7 +259,7 @@ def _dotted(text: str) -> Iterator[Edit]:
 
 def _spoken(match: re.Match[str], scope: Scope) -> str | None:
     """`r dot dot`, `theta double dot` as r'', theta''."""
-    if scope.role(scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))) is Role.UNDECLARED:
+    if scope.role(_spelled(match["name"], scope)) is Role.UNDECLARED:
         return None
     return match["name"] + "'" * (match["dots"].lower().count("dot") + ("double" in match["dots"].lower()))
 
@@ -354,6 +361,8 @@ def _is_rate(name: str, dots: str, scope: Scope) -> bool:
     if dots:
         return any(q.name == spelled for q in scope.slots.coordinates)
     value = scope.scalar(spelled)
+    if any(q.name == spelled for q in scope.slots.coordinates):
+        return True  # dy/dx along the motion
     if value is None:
         return False
     present = [v for v in scope.slots.velocities if v in value.free_symbols]

@@ -313,7 +313,7 @@ class _Sorting:
             names = dict.fromkeys(rates_without_bar([line.text for line in lines], self.scope))
         if not names:
             return
-        pattern = re.compile(rf"(?<![A-Za-z0-9_'/]|/ )d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
+        pattern = re.compile(rf"(?<![A-Za-z0-9_'/])(?<!/ )d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
@@ -479,7 +479,7 @@ class _Sorting:
         for line in lines:
             for name in _undeclared(line):
                 occurring.setdefault(name, []).append(line)
-        names = [n for n, where in occurring.items() if len(where) > 1 and n not in RESERVED and _is_name(n)]
+        names = [n for n, where in occurring.items() if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)]
         if not names or len(names) > 6:
             return
         symbols = {n: sp.Symbol(n, real=True) for n in names}
