@@ -325,6 +325,7 @@ class Examiner:
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         from lagrange.answers.written.lines import conditions_of, separated
+        from lagrange.answers.virtual_work import with_conditions
         from lagrange.answers.written.working import Working, understood
 
         answer = separated(answer)
@@ -342,6 +343,8 @@ class Examiner:
                 help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
                 raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
             working = Working(answer)
+        if solution is not None and not moving:
+            working = with_conditions(working, solution)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of

@@ -31,6 +31,7 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
+from lagrange.answers.written.macros import macros_of, with_macros
 from lagrange.answers.written.markup import text_of_html
 from lagrange.answers.written.programs import declares, equations_of_program
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
@@ -66,16 +67,23 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
     _check_size(fragment)
     if conditions and is_inequality(fragment):
         return tuple(_conditions(fragment))
+    if macros := macros_of(source.text):
+        return tuple(with_macros(e, macros) for e in _found(fragment, source, ending))
+    return tuple(_found(fragment, source, ending))
+
+
+def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment]:
+    """The equations in a text, as its extension says."""
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
-            return tuple(_in_latex(fragment))
+            yield from _in_latex(fragment)
         case ".html" | ".htm" | ".xhtml":
             text = text_of_html(source.text)
-            return tuple(_in_lines(Fragment.of(text, source.name)))
+            yield from _in_lines(Fragment.of(text, source.name))
         case ".md" | ".markdown":
-            return tuple(_in_markdown(fragment))
+            yield from _in_markdown(fragment)
         case _:
-            return tuple(_in_lines(fragment))
+            yield from _in_lines(fragment)
 
 
 def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:

@@ -22,7 +22,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)[\s,:])"
+_SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z))"
 _SEPARATOR = re.compile(
     rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
 )

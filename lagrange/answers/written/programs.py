@@ -14,7 +14,7 @@ have no name, y(1), are called state_1, ...: they are coordinates in their order
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment
@@ -94,8 +94,8 @@ def equations_of_program(fragment: Fragment) -> list[Fragment]:
         return []
     function = _Function(0 if header and (header["python"] is not None or header["lambda"]) else _first_index(text))
     try:
-        state = _read(text, header, function)
-        stated = list(_stated(function, state))
+        _read(text, header, function)
+        stated = list(_stated(function))
     except _NotUnderstoodError:
         return []
     return [_in_place_of(fragment, s) for s in stated]
@@ -122,8 +122,8 @@ def _in_place_of(fragment: Fragment, text: str) -> Fragment:
     return draft.finished()
 
 
-def _read(text: str, header: re.Match[str] | None, function: _Function) -> str:
-    """Read the statements; the name of the state."""
+def _read(text: str, header: re.Match[str] | None, function: _Function) -> None:
+    """Read the statements."""
     arguments = ""
     if header is not None:
         arguments = header["python"] or header["matlab"] or header["anonymous"] or header["lambda"] or ""
@@ -161,7 +161,6 @@ def _read(text: str, header: re.Match[str] | None, function: _Function) -> str:
         elif assigned := _ASSIGNED.match(statement):
             names, value = [n.strip() for n in assigned["names"].split(",")], statement[assigned.end() :].strip()
             _assign(function, names, value, state, rates)
-    return state
 
 
 def _assign(function: _Function, names: list[str], value: str, state: str, rates: str) -> None:
@@ -224,7 +223,8 @@ def _column(text: str, function: _Function, state: str) -> list[Column] | None:
             return None
         if any(c is None or len(c) != len(columns[0] or ()) for c in columns):
             raise _NotUnderstoodError
-        return [[" + ".join(f"({row[0]})" for row in rows)] for rows in zip(*(c for c in columns if c), strict=True)]
+        summed = zip(*(c for c in columns if c), strict=True)
+        return [[" + ".join(_in_brackets(r[0]) for r in rows if r[0] != "0") or "0"] for rows in summed]
     factors = cuts(text, re.compile(r"[*@]"))
     if len(factors) == 2:
         first, second = (_column(text[a:b].strip(), function, state) for a, b in factors)
@@ -234,12 +234,21 @@ def _column(text: str, function: _Function, state: str) -> list[Column] | None:
                 return [[f"({by})*({c})" for c in row] for row in second]
             if any(len(row) != len(second) for row in first):
                 raise _NotUnderstoodError
-            return [[" + ".join(f"({a})*({b[0]})" for a, b in zip(row, second, strict=True))] for row in first]
+            entries = [b[0] for b in second]
+            if not state and not function.named and all(re.fullmatch(_IDENT, b) for b in entries):
+                function.named.update(enumerate(entries))
+            return [[_product(row, entries)] for row in first]
     if re.fullmatch(_IDENT, text):
         return function.columns.get(text)
     if not text.startswith("[") or closings(text).get(0) != len(text) - 1:
         return None
     return _literal(text[1:-1].strip(), function, state)
+
+
+def _product(row: Sequence[str], column: Sequence[str]) -> str:
+    """A row of a matrix times a column, without zeros."""
+    terms = [b if a == "1" else f"({a})*({b})" for a, b in zip(row, column, strict=True) if a.strip("0.")]
+    return " + ".join(terms) or "0"
 
 
 def _literal(inner: str, function: _Function, state: str) -> list[Column]:
@@ -325,7 +334,7 @@ def _in_brackets(text: str) -> str:
     return text if re.fullmatch(r"\w+", text) else f"({text})"
 
 
-def _stated(function: _Function, state: str) -> Iterator[str]:
+def _stated(function: _Function) -> Iterator[str]:
     """The equations of motion."""
     size = len(function.rates)
     if not 0 < size <= _MOST_STATES or sorted(function.rates) != list(range(size)):
@@ -336,7 +345,8 @@ def _stated(function: _Function, state: str) -> Iterator[str]:
         rate = function.rates[n].strip("() ")
         if rate in names and rate != names[n]:
             velocities[rate] = names[n]
-    numbered = {c: f"state_{k + 1}" for k, c in enumerate(c for c in names if c.startswith("state_") and c not in velocities)}
+    unnamed = [c for c in names if c.startswith("state_") and c not in velocities]
+    numbered = {c: f"state_{k}" for k, c in enumerate(unnamed, 1)}
     final: dict[str, str] = {**numbered, **{v: f"{numbered.get(c, c)}'" for v, c in velocities.items()}}
     for n in range(size):
         if function.rates[n].strip("() ") in velocities:

@@ -20,7 +20,7 @@ import sympy as sp
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
-from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
+from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.other_names import other_names, rates_without_bar
@@ -143,6 +143,14 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving)
+    if any(has_matrix(f.text) for f in answer):
+        sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
+        texts = with_named_matrices([f.text for f in answer], sets)
+        answer = [
+            f if text == f.text else _in_place_of(f, text)
+            for f, text in zip(answer, texts, strict=True)
+            if text is not None
+        ]
     return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
 
 
@@ -222,12 +230,14 @@ class _Sorting:
         self.defined: list[str] = []
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
+        self.texts: list[str] = []
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
         self._use_other_names(plain)
+        self.texts = [cleaned(line.fragment).text for line in plain]
         self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
@@ -464,14 +474,20 @@ class _Sorting:
     def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
-        symbol = next((q for q in self.scope.slots.coordinates if q.name == coordinate), None)
-        if symbol is None or index not in _AT_EQUILIBRIUM:
+        asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
+        symbol = next((q for q in asked if q.name == coordinate), None)
+        if symbol is None or not (index in _AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
         message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"
         span = line.fragment.span(0, len(line.fragment.text))
         self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
         return True
+
+    def _numbers_an_alternative(self, name: str, coordinate: str, index: str) -> bool:
+        """Whether `theta_2` or `P_max` is one of several values, and no name of something else."""
+        alone = len(lines_with(name, self.texts)) == 1 and not lines_with(coordinate, self.texts)
+        return alone and (index.isdigit() or index in ("min", "max"))
 
     def _find_unknowns(self, lines: list[_Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
