@@ -44,8 +44,8 @@ _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
-_WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
-_NEXT_WORD = re.compile(r"\s*([^\W\d_]{2,})[.,:]?(?=\s|$|[,:])")
+_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING_WORDS = """
 then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are
@@ -61,7 +61,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _AFTER_COMMA = re.compile(r",\s+(?=[^\W\d_]{2,}[\s.,;:)])[^=()\[\]+*^]*\Z")
@@ -163,6 +163,10 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         yield from _parts(text, start, colon.start(1))
         yield from _parts(text, colon.end(1), end)
         return
+    if (bracket := _equations_in_brackets(text, start, end)) is not None:
+        yield from _parts(text, start, bracket[0])
+        yield from _parts(text, bracket[0] + 1, bracket[1])
+        return
     inside = _inside_list(text, start, end)
     if inside is not None:
         for first, last in cuts(text[inside[0] : inside[1]], re.compile(",")):
@@ -186,6 +190,19 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
                     else:
                         yield whole + begin, whole + stop
                 begin = pieces[n + 1][0] if not ended else stop
+
+
+def _equations_in_brackets(text: str, start: int, end: int) -> tuple[int, int] | None:
+    """The brackets at the end of a line, after an equation, with other equations in them: `(where w^2 = g/l)`."""
+    stop = len(text[start:end].rstrip(" .,;")) + start
+    if stop <= start or text[stop - 1] != ")" or "=" not in text[start:stop]:
+        return None
+    opening = next((a for a, b in closings(text[start:stop]).items() if b == stop - start - 1), None)
+    if opening is None or not text[start + opening - 1 : start + opening].isspace():
+        return None
+    first = start + opening
+    before = _EQUALS.search(text, start, first)
+    return (first, stop - 1) if before and _EQUALS.search(text, first, stop - 1) else None
 
 
 def _begins_equation(text: str) -> bool:
@@ -231,6 +248,8 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
     remark = words["remark"] if words else None
     if words and _EQUALS.search(text, begin, words.start()) and (remark is None or _is_prose(remark)):
         tail, end = f"{words[0]} {tail}", words.start()
+    elif words and remark is not None:
+        end = begin + len(text[begin:end].rstrip(" .,;:"))
     if begin < end and _EQUALS.search(text, begin, end):
         yield _made(fragment, begin, end, f"{beside} {text[start:begin]} {tail}".strip())
 

@@ -92,4 +92,5 @@ def _edits(text: str, macros: Mapping[str, Macro]) -> Iterator[Edit]:
                 at = single.end()
         if len(given) == macro.arguments:
             body = re.sub(r"#([1-3])", lambda m, g=tuple(given): g[int(m[1]) - 1] if int(m[1]) <= len(g) else m[0], macro.body)
-            yield match.start(), at, f"{{{body}}}" if "\\operatorname" not in body else f"{body} "
+            raised = text[:match.start()].rstrip()[-1:] in ("^", "_") or text[at:].lstrip()[:1] in ("^", "_")
+            yield match.start(), at, f"{{{body}}}" if raised else f"{body} "

@@ -13,20 +13,30 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.answers.references import Reference
-from lagrange.core.symbols import prime
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import prime, t
 from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 
 _SHORT = {"th": "theta", "tht": "theta", "ph": "phi", "ps": "psi", "al": "alpha", "alp": "alpha", "be": "beta"}
+_SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])")
+_OF_COORDINATE = re.compile(
+    r"[\s$&]*(?P<name>\\?[^\W\d_](?:\w{0,12}|_\{\w{1,12}\}))\s*(?P<bracket>(?:\\left)?\(\s*(?P<argument>\\?\w{1,12})\s*(?:\\right)?\))"
+    r"\s*&?=(?!=)"
+)
 _RATE_SIGN = re.compile(r"['\u0307\u0308¨˙′]|\\d?dot|_?d?dot|/\s*d")
 
 
@@ -39,7 +49,7 @@ def other_names(
     for match in _ABBREVIATION.finditer(whole):
         name, long = match[1] + match[2], _SHORT[match[1]] + match[2]
         value = scope.scalar(scope.spelling(long))
-        if value is not None and scope.role(name) is Role.UNDECLARED and not _defined(name, texts):
+        if value is not None and str(value) not in reference.letters and scope.role(name) is Role.UNDECLARED and not _defined(name, texts):
             scalars[name] = value
     if "a_" in whole or "v_" in whole:
         for q in scope.slots.coordinates:
@@ -63,6 +73,24 @@ def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
         for q in scope.slots.coordinates
         if re.search(rf"(?<![A-Za-z0-9_])dd{q}(?![A-Za-z0-9_/])", whole) and scope.role(f"dd{q}") is Role.UNDECLARED
     )
+
+
+def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
+    """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left."""
+    match = _OF_COORDINATE.match(fragment.text)
+    if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
+        return fragment
+    argument = scope.scalar(scope.spelling(_plain(match["argument"])))
+    if argument is None or not (argument == t or argument in scope.slots.coordinates):
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(match.end("name"), match.end("bracket"), "")])
+    made = draft.finished(latex=is_latex(fragment))
+    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def _plain(name: str) -> str:
+    return "".join(GREEK.get(c, c) for c in name.lstrip("\\").replace("{", "").replace("}", ""))
 
 
 def _defined(name: str, texts: Sequence[str]) -> bool:

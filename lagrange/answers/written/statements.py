@@ -17,6 +17,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.written.notations import cleaned
+from lagrange.answers.written.other_names import without_arguments
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.working import too_long
 from lagrange.core.diagnostics import Fragment, ProblemError
@@ -66,7 +67,7 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
     """
     if len(fragment.text) > MAX_ANSWER_CHARACTERS:
         raise too_long(fragment)
-    text = cleaned(fragment)
+    text = without_arguments(cleaned(fragment), scope)
     scope = _with_marked(text, scope)
     parts = _parts(text)
     beyond = parts[1:]

@@ -23,13 +23,13 @@ from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
-from lagrange.answers.written.other_names import other_names, rates_without_bar
+from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -236,8 +236,10 @@ class _Sorting:
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        for line in plain:
+            line.fragment = without_arguments(line.fragment, self.scope)
         self._use_other_names(plain)
-        self.texts = [cleaned(line.fragment).text for line in plain]
+        self.texts = [_spelled_out(line.fragment.text) for line in plain]
         self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
@@ -522,6 +524,12 @@ class _Sorting:
 
 def _is_name(text: str) -> bool:
     return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
+
+
+def _spelled_out(text: str) -> str:
+    """θ₁ as theta_1."""
+    text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
+    return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 
 
 def _plain(text: str) -> str:
