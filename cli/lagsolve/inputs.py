@@ -102,10 +102,10 @@ def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragme
     """
     fragments = [Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1)]
     if file is not None:
-        from lagrange.answers.submissions import equations_in_file
+        from lagrange.answers.submissions import answer_in_file
 
         source = _standard_input() if file == "-" else read_source(Path(file))
-        fragments += equations_in_file(source, Path(file).suffix)
+        fragments += answer_in_file(source, Path(file).suffix)
     return tuple(fragments)
 
 

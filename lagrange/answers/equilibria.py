@@ -55,7 +55,7 @@ def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
 
     Raises ProblemError if there are too many.
     """
-    parts = [[one for part in _split(f) for one in _signs(part)] for f in answer]
+    parts = [[one for part in _split(f) for one in with_both_signs(part)] for f in answer]
     total = 1
     for p in parts:
         total *= len(p)
@@ -79,7 +79,7 @@ def _split(fragment: Fragment) -> list[Fragment]:
     return parts
 
 
-def _signs(fragment: Fragment) -> list[Fragment]:
+def with_both_signs(fragment: Fragment) -> list[Fragment]:
     """An equation with ± as two, with all upper and all lower signs."""
     if isinstance(fragment, GivenEquation) or not _PLUS_MINUS.search(fragment.text):
         return [fragment]
@@ -109,7 +109,7 @@ def check_equilibria(
     if len(alternatives) > MAX_ALTERNATIVES or any(len(a) > MAX_EQUATIONS for a in alternatives):
         message = f"an answer may have {MAX_EQUATIONS} equations"
         raise ProblemError(Diagnostic("too-many-equations", message, flat[0].whole))
-    alternatives = [tuple(choice) for a in alternatives for choice in product(*map(_signs, a))]
+    alternatives = [tuple(choice) for a in alternatives for choice in product(*map(with_both_signs, a))]
     readings, more = [*zip(*(_read(a, reference) for a in alternatives), strict=True)]
     notes = (*(n for a in readings for r in a for n in r.notes), *(n for several in more for n in several))
     errors = tuple(d for a in readings for r in a if r.error for d in r.error.diagnostics)

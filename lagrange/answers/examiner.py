@@ -16,6 +16,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.limits import UNITS_OF_CHECKING
+from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -29,6 +30,8 @@ from lagrange.answers.verdicts import (
     Verdict,
     missing_equilibria,
 )
+from lagrange.answers.written.in_words import is_about_freedom, stated_in_words
+from lagrange.answers.written.lines import has_sign_of_equality
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
@@ -51,7 +54,7 @@ def compared_answers(solution: Solution) -> Iterator[AnswerVerdict]:
     answers = solution.problem.answers
     if answers is None:
         return
-    yield from _before_equations(solution, answers)
+    yield from on_freedom_and_class(solution, answers)
     if answers.equations and (verdict := _equations(solution, answers)) is not None:
         yield AnswerVerdict(verdict)
     yield from map(_readable, _after_equations(solution, answers))
@@ -62,34 +65,6 @@ def _readable(answer: AnswerVerdict) -> AnswerVerdict:
     if answer.verdict is Verdict.UNREADABLE and answer.messages:
         raise ProblemError(answer.messages)
     return replace(answer, unreadable=(), notes=())
-
-
-def _before_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
-    """The verdicts on answers about the constraints."""
-    classification = solution.classification
-    if answers.degrees_of_freedom is not None:
-        agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
-        why = ""
-        if not agrees:
-            from lagrange.answers.models.letters import explained_degrees_of_freedom
-
-            why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
-        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
-    if answers.classification:
-        yield _together("classification", {word: _class(solution, word) for word in answers.classification})
-    if answers.integrable:
-        derived = {c.constraint.name: c.integrable for c in classification.constraints}
-        agree = {n: None if derived.get(n) is None else derived[n] == s for n, s in answers.integrable.items()}
-        yield _together("integrable", agree)
-
-
-def _together(name: str, parts: Mapping[str, bool | None]) -> AnswerVerdict:
-    """The verdict on several statements, naming those that are not right."""
-    verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
-    named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
-    heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
-    diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
-    return AnswerVerdict(verdict, name=name, diagnosis=diagnosis)
 
 
 def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
@@ -296,21 +271,6 @@ def _at_rest(solution: Solution) -> AtRest | None:
     return AtRest(solution.law.newton, reactions, reference_of_solution(solution))
 
 
-def _agrees(same: bool | None) -> Verdict:
-    return Verdict.UNDECIDED if same is None else Verdict.EQUIVALENT if same else Verdict.WRONG
-
-
-def _class(solution: Solution, word: str) -> bool | None:
-    """Whether the system belongs to a class; None if that is undecided."""
-    c = solution.classification
-    positive = {"holonomic": c.holonomic, "scleronomic": c.scleronomic, "catastatic": c.catastatic}
-    negative = {"nonholonomic": c.holonomic, "rheonomic": c.scleronomic, "acatastatic": c.catastatic}
-    if word in positive:
-        return positive[word]
-    value = negative[word]
-    return None if value is None else not value
-
-
 @record
 class Examiner:
     """Checks any number of answers to a problem, which is solved once.
@@ -354,11 +314,18 @@ class Examiner:
 
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
+        only_words = bool(answer) and not any(map(has_sign_of_equality, (f.text for f in answer)))
+        if self.solution is not None and (only_words or about_constraints(self.solution)):
+            words = stated_in_words("\n".join(dict.fromkeys(f.whole.source.text for f in answer)))
+            if words != Answers():
+                equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
+                return self.check_answers(words, equations)
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
             return self._checked(answer)
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         from lagrange.answers.written.lines import conditions_of, separated
+        from lagrange.answers.virtual_work import with_conditions
         from lagrange.answers.written.working import Working, understood
 
         answer = separated(answer)
@@ -368,12 +335,16 @@ class Examiner:
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
+        if solution is not None and about_constraints(solution):
+            return self._judgement(check_constraints(working, solution))
         if not working.judged:
             if working.quoting and not working.unreadable:
                 message = "the method is quoted, and no equation follows that could be checked"
                 help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
                 raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
             working = Working(answer)
+        if solution is not None and not moving:
+            working = with_conditions(working, solution)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
@@ -478,18 +449,19 @@ class Examiner:
         others = (
             tuple(_nothing_to_compare(answers))
             if solution is None
-            else (*_before_equations(solution, answers), *_after_equations(solution, answers))
+            else (*on_freedom_and_class(solution, answers), *_after_equations(solution, answers))
         )
         if not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
-        return replace(self.check(equations), others=others)
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            return replace(self._checked(equations), others=others)
 
     def check_own(self) -> Judgement:
         """The verdict on the answers that the problem file states. Raises ProblemError if it states none."""
         answers, solution = self.problem.answers or Answers(), self.solution
         if solution is None:
             return self.check(answers.equations)
-        others = (*_before_equations(solution, answers), *map(_readable, _after_equations(solution, answers)))
+        others = (*on_freedom_and_class(solution, answers), *map(_readable, _after_equations(solution, answers)))
         if not answers.equations and others:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         return self._judgement(check_equations(answers.equations, self.reference), others)

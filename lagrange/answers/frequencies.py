@@ -25,6 +25,7 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
@@ -115,6 +116,7 @@ def check_frequencies(
 ) -> AnswerVerdict:
     """The verdict on all lists together."""
     try:
+        stated = [[e for f in fragments for e in with_both_signs(f)] for fragments in stated]
         lists = [[_read(f, reference) for f in fragments] for fragments in stated]
     except ProblemError as error:
         why = error.diagnostics[0].message

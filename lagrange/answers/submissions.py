@@ -29,8 +29,11 @@ from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
+from lagrange.answers.written.macros import macros_of, with_macros
 from lagrange.answers.written.markup import text_of_html
+from lagrange.answers.written.programs import declares, equations_of_program
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
@@ -64,16 +67,34 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
     _check_size(fragment)
     if conditions and is_inequality(fragment):
         return tuple(_conditions(fragment))
+    if macros := macros_of(source.text):
+        return tuple(with_macros(e, macros) for e in _found(fragment, source, ending))
+    return tuple(_found(fragment, source, ending))
+
+
+def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment]:
+    """The equations in a text, as its extension says."""
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
-            return tuple(_in_latex(fragment))
+            yield from _in_latex(fragment)
         case ".html" | ".htm" | ".xhtml":
             text = text_of_html(source.text)
-            return tuple(_in_lines(Fragment.of(text, source.name)))
+            yield from _in_lines(Fragment.of(text, source.name))
         case ".md" | ".markdown":
-            return tuple(_in_markdown(fragment))
+            yield from _in_markdown(fragment)
         case _:
-            return tuple(_in_lines(fragment))
+            yield from _in_lines(fragment)
+
+
+def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
+    """The equations in a text; the text itself if it has none, but states degrees of freedom or a classification.
+
+    Raises ProblemError as `equations_in_file` does.
+    """
+    found = equations_in_file(source, ending, conditions=conditions)
+    if not found and stated_in_words(source.text) != Answers():
+        return (Fragment(source.text, Span(source, 0, len(source.text)), 0),)
+    return found
 
 
 def _conditions(fragment: Fragment) -> Iterator[Fragment]:
@@ -176,6 +197,9 @@ def _code(fragment: Fragment) -> tuple[str, list[tuple[int, Fragment]]]:
 
 def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator[Fragment]:
     """The lines that are equations, and mathematics in displays and environments, over several lines too."""
+    if of_program := equations_of_program(fragment):
+        yield from of_program
+        return
     marks = [m for m in marks_of(fragment.text) if m.kind not in _INLINE]
     regions = _regions(fragment, marks)
     next_region = 0
@@ -188,6 +212,8 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
         inside = next_region and start < regions[next_region - 1].closes
         opens = next_region < len(regions) and regions[next_region].opens < end
         if not inside and not opens and line.strip() and not line.lstrip().startswith(("#", "%", "//")):
+            if declares(line):
+                continue
             block.append((start, end, line))
             continue
         for e in _of_block(fragment, block, number, bullet, words, labels):
@@ -349,7 +375,7 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        if examiner.required is None and not examiner.asks_for_conditions and not examiner.problem.points:
+        if examiner.solution is None and examiner.required is None and not examiner.problem.points:
             examiner.check((Fragment.of("0 = 0"),))
         return cls(examiner, examiner.required)
 
@@ -390,7 +416,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += equations_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
+                fragments += answer_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"

@@ -16,11 +16,12 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.force_names import Meaning, meanings
 from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
+from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
@@ -65,8 +66,12 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     def judged(name: str, fragment: Fragment) -> Judged:
         if name not in asked:
             return Verdict.UNDECIDED, _NOT_ANSWERED
-        claim = _Claim(fragment, asked[name], solution, reference)
-        verdict, remark = claim.verdict()
+        claims = [_Claim(f, asked[name], solution, reference) for f in with_both_signs(fragment)]
+        found = [(claim.verdict(), claim) for claim in claims]
+        (verdict, remark), claim = max(found, key=lambda v: WORST_TO_BEST.index(v[0][0]))
+        if verdict is Verdict.EQUIVALENT and any(v[0] is not Verdict.EQUIVALENT for v, _ in found):
+            moves = any(base(s) != s for s in asked[name].question.quantity.free_symbols)
+            return (verdict, remark) if moves else (Verdict.UNDECIDED, _ONE_SIGN)
         if claim.meaning is not None and taken.setdefault(claim.quantity, claim.meaning) != claim.meaning:
             return Verdict.WRONG, f"`{claim.quantity}` has another sign or meaning here than in the answer before"
         return verdict, remark
@@ -78,6 +83,9 @@ def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
     """The answer without the branches that the values exclude."""
     left = tuple(b for b in asked.branches if not b.excluded_by(values))
     return replace(asked, branches=left) if left and len(left) < len(asked.branches) else asked
+
+
+_ONE_SIGN = "it is right with one of the two signs only"
 
 
 class _Claim:

@@ -99,7 +99,8 @@ def _without_asides(
     if not any(_has_acceleration(e) for e in kept):
         return unchanged
     again = check(kept, False)
-    if again.verdict is not Verdict.EQUIVALENT:
+    integrals = all(verdict.equations[n].diagnosis.startswith("it is a first integral") for n in about)
+    if again.verdict is not Verdict.EQUIVALENT and not (integrals and again.verdict is Verdict.INCOMPLETE):
         return unchanged
     diagnoses = [verdict.equations[n].diagnosis for n in about]
     notes = [

@@ -22,7 +22,10 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SEPARATOR = re.compile(rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
+_SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z))"
+_SEPARATOR = re.compile(
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
+)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
@@ -41,12 +44,15 @@ _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
-_WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
+_WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING_WORDS = """
 then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are
 where with let set define eom finally which yields yield using since because from newton newtons also now again
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
+die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
+est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here now let's its your my
 follows follow it i.e e.g eq eqn or energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
 constraint constraints rolling condition relation at ode odes differential second order system be case gleichung
@@ -55,9 +61,11 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
+_AFTER_COMMA = re.compile(r",\s+(?=[^\W\d_]{2,}[\s.,;:)])[^=()\[\]+*^]*\Z")
+"""Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()"
@@ -155,6 +163,10 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         yield from _parts(text, start, colon.start(1))
         yield from _parts(text, colon.end(1), end)
         return
+    if (bracket := _equations_in_brackets(text, start, end)) is not None:
+        yield from _parts(text, start, bracket[0])
+        yield from _parts(text, bracket[0] + 1, bracket[1])
+        return
     inside = _inside_list(text, start, end)
     if inside is not None:
         for first, last in cuts(text[inside[0] : inside[1]], re.compile(",")):
@@ -180,11 +192,26 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
                 begin = pieces[n + 1][0] if not ended else stop
 
 
+def _equations_in_brackets(text: str, start: int, end: int) -> tuple[int, int] | None:
+    """The brackets at the end of a line, after an equation, with other equations in them: `(where w^2 = g/l)`."""
+    stop = len(text[start:end].rstrip(" .,;")) + start
+    if stop <= start or text[stop - 1] != ")" or "=" not in text[start:stop]:
+        return None
+    opening = next((a for a, b in closings(text[start:stop]).items() if b == stop - start - 1), None)
+    if opening is None or not text[start + opening - 1 : start + opening].isspace():
+        return None
+    first = start + opening
+    before = _EQUALS.search(text, start, first)
+    return (first, stop - 1) if before and _EQUALS.search(text, first, stop - 1) else None
+
+
 def _begins_equation(text: str) -> bool:
     """Whether the next equation has its left side in the text: `, b = c`, and not `   = c` or `  + d = e`."""
     following = text.lstrip(" \t,")
     sides = _EQUALS.split(following, maxsplit=1)
-    return len(sides) == 2 and bool(sides[0].strip()) and following[:1] not in "+*/−·)=(" and following[:2] != "- "
+    return len(sides) == 2 and bool(sides[0].strip()) and following[:1] not in "+*/−·)=" and following[:2] != "- " and (
+        following[:1] != "(" or text.lstrip()[:1] == ","
+    )
 
 
 def _inside_list(text: str, start: int, end: int) -> tuple[int, int] | None:
@@ -215,17 +242,26 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
         yield from _from_call(fragment, match.end(), beside)
         return
     tail = ""
+    if rest := _AFTER_COMMA.search(text, begin, end):
+        tail, end = rest[0], rest.start()
     words = _TAIL.search(text, begin, end)
     remark = words["remark"] if words else None
     if words and _EQUALS.search(text, begin, words.start()) and (remark is None or _is_prose(remark)):
-        tail, end = words[0], words.start()
+        tail, end = f"{words[0]} {tail}", words.start()
+    elif words and remark is not None:
+        end = begin + len(text[begin:end].rstrip(" .,;:"))
     if begin < end and _EQUALS.search(text, begin, end):
         yield _made(fragment, begin, end, f"{beside} {text[start:begin]} {tail}".strip())
 
 
+_SIGNS = re.compile(r"\s[-+−·]\s|[−·√²³½\u0300-\u036f]")
+
+
 def _is_prose(text: str) -> bool:
     """Whether a text in parentheses is a remark, as in `(towards the bottom)`, and no factor."""
-    words = re.findall(r"[^\W\d_]{2,}", text)
+    words = re.findall(r"[A-Za-zÀ-ÖØ-öø-ÿ]{2,}", text)
+    if _SIGNS.search(text):
+        return False
     return any(len(w) > 3 for w in words) and not any(w.lower() in _KNOWN for w in words)
 
 
@@ -254,19 +290,33 @@ def _after_words(text: str, start: int, end: int) -> int:
     about = _ABOUT_PARTS.match(text, at, end)
     if about and len(re.findall(r"[^\W\d_]{4,}", about[0])) > 1:
         at = about.end()
-    words = 0
+    if _EQ.match(text, at, end):
+        return at
+    words, read = _prose_words(text, at, end), 0
     while at < end:
         if text[at].isspace():
             at += 1
         elif leading := _LEADING.match(text, at, end):
             at = leading.end()
-        elif (word := _WORD.match(text, at, end)) and _is_word(word[0], words, text, word.end(), end):
-            at, words = word.end(), words + 1
-        elif words and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
+        elif (word := _WORD.match(text, at, end)) and (
+            words > 0 or _is_word(word[0], read, text, word.end(), end)
+        ):
+            at, words, read = word.end(), words - 1, read + 1
+        elif read and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
             at = article.end()
         else:
             break
     return at
+
+
+def _prose_words(text: str, at: int, end: int) -> int:
+    """The number of words with which a sentence begins: of at least two words one is long, and none is mathematics."""
+    number, long = 0, False
+    while word := _NEXT_WORD.match(text, at, end):
+        if word[1].lower() in _KNOWN or (len(word[1]) == 1 and number == 0):
+            break
+        number, long, at = number + 1, long or len(word[1]) > 4, word.end()
+    return number if number > 1 and long else 0
 
 
 def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
@@ -47,10 +47,12 @@ _OPERATOR = re.compile(
 _GREEK_INDEX = re.compile(rf"(?<=[A-Za-z{''.join(GREEK)}]_)[{''.join(GREEK)}]")
 _VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
 _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
+_DISPLACED = re.compile(r"(?<![A-Za-z0-9_'/])(d|δ|delta)\s?(?=\()(?!d\(t\))")
+_NAMES = re.compile(rf"(?<![A-Za-z0-9_]){_NAME}")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(
-    rf"(?<![A-Za-z_])(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]{{1,12}}?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]{{0,8}}?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+    rf"(?<![A-Za-z_])(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]{{1,12}}?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]{{0,8}}?)(?:_?(?P<dots>(?:dot){{1,3}}|d{{1,3}}ot)|_(?P<short>d{{1,2}}|t{{1,2}})|(?P<joined>d{{1,2}}))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
 )
 _PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
@@ -63,6 +65,7 @@ _INDEXED = re.compile(
 )
 _INVERSE = re.compile(r"(?<![A-Za-z])(sin|cos|tan)\s*(?:\^\s*[({]\s*[-−]\s*1\s*[)}]|⁻¹)")
 _DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
+_MATLAB = re.compile(rf"(?<![A-Za-z0-9_])diff\s*\(\s*(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*(?:,\s*(?P<order>[1-4])\s*)?\)")
 _TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
 _DOLLAR = re.compile(r"\$\s*([1-4])")
 _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
@@ -75,6 +78,7 @@ _CALLED = re.compile(
 )
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
+_SPOKEN = re.compile(rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s+(?P<dots>double[- ]?dot|dot\s+dot|dot)(?![A-Za-z0-9_]|\s*\()")
 _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
 _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
 _EXPONENTIAL = re.compile(
@@ -83,6 +87,7 @@ _EXPONENTIAL = re.compile(
 _METHOD = re.compile(
     rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)"
 )
+_AFTER_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp)\s*\Z")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
 _PRODUCT = re.compile(r"[A-Za-z]+")
 
@@ -99,12 +104,15 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_OF_TIME, "")
     draft.apply(_called_with_brackets(draft.text, scope))
     draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
+    draft.apply(_grouping(draft.text))
     draft.replace(_ELEMENTWISE, "")
     draft.replace(_DERIVATIVE, "diff")
+    draft.replace(_MATLAB, lambda m: f"diff({m['name']}, t{',' if m['order'] else ''} {m['order'] or ''})")
     draft.replace(_BY_VELOCITY, r", \1')")
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
+    draft.replace(_SPOKEN, lambda m: _spoken(m, scope))
     draft.apply(_dotted(draft.text))
     draft.replace(_INDEXED, lambda m: _indexed(m, scope))
     draft.replace(_PREFIX, lambda m: _prefixed(m, scope))
@@ -143,7 +151,7 @@ def _displacements(draft: Draft, scope: Scope) -> None:
     moving = {q.name for q in scope.slots.coordinates} | {"t"}
 
     def displaced(match: re.Match[str], sign: str) -> str | None:
-        name = scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))
+        name = _spelled(match["name"], scope)
         own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
         if name in moving or own:
             return None if own else f" {sign}({name})"
@@ -152,10 +160,36 @@ def _displacements(draft: Draft, scope: Scope) -> None:
         terms = [f"diff({name}, {q})*delta({q})" for q in varied]
         return f" ({' + '.join(terms)})" if terms else None
 
+    draft.apply(_displaced_expressions(draft.text, moving, scope))
     if scope.role("delta") is Role.UNDECLARED:
         draft.replace(_VARIATION, lambda m: displaced(m, "delta"))
     if scope.role("d") is Role.UNDECLARED:
         draft.replace(_DIFFERENTIAL, lambda m: displaced(m, "d"))
+
+
+def _spelled(name: str, scope: Scope) -> str:
+    """The declared name that is written θ₁ or x_{2}."""
+    plain = "".join(GREEK.get(c, c) for c in name if c not in "{}")
+    digits = "".join(SUBSCRIPTS.get(c, c) for c in plain)
+    return scope.spelling(re.sub(r"(?<=[A-Za-z])(?=[0-9])", "_", digits, count=1) if digits != plain else plain)
+
+
+def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> Iterator[Edit]:
+    """`d(2 b cos θ)` as diff(2 b cos θ, θ)*d(θ), and so with δ."""
+    ends: dict[int, int] | None = None
+    for match in _DISPLACED.finditer(text):
+        sign = "d" if match[1] == "d" else "delta"
+        ends = closings(text) if ends is None else ends
+        end = ends.get(match.end())
+        if end is None or scope.role(sign) is not Role.UNDECLARED:
+            continue
+        inside = text[match.end() + 1 : end]
+        letters = {_spelled(n, scope) for n in _NAMES.findall(inside)}
+        if inside.strip() in moving or _spelled(inside.strip(), scope) in moving:
+            continue
+        terms = [f"diff({inside}, {q})*{sign}({q})" for q in sorted(letters & {*moving} - {"t"})]
+        if terms and len(terms) <= 6:
+            yield match.start(), end + 1, f"({' + '.join(terms)})"
 
 
 def _characters(draft: Draft) -> None:
@@ -201,6 +235,16 @@ def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
             yield ends[match.end()], ends[match.end()] + 1, ")"
 
 
+def _grouping(text: str) -> Iterator[Edit]:
+    """`[a + b]` as (a + b): brackets without a comma are no list."""
+    if "[" not in text:
+        return
+    for start, end in closings(text).items():
+        if text[start] == "[" and "," not in text[start:end] and "=" not in text[start:end]:
+            yield start, start + 1, "("
+            yield end, end + 1, ")"
+
+
 def _dotted(text: str) -> Iterator[Edit]:
     """`ddot(x)` as (x)''; `dot(a, b)` is a product of vectors."""
     ends: dict[int, int] | None = None
@@ -213,6 +257,13 @@ def _dotted(text: str) -> Iterator[Edit]:
         yield end + 1, end + 1, "'" * len(match[1])
 
 
+def _spoken(match: re.Match[str], scope: Scope) -> str | None:
+    """`r dot dot`, `theta double dot` as r'', theta''."""
+    if scope.role(_spelled(match["name"], scope)) is Role.UNDECLARED:
+        return None
+    return match["name"] + "'" * (match["dots"].lower().count("dot") + ("double" in match["dots"].lower()))
+
+
 def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     """`x_ddot`, `x1_ddot`, `xddot` as x''."""
     written = match[0]
@@ -221,10 +272,22 @@ def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     if not name or scope.role(written) is not Role.UNDECLARED:
         return None
     short = match["short"] or match["joined"]
+    if short in ("d", "t") and scope.role(short) is not Role.UNDECLARED and short == match["joined"]:
+        return None  # a product
+    dots = match["dots"] or ""
+    order = len(short) if short else dots.count("dot") if dots.startswith("dot") else len(dots) - 2
     for candidate in (name + index, f"{name}_{index}" if index else name):
-        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or ("_" in written and not short):
-            return candidate + "'" * (len(short) if short else len(match["dots"]) - 2)
+        role = scope.role(scope.spelling(candidate))
+        moving = role is not Role.UNDECLARED and (short not in ("t", "tt", "d") or _is_moving(candidate, scope))
+        if moving or ("_" in written and not short):
+            return candidate + "'" * order
     return None
+
+
+def _is_moving(name: str, scope: Scope) -> bool:
+    """Whether a name is that of a coordinate, or of something with coordinates in it."""
+    value = scope.scalar(scope.spelling(name))
+    return value is not None and not value.free_symbols.isdisjoint(scope.slots.coordinates)
 
 
 def _indexed(match: re.Match[str], scope: Scope) -> str | None:
@@ -298,6 +361,8 @@ def _is_rate(name: str, dots: str, scope: Scope) -> bool:
     if dots:
         return any(q.name == spelled for q in scope.slots.coordinates)
     value = scope.scalar(spelled)
+    if any(q.name == spelled for q in scope.slots.coordinates):
+        return True  # dy/dx along the motion
     if value is None:
         return False
     present = [v for v in scope.slots.velocities if v in value.free_symbols]
@@ -363,6 +428,8 @@ def _product(match: re.Match[str], scope: Scope) -> str | None:
     while at >= 0 and text[at] == " ":
         at -= 1
     product = "*".join(known)
+    if not function and _AFTER_FUNCTION.search(text, max(0, match.start() - 8), match.start()):
+        return f"({product})"
     if function:
         return f"{product} {_CALLS.get(function, function)}"
     if at >= 0 and text[at] == "/":
@@ -377,7 +444,7 @@ _L_COLOUR = re.compile(r"\\(?:color|textcolor|colorbox)\s*(?:\[[A-Za-z]{1,8}\])?
 _L_DROPPED = re.compile(
     r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|left\s*\.|right\s*\.|bf|it|large|Large|small"
     r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
-    r"|Leftrightarrow|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
+    r"|Leftrightarrow|blacksquare|square|Box|qed|checkmark|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
 )
 _L_DEGREES = re.compile(
     r"(?<=[0-9])\s*(?:\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\})|\\(?:degree|textdegree)(?![A-Za-z])|°)"

@@ -17,12 +17,13 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.written.notations import cleaned
+from lagrange.answers.written.other_names import without_arguments
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.working import too_long
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import cut, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_value, token_texts
@@ -37,7 +38,7 @@ _INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]
 _GREEK = "|".join(sorted(set(GREEK.values()), key=len, reverse=True))
 _MARKED = re.compile(rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\text\s*\{{)?(?P<index>\w{{1,12}})")
 _LABEL = re.compile(
-    rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[_^]{_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
+    rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[0-9{''.join(SUBSCRIPTS)}]{{1,3}}|_{_INDEX}|\^(?!\s*\{{?\s*2){_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
     r"(?P<square>(?:\^\s*\{?\s*2\s*\}?|²)?)\s*\Z"
 )
 _MOST_DEFINITIONS = 5
@@ -66,7 +67,7 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
     """
     if len(fragment.text) > MAX_ANSWER_CHARACTERS:
         raise too_long(fragment)
-    text = cleaned(fragment)
+    text = without_arguments(cleaned(fragment), scope)
     scope = _with_marked(text, scope)
     parts = _parts(text)
     beyond = parts[1:]

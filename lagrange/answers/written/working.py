@@ -20,15 +20,16 @@ import sympy as sp
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
-from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
+from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -142,6 +143,14 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving)
+    if any(has_matrix(f.text) for f in answer):
+        sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
+        texts = with_named_matrices([f.text for f in answer], sets)
+        answer = [
+            f if text == f.text else _in_place_of(f, text)
+            for f, text in zip(answer, texts, strict=True)
+            if text is not None
+        ]
     return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
 
 
@@ -221,11 +230,16 @@ class _Sorting:
         self.defined: list[str] = []
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
+        self.texts: list[str] = []
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        for line in plain:
+            line.fragment = without_arguments(line.fragment, self.scope)
+        self._use_other_names(plain)
+        self.texts = [_spelled_out(line.fragment.text) for line in plain]
         self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
@@ -270,6 +284,19 @@ class _Sorting:
             len(quotes) > 0,
         )
 
+    def _use_other_names(self, lines: list[_Line]) -> None:
+        """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
+        scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
+        if not scalars and not vectors:
+            return
+        self.scope = replace(
+            self.scope, scalars={**self.scope.scalars, **scalars}, vectors={**self.scope.vectors, **vectors}
+        )
+        self.declared |= {*scalars, *vectors}
+        for name, meaning in scalars.items():
+            message = f"`{name}` is taken as `{meaning}`"
+            self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
+
     def _without_time(self, lines: list[_Line]) -> None:
         """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
         velocities = {*self.scope.slots.velocities}
@@ -285,7 +312,7 @@ class _Sorting:
 
     def _write_rates(self, lines: list[_Line]) -> None:
         """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
-        names = {}
+        names: dict[str, _Line | None] = {}
         for line in lines:
             match = _RATE_ALONE.match(line.fragment.text)
             if (
@@ -295,8 +322,10 @@ class _Sorting:
             ):
                 names[match[1]] = line
         if names.keys().isdisjoint({q.name for q in self.scope.slots.coordinates}):
+            names = dict.fromkeys(rates_without_bar([line.text for line in lines], self.scope))
+        if not names:
             return
-        pattern = re.compile(rf"(?<![A-Za-z0-9_'])d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
+        pattern = re.compile(rf"(?<![A-Za-z0-9_'/])(?<!/ )d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
@@ -447,8 +476,9 @@ class _Sorting:
     def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
-        symbol = next((q for q in self.scope.slots.coordinates if q.name == coordinate), None)
-        if symbol is None or index not in _AT_EQUILIBRIUM:
+        asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
+        symbol = next((q for q in asked if q.name == coordinate), None)
+        if symbol is None or not (index in _AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
         message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"
@@ -456,13 +486,18 @@ class _Sorting:
         self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
         return True
 
+    def _numbers_an_alternative(self, name: str, coordinate: str, index: str) -> bool:
+        """Whether `theta_2` or `P_max` is one of several values, and no name of something else."""
+        alone = len(lines_with(name, self.texts)) == 1 and not lines_with(coordinate, self.texts)
+        return alone and (index.isdigit() or index in ("min", "max"))
+
     def _find_unknowns(self, lines: list[_Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
         occurring: dict[str, list[_Line]] = {}
         for line in lines:
             for name in _undeclared(line):
                 occurring.setdefault(name, []).append(line)
-        names = [n for n, where in occurring.items() if len(where) > 1 and n not in RESERVED and _is_name(n)]
+        names = [n for n, where in occurring.items() if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)]
         if not names or len(names) > 6:
             return
         symbols = {n: sp.Symbol(n, real=True) for n in names}
@@ -489,6 +524,12 @@ class _Sorting:
 
 def _is_name(text: str) -> bool:
     return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
+
+
+def _spelled_out(text: str) -> str:
+    """θ₁ as theta_1."""
+    text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
+    return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 
 
 def _plain(text: str) -> str:

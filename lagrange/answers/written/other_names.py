@@ -1,0 +1,128 @@
+r"""Names of coordinates and of their rates that the problem does not declare, and everybody understands.
+
+    th, ph1                      θ, φ1, where these are coordinates and `th` is nothing else
+    a_x, v_x                     x'', x', where x is a coordinate; unless the answer defines them: a_x = x''
+    dx, where ddx stands, too    x'
+    r_1, r_2                     the positions of the first and the second particle
+    state_1                      the first coordinate of a program that numbers them
+
+A name that the problem declares, or that the answer defines, keeps its meaning.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.answers.references import Reference
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import prime, t
+from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.scope import Scope
+from lagrange.expressions.syntax_tree import Role
+
+_SHORT = {"th": "theta", "tht": "theta", "ph": "phi", "ps": "psi", "al": "alpha", "alp": "alpha", "be": "beta"}
+_SHORT |= {"w": "omega", "W": "Omega"}
+_SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
+_ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
+_STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
+_PLACE = re.compile(r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])")
+_OF_COORDINATE = re.compile(
+    r"[\s$&]*(?P<name>\\?[^\W\d_](?:\w{0,12}|_\{\w{1,12}\}))\s*(?P<bracket>(?:\\left)?\(\s*(?P<argument>\\?\w{1,12})\s*(?:\\right)?\))"
+    r"\s*&?=(?!=)"
+)
+_RATE_SIGN = re.compile(r"['\u0307\u0308¨˙′]|\\d?dot|_?d?dot|/\s*d")
+
+
+def other_names(
+    texts: Sequence[str], scope: Scope, reference: Reference
+) -> tuple[Mapping[str, sp.Expr], Mapping[str, Vector]]:
+    """The meanings of the undeclared names of coordinates, of their rates, and of positions in an answer."""
+    whole = "\n".join(texts)
+    scalars: dict[str, sp.Expr] = {}
+    for match in _ABBREVIATION.finditer(whole):
+        name, long = match[1] + match[2], _SHORT[match[1]] + match[2]
+        value = scope.scalar(scope.spelling(long))
+        if value is not None and str(value) not in reference.letters and scope.role(name) is Role.UNDECLARED and not _defined(name, texts):
+            scalars[name] = value
+    if "a_" in whole or "v_" in whole:
+        for q in scope.slots.coordinates:
+            for letter, value in (("a", prime(prime(q))), ("v", prime(q))):
+                name = f"{letter}_{q}"
+                written = re.compile(rf"(?<![A-Za-z0-9_\\]){letter}_\{{?\\?{q}\}}?(?![A-Za-z0-9])")
+                if scope.role(name) is Role.UNDECLARED and written.search(whole) and not _states_a_rate(written, texts):
+                    scalars[name] = value
+    if states := {int(m[1]) for m in _STATE.finditer(whole)}:
+        scalars.update(_of_states(max(states), reference))
+    return scalars, _positions(whole, scope)
+
+
+def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
+    """The coordinates x of which `ddx` occurs, so that `dx` is a rate and no differential."""
+    whole = "\n".join(texts)
+    if "δ" in whole or "dd" not in whole:
+        return frozenset()
+    return frozenset(
+        q.name
+        for q in scope.slots.coordinates
+        if re.search(rf"(?<![A-Za-z0-9_])dd{q}(?![A-Za-z0-9_/])", whole) and scope.role(f"dd{q}") is Role.UNDECLARED
+    )
+
+
+def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
+    """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left."""
+    match = _OF_COORDINATE.match(fragment.text)
+    if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
+        return fragment
+    argument = scope.scalar(scope.spelling(_plain(match["argument"])))
+    if argument is None or not (argument == t or argument in scope.slots.coordinates):
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(match.end("name"), match.end("bracket"), "")])
+    made = draft.finished(latex=is_latex(fragment))
+    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def _plain(name: str) -> str:
+    return "".join(GREEK.get(c, c) for c in name.lstrip("\\").replace("{", "").replace("}", ""))
+
+
+def _defined(name: str, texts: Sequence[str]) -> bool:
+    """Whether a line of the answer defines a name."""
+    return any(re.match(rf"\s*{re.escape(name)}\s*:?=(?!=)", text) for text in texts)
+
+
+def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
+    """Whether a line says what a name is, `a_x = x''`."""
+    for text in texts:
+        sides = text.split("=")
+        for side, other in ((sides[0], sides[-1]), (sides[-1], sides[0])):
+            if len(sides) == 2 and written.fullmatch(side.strip(" $&")) and _RATE_SIGN.search(other):
+                return True
+    return False
+
+
+def _of_states(number: int, reference: Reference) -> dict[str, sp.Expr]:
+    """The coordinates of a set that has so many, those of a choice first."""
+    sets = [c.configuration.slots.coordinates for c in reference.candidates]
+    fitting = [c for c in [*sets[1:], *sets[:1]] if len(c) == number]
+    return {f"state_{n}": q for n, q in enumerate(fitting[0], 1)} if fitting else {}
+
+
+def _positions(whole: str, scope: Scope) -> dict[str, Vector]:
+    numbers = {int(m[1]) for m in _PLACE.finditer(whole)}
+    places = [name for name in scope.vectors if name.startswith("r_")]
+    if not numbers or len(places) < 2 or max(numbers) > len(places):
+        return {}
+    found = {}
+    for n in numbers:
+        for name in (f"r_{n}", f"r{n}"):
+            if scope.role(name) is Role.UNDECLARED:
+                found[name] = scope.vectors[places[n - 1]]
+    return found
