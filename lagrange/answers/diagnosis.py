@@ -180,7 +180,9 @@ def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Dia
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
-            return None if change is None else _with_group(change, sp.S.One, system)
+            if change is None or (change.factor is not None and not change.factor.is_number and search.is_inertia(change)):
+                return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
+            return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
             diagnosis = _Search(form, system).change()
             if diagnosis is not None:
@@ -411,6 +413,10 @@ class _Search:
         ratio = self.states[0].ratio(total, residue)
         return None if ratio is None else self.states[0].point.arithmetic.reduce(1 - ratio)
 
+    def is_inertia(self, change: Diagnosis) -> bool:
+        """Whether a term with an acceleration changes."""
+        return change.term is not None and self._is_inertia(change.term)
+
     def _is_inertia(self, term: sp.Expr) -> bool:
         return not term.free_symbols.isdisjoint(self.slots.accelerations)
 
@@ -472,6 +478,8 @@ class _Search:
                 number = usual.get(value)
             else:
                 number = self._as_number(arithmetic.reduce(wanted * arithmetic.inverse(value)))
+            if number not in (None, 1, -1) and len(sp.Mul.make_args(factor)) > 2:
+                continue  # such a factor explains nothing
             if number is not None and (odd or number in _USUAL):
                 yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
 

@@ -9,8 +9,9 @@ Wrong equations are then diagnosed, and right ones get the conditions under whic
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -335,6 +336,8 @@ def _with_reasons(
     system = attempt.candidate.system
     equations = list(verdict.equations)
     following = []
+    two: Explanation | None = None
+    explained_together: list[tuple[int, Callable[[Explanation], tuple[str, ...]]]] = []
     explanations = _explanations(attempt) if diagnosing else {}
     convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
@@ -356,6 +359,8 @@ def _with_reasons(
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
             model = explanations.get(n) if wanted else None
             change = diagnosed(equation, system, beside=model is not None) if wanted else None
+            if wanted and model is None and convention is None and (change is None or change.slip is None):
+                two = two or _two_mistakes(attempt)
             if change is not None and attempt.candidate.values:
                 written = readings[n].components[es.index(equation)]
                 change = in_symbols(change, attempt.candidate.in_symbols(written), attempt.candidate.values)
@@ -366,8 +371,14 @@ def _with_reasons(
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
+            if wanted:
+                explained_together.append((n, partial(advisor.hints, why, None, units, None, readings[n].sides)))
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):
             following.append((n, es[0]))
+    for n, hints_on in explained_together if two is not None else ():
+        assert two is not None
+        hints = hints_on(two)
+        equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=two.cause, model=two.name)
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
     nonzero = (
@@ -401,6 +412,15 @@ def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
 
     found = explained([e for _, e in components], bad, attempt.candidate.models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
+
+
+def _two_mistakes(attempt: _Attempt) -> Explanation | None:
+    """Two mistakes that explain the answer as a whole; None where none are found."""
+    if Standing.NOT_LINEAR in _flat(attempt.standings):
+        return None
+    from lagrange.answers.models.pairs import explained_by_two
+
+    return explained_by_two([e for es in attempt.components for e in es], attempt.candidate.models)
 
 
 def _flat(standings: Sequence[Sequence[Standing]]) -> list[Standing]:

@@ -19,7 +19,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
-from lagrange.answers.models.letters import letter_variations
+from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -219,8 +219,10 @@ def explained_equilibria(
     readings = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     stated = [e for a in readings for r in a for e in r.components]
     for e in [e for e in equilibria if e.branches]:
-        slots = e.configuration.slots
+        slots, bound = e.configuration.slots, geometry_of(e.configuration)
         for variation in letter_variations(stated, e.expressions, slots, (*e.forces, *e.multipliers)):
+            if not bound.isdisjoint(variation.values):
+                continue
             rule, values = dict(variation.rule), {**reference.values, **variation.values}
             changed = [
                 tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in readings

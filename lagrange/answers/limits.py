@@ -128,6 +128,12 @@ MAX_MODEL_WORK = 20_000
 """Numbers in the rows of changed equations that are compared with one answer. Two equations of two coordinates have 6,
 so that all variations of most problems fit; a rigid body with rolling constraints has 40, and 500 are tried."""
 
+MAX_FIRST_MISTAKES = 40
+"""Likely mistakes of which two are combined: a problem with four bodies has some sixty."""
+
+MAX_PAIRS = 300
+"""Pairs of mistakes that are compared with one answer, each once a problem: one millisecond for two coordinates."""
+
 MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes

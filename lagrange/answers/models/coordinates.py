@@ -92,7 +92,7 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"for a constant {u}: {u}' is zero in them", f"{u}, which changes in time", values=rates)
         yield Variation(f"without {u}", f"{u}", values={u: sp.S.Zero, **rates})
     for a in _parameters(m):
-        yield Variation(f"without {a}: they hold where {a} = 0", f"{a}", values={a: sp.S.Zero})
+        yield Variation(f"without {a}, as if {a} = 0", f"{a}", values={a: sp.S.Zero})
 
 
 def one_for_another(m: Mechanics) -> Iterator[Variation]:
