@@ -65,8 +65,12 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) ->
         setting = _Setting.of(asked)
         if setting is None:
             return ""
-        for change in (*(_OF_REACTION if setting.reaction is not None else ()), *_OF_ENERGY):
-            if setting.gives(change, claim, asked.question.quantity if of is None else of):
+        quantity = asked.question.quantity if of is None else of
+        # Of a place or a parameter, the velocity at `when` decides; of the reaction itself, its two parts do.
+        own = setting.reaction is not None and quantity.has(setting.reaction)
+        changes = _OF_REACTION if setting.reaction is not None else ()
+        for change in (*changes, *_OF_ENERGY) if own else (*_OF_ENERGY[:1], *changes, *_OF_ENERGY[1:]):
+            if setting.gives(change, claim, quantity):
                 return change.said.format(reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN))
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
