@@ -437,6 +437,8 @@ class _Search:
                 for cost, factor in self._scales_of(reduce(-ratio), term, derived):
                     # A factor that moves is one that other terms have: the whole equation was multiplied by it.
                     has_own = cost == 0 and not self._direct
+                    if not self._is_divided and _is_divided(factor * term):
+                        continue  # a term of equations that were solved for something; nobody has forgotten it
                     is_fixed = factor.free_symbols.isdisjoint(self._moving)
                     if has_own or is_fixed or (None, factor * term) in self._direct:
                         yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
@@ -478,7 +480,8 @@ class _Search:
                 number = usual.get(value)
             else:
                 number = self._as_number(arithmetic.reduce(wanted * arithmetic.inverse(value)))
-            if number not in (None, 1, -1) and len(sp.Mul.make_args(factor)) > 2:
+            composed = len(sp.Mul.make_args(factor)) > 2 or (self._is_inertia(term) and number is not None and number < 0)
+            if number not in (None, 1) and composed:
                 continue  # such a factor explains nothing
             if number is not None and (odd or number in _USUAL):
                 yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
@@ -502,6 +505,11 @@ class _Search:
         return next(
             (n for n in (sp.S.One, *NUMBERS) if point.arithmetic.vanishes(value - point.number(n.p, n.q))), None
         )
+
+    @cached_property
+    def _is_divided(self) -> bool:
+        """Whether one of the terms is divided by a sum."""
+        return any(map(_is_divided, self.terms))
 
     @cached_property
     def _simple_factors(self) -> tuple[sp.Expr, ...]:
@@ -570,6 +578,11 @@ def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symb
     if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
         return Slip.INVERTED
     return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
+
+
+def _is_divided(e: sp.Expr) -> bool:
+    """Whether a term is divided by a sum."""
+    return any(f.is_Pow and f.exp.is_negative and f.base.is_Add for f in sp.Mul.make_args(e))
 
 
 def _positive(angle: sp.Expr) -> sp.Expr:

@@ -131,6 +131,9 @@ so that all variations of most problems fit; a rigid body with rolling constrain
 MAX_FIRST_MISTAKES = 40
 """Likely mistakes of which two are combined: a problem with four bodies has some sixty."""
 
+MAX_OF_ONE_KIND = 6
+"""Of these, those of one kind: otherwise moments of inertia, of which there are 26 a body, would leave no room."""
+
 MAX_PAIRS = 300
 """Pairs of mistakes that are compared with one answer, each once a problem: one millisecond for two coordinates."""
 
@@ -141,3 +144,6 @@ the longest."""
 
 MAX_LETTER_VARIATIONS = 24
 """Other meanings of letters that are tried for a wrong equilibrium, reaction or frequency: each is compared in full."""
+
+MAX_SIDE_FACTORS = 8
+"""Factors that are tried on a side of a wrong condition of equilibrium, each compared in full."""

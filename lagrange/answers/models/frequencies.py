@@ -15,12 +15,21 @@ from random import Random
 import sympy as sp
 
 from lagrange.answers.models.mechanics import Force, Inertia, Mechanics
+from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
 from lagrange.core.symbols import base, partial, t
 
 MOST_COORDINATES = 4
 _DIGITS = 30
 _SMALL = sp.Float(10) ** -20
+_LIKELY = LIKELY | {
+    "carried weight left out",
+    "mass left out",
+    "kinetic energy of one part left out",
+    "one half left out",
+    "force with another factor",
+    "mass of another part",
+}
 Matrix = list[list[sp.Expr]]
 
 
@@ -37,11 +46,10 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     if any(base(s) in m.slots.coordinates or s == t for s in letters):
         return ""
     draws = [_Numbers(m, at, seed) for seed in (1, 2)]
-    for name, changed in (("", None), *((v.clause, v.mechanics) for _, v in models.variations if v.quasi is None)):
-        if name and changed is None:
-            continue
-        if name and all(d.satisfied(squares, changed or m) for d in draws):
-            return f"these are the frequencies {name}"
+    for name, variation in models.variations:
+        changed = variation.mechanics
+        if name in _LIKELY and changed is not None and all(d.satisfied(squares, changed) for d in draws):
+            return f"these are the frequencies {variation.clause}"
     for coupling, words in (("inertia", "accelerations"), ("stiffness", "coordinates")):
         if all(d.satisfied(squares, m, without=coupling) for d in draws):
             return f"these are the frequencies without the coupling of the {words}"
@@ -71,6 +79,9 @@ class _Numbers:
         roots = [self.number(s) for s in squares]
         if any(not r.is_number or r.is_finite is False for row in (*inertia, *stiffness, roots) for r in row):
             return False
+        pulls = [sum((self.number(f.shares[k]) * self.number(f.factor) for f in m.forces), sp.S.Zero) for k in range(len(inertia))]
+        if any(abs(p) > _SMALL for p in pulls):
+            return False  # it is no equilibrium of the changed problem
         n = len(inertia)
         whole = determinant(inertia)
         if abs(whole) <= _size(inertia) * _SMALL:

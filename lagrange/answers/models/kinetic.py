@@ -407,6 +407,7 @@ def length_doubled(m: Mechanics) -> Iterator[Variation]:
     for a in lengths:
         for factor in (sp.Integer(2), HALF):
             yield from _moved(m, {a: factor * a}, f"with {written(factor * a, m.slots)} in place of {a} in the position")
+        yield from _moved(m, {a: -a}, f"with the wrong sign of {a} in the position")
 
 
 def _rewritten(part: Inertia, rule: dict[sp.Basic, sp.Basic]) -> tuple[Components, ...]:

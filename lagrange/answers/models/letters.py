@@ -93,8 +93,10 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             row, space = states[0].row(claim), models.space(number, variation)
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
                 return f"this is the reaction {variation.clause}"
-        more = sorted({*claim.free_symbols} - {s for e in models.system.equations for s in e.free_symbols}, key=str)
-        if more and not any(base(s) in slots.coordinates for s in more):
+        system = models.system
+        own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
+        more = sorted(claim.free_symbols - own - bound, key=str)
+        if more and not any(base(s) in (*slots.coordinates, *slots.prescribed, t) for s in more):
             return f"the right answer does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass

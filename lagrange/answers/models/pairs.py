@@ -8,17 +8,17 @@ the system that the first has changed, so that nothing is derived. Their number 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, islice
 
 import sympy as sp
 
-from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_PAIRS
+from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_OF_ONE_KIND, MAX_PAIRS
 from lagrange.answers.models.mechanics import Mechanics
 from lagrange.answers.models.search import Explanation, Models, changed_space, said_of_all, unusable
 from lagrange.answers.models.table import MODELS, Model
 from lagrange.answers.models.variation import Variation
 
-_LIKELY = frozenset(
+LIKELY = frozenset(
     (
         "gravity reversed",
         "friction the other way",
@@ -60,8 +60,9 @@ def explained_by_two(equations: Sequence[sp.Expr], models: Models) -> Explanatio
 
 def _pairs(models: Models) -> Iterator[tuple[str, Variation]]:
     assert models.mechanics is not None
-    likely = [m for m in MODELS if m.name in _LIKELY]
-    first = [(m, v) for m in likely for v in _changes(m, models.mechanics)][:MAX_FIRST_MISTAKES]
+    likely = [m for m in MODELS if m.name in LIKELY]
+    first = [(m, v) for m in likely for v in islice(_changes(m, models.mechanics), MAX_OF_ONE_KIND)]
+    first = first[:MAX_FIRST_MISTAKES]
     number = 0
     # The earlier both are in the table, the likelier they are together.
     for (a, one), (b, two) in sorted(combinations(first, 2), key=lambda pair: _rank(pair, first)):

@@ -341,7 +341,8 @@ class _Search:
     def _foreign(self, n: int) -> Explanation | None:
         """The explanation by a parameter that the problem has and its equations of motion have not: the coefficient of
         friction where nothing slips."""
-        own = {s for e in self.models.system.equations for s in e.free_symbols}
+        system = self.models.system
+        own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
         slots = self.models.system.configuration.slots
         moving = {*slots.coordinates, *slots.prescribed, t}
         more = sorted((s for s in self.equations[n].free_symbols - own if base(s) not in moving), key=str)

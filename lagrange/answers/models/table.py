@@ -70,6 +70,7 @@ MODELS = (
     Model("complementary angle", coordinates.complement),
     Model("parameters exchanged", coordinates.exchanged),
     Model("parameter left out", coordinates.left_out),
+    Model("sum for difference of lengths", coordinates.sum_of_lengths),
     Model("one parameter for another", coordinates.one_for_another),
     Model("force in the wrong equation", forces.in_the_wrong_equation),
     Model("force on one end only", forces.on_one_end),
