@@ -338,8 +338,8 @@ def _with_reasons(
     following = []
     two: Explanation | None = None
     explained_together: list[tuple[int, Callable[[Explanation], tuple[str, ...]]]] = []
-    explanations = _explanations(attempt) if diagnosing else {}
-    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations) else None
+    explanations = _explanations(attempt) if diagnosing else _NONE
+    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations, attempt) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -389,25 +389,39 @@ def _with_reasons(
     return replace(verdict, equations=tuple(equations))
 
 
-def _is_settled(explanations: Mapping[int, Explanation]) -> bool:
-    """Whether a model explains the answer; one later in the table only where no other convention does."""
+def _is_settled(explanations: Mapping[int, Explanation], attempt: _Attempt) -> bool:
+    """Whether a model explains the answer; one later in the table only where no other convention does.
+
+    Where coordinates are free, other ways of measuring one are among the models that have been tried.
+    """
+    models = attempt.candidate.models
+    if explanations is not _NONE and models.mechanics is not None and models.is_free:
+        return not any(e.whole and e.name in _as_by_a_convention() for e in explanations.values())
     if not explanations:
         return False
+    return any(e.whole and e.name not in _as_by_a_convention() for e in explanations.values())
+
+
+_NONE: dict[int, Explanation] = {}
+"""Where no explanation is sought."""
+
+
+def _as_by_a_convention() -> frozenset[str]:
     from lagrange.answers.models.table import AS_BY_A_CONVENTION
 
-    return any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
+    return AS_BY_A_CONVENTION
 
 
 def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
     """The models that explain wrong equations, by their numbers."""
     standings = attempt.standings
     if any(Standing.NOT_LINEAR in several for several in standings):
-        return {}
+        return _NONE
     wrong = [n for n, several in enumerate(standings) if Standing.CONTRADICTS in several]
     components = [(n, e) for n, es in enumerate(attempt.components) for e in es]
     bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
     if not bad:
-        return {}
+        return _NONE
     from lagrange.answers.models.search import explained
 
     found = explained([e for _, e in components], bad, attempt.candidate.models)

@@ -134,8 +134,8 @@ MAX_FIRST_MISTAKES = 40
 MAX_OF_ONE_KIND = 6
 """Of these, those of one kind: otherwise moments of inertia, of which there are 26 a body, would leave no room."""
 
-MAX_PAIRS = 300
-"""Pairs of mistakes that are compared with one answer, each once a problem: one millisecond for two coordinates."""
+MAX_PAIR_WORK = 1_500
+"""Numbers in the rows of equations changed by two mistakes: 250 pairs for two coordinates, each made once a problem."""
 
 MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a

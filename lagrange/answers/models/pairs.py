@@ -12,7 +12,7 @@ from itertools import combinations, islice
 
 import sympy as sp
 
-from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_OF_ONE_KIND, MAX_PAIRS
+from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_OF_ONE_KIND, MAX_PAIR_WORK
 from lagrange.answers.models.mechanics import Mechanics
 from lagrange.answers.models.search import Explanation, Models, changed_space, said_of_all, unusable
 from lagrange.answers.models.table import MODELS, Model
@@ -63,7 +63,8 @@ def _pairs(models: Models) -> Iterator[tuple[str, Variation]]:
     likely = [m for m in MODELS if m.name in LIKELY]
     first = [(m, v) for m in likely for v in islice(_changes(m, models.mechanics), MAX_OF_ONE_KIND)]
     first = first[:MAX_FIRST_MISTAKES]
-    number = 0
+    work = MAX_PAIR_WORK
+    cost = len(models.system.equations) * (len(models.states(())[0].unknowns) + 1)
     # The earlier both are in the table, the likelier they are together.
     for (a, one), (b, two) in sorted(combinations(first, 2), key=lambda pair: _rank(pair, first)):
         if a.name == b.name:
@@ -72,8 +73,8 @@ def _pairs(models: Models) -> Iterator[tuple[str, Variation]]:
         if both is None:
             continue
         yield f"{a.name}; {b.name}", Variation(f"{one.clause}, and {two.clause}", one.place, both.mechanics)
-        number += 1
-        if number == MAX_PAIRS:
+        work -= cost
+        if work < 0:
             return
 
 
