@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from enum import Enum
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import sympy as sp
@@ -180,7 +180,9 @@ def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Dia
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
-            return None if change is None else _with_group(change, sp.S.One, system)
+            if change is None or (change.factor is not None and not change.factor.is_number and search.is_inertia(change)):
+                return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
+            return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
             diagnosis = _Search(form, system).change()
             if diagnosis is not None:
@@ -254,6 +256,7 @@ class _Search:
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}
         unknowns = {*system.multipliers}
         self.parameters = sorted((s for s in used if base(s) not in moving and s not in unknowns), key=str)
+        self._accelerations = {*self.slots.accelerations}
         self._moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
@@ -304,7 +307,8 @@ class _Search:
         changes: set[Change] = set()
         for derived in self.system.equations:
             for scale, _ in self._scales_to(derived):
-                other = {*(terms_of(sp.Add(*(scale * term for term in terms_of(derived) or ()))) or ())}
+                scaled = [scale * term for term in _terms_of_derived(derived) or ()]
+                other = {*((terms_of(sp.Add(*scaled)) or ()) if scale.has(sp.Add) else scaled)}
                 lost, gained = own - other, other - own
                 has_multiplier = any(g.free_symbols & multipliers for g in gained)
                 if max(len(lost), len(gained)) == 1 and not has_multiplier:
@@ -324,7 +328,7 @@ class _Search:
         multiples: dict[tuple[int, int], list[tuple[sp.Expr, sp.Expr]]] = {}
         for derived in self.system.equations:
             for scale, _ in self._scales_to(derived):
-                other = {sp.expand(scale * term) for term in terms_of(derived) or ()}
+                other = {sp.expand(scale * term) for term in _terms_of_derived(derived) or ()}
                 differing = max(len(own - other), len(other - own))
                 simplicity = min(int(factor.count_ops()) for factor in (scale, -scale))
                 multiples.setdefault((differing, simplicity), []).append((derived, scale))
@@ -411,8 +415,12 @@ class _Search:
         ratio = self.states[0].ratio(total, residue)
         return None if ratio is None else self.states[0].point.arithmetic.reduce(1 - ratio)
 
+    def is_inertia(self, change: Diagnosis) -> bool:
+        """Whether a term with an acceleration changes."""
+        return change.term is not None and self._is_inertia(change.term)
+
     def _is_inertia(self, term: sp.Expr) -> bool:
-        return not term.free_symbols.isdisjoint(self.slots.accelerations)
+        return not term.free_symbols.isdisjoint(self._accelerations)
 
     def _by_missing(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A term too many, or a term of the derived equations that is missing."""
@@ -423,7 +431,7 @@ class _Search:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = state.point.arithmetic.reduce
         for derived in self.system.equations:
-            for term in terms_of(derived) or ():
+            for term in _terms_of_derived(derived) or ():
                 residue = state.residue(term)
                 ratio = None if residue is None else state.ratio(total, residue)
                 if ratio is None:
@@ -431,6 +439,8 @@ class _Search:
                 for cost, factor in self._scales_of(reduce(-ratio), term, derived):
                     # A factor that moves is one that other terms have: the whole equation was multiplied by it.
                     has_own = cost == 0 and not self._direct
+                    if not self._is_divided and _is_divided(factor * term):
+                        continue  # a term of equations that were solved for something; nobody has forgotten it
                     is_fixed = factor.free_symbols.isdisjoint(self._moving)
                     if has_own or is_fixed or (None, factor * term) in self._direct:
                         yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
@@ -438,7 +448,7 @@ class _Search:
     def _holds(self, diagnosis: Diagnosis) -> bool:
         """Whether the change makes the equation right at all states, and leaves an equation of motion."""
         changed = self.equation - (diagnosis.term or 0) + (diagnosis.right or 0)
-        if not sp.expand(changed).free_symbols & {*self.slots.accelerations}:
+        if not sp.expand(changed).free_symbols & self._accelerations:
             return False
         for state in self.states:
             taken = None if diagnosis.term is None else -diagnosis.term
@@ -461,19 +471,36 @@ class _Search:
             yield 1.0, number
             return
         arithmetic = state.point.arithmetic
-        odd = _is_decimal(term)
-        # wanted = number · factor for a usual number: so the factor has one of these values.
-        usual = {arithmetic.reduce(wanted * state.point.number(n.q, n.p)): n for n in _USUAL} if not odd else {}
-        for n, factor in enumerate(self._simple_factors):
-            value = self._values[n]
-            if value is None or factor.is_number:
+        odd, of_inertia = _is_decimal(term), self._is_inertia(term)
+        for n, number in self._matching(wanted, arithmetic, odd):
+            factor = self._simple_factors[n]
+            # A factor of three parts and a number, or a negative one of an acceleration, explains nothing.
+            if number != 1 and (len(sp.Mul.make_args(factor)) > 2 or (of_inertia and number < 0)):
                 continue
-            if isinstance(state.point, FieldPoint) and not odd:
-                number = usual.get(value)
-            else:
+            yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
+
+    def _matching(self, wanted: Any, arithmetic: Any, odd: bool) -> list[tuple[int, sp.Rational]]:
+        """The simple factors that are `wanted` but for a number, with that number: a usual one, unless it is `odd`."""
+        if isinstance(self.states[0].point, FieldPoint) and not odd:
+            # wanted = number · factor for a usual number: so the factor has one of these values.
+            usual = ((arithmetic.reduce(wanted * self.states[0].point.number(n.q, n.p)), n) for n in _USUAL)
+            return sorted((m, n) for value, n in usual for m in self._by_value.get(value, ()))
+        found = []
+        for n, value in enumerate(self._values):
+            if value is not None and not self._simple_factors[n].is_number:
                 number = self._as_number(arithmetic.reduce(wanted * arithmetic.inverse(value)))
-            if number is not None and (odd or number in _USUAL):
-                yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
+                if number is not None and (odd or number in _USUAL):
+                    found.append((n, number))
+        return found
+
+    @cached_property
+    def _by_value(self) -> dict[Any, list[int]]:
+        """The simple factors that are no numbers, by their values at the first state."""
+        found: dict[Any, list[int]] = {}
+        for n, value in enumerate(self._values):
+            if value is not None and not self._simple_factors[n].is_number:
+                found.setdefault(value, []).append(n)
+        return found
 
     def _scales_of(self, wanted: Any, term: sp.Expr, derived: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
         """The factor of a missing term of a derived equation, with its cost: first those that other terms have."""
@@ -496,6 +523,11 @@ class _Search:
         )
 
     @cached_property
+    def _is_divided(self) -> bool:
+        """Whether one of the terms is divided by a sum."""
+        return any(map(_is_divided, self.terms))
+
+    @cached_property
     def _simple_factors(self) -> tuple[sp.Expr, ...]:
         return factors(tuple(self.parameters), self.slots, tuple(self.angles))
 
@@ -516,14 +548,14 @@ class _Search:
         state = self.states[0]
         scales: dict[sp.Expr, Any] = {}
         for own in self.terms:
-            for term in terms_of(derived) or ():
+            for term in _terms_of_derived(derived) or ():
                 scale = own / term
                 # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
                 moves = bool(scale.free_symbols & self._moving) and not self._is_inertia(term)
                 if (
                     scale in scales
                     or moves
-                    or scale.free_symbols & {*self.slots.accelerations}
+                    or scale.free_symbols & self._accelerations
                     or scale.count_ops() > MAX_SCALE_OPERATIONS
                 ):
                     continue
@@ -532,6 +564,9 @@ class _Search:
                     scales[scale] = value
         return list(scales.items())
 
+
+_terms_of_derived = lru_cache(maxsize=256)(terms_of)
+"""The terms of a derived equation, with which all answers are compared."""
 
 _USUAL = frozenset((sp.S.One, *NUMBERS))
 _COSTS = {
@@ -562,6 +597,11 @@ def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symb
     if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
         return Slip.INVERTED
     return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
+
+
+def _is_divided(e: sp.Expr) -> bool:
+    """Whether a term is divided by a sum."""
+    return any(f.is_Pow and f.exp.is_negative and f.base.is_Add for f in sp.Mul.make_args(e))
 
 
 def _positive(angle: sp.Expr) -> sp.Expr:

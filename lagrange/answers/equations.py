@@ -9,8 +9,9 @@ Wrong equations are then diagnosed, and right ones get the conditions under whic
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -335,8 +336,10 @@ def _with_reasons(
     system = attempt.candidate.system
     equations = list(verdict.equations)
     following = []
-    explanations = _explanations(attempt) if diagnosing else {}
-    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations) else None
+    two: Explanation | None = None
+    explained_together: list[tuple[int, Callable[[Explanation], tuple[str, ...]]]] = []
+    explanations = _explanations(attempt) if diagnosing else _NONE
+    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations, attempt) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -356,6 +359,8 @@ def _with_reasons(
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
             model = explanations.get(n) if wanted else None
             change = diagnosed(equation, system, beside=model is not None) if wanted else None
+            if wanted and model is None and convention is None and (change is None or change.slip is None):
+                two = two or _two_mistakes(attempt)
             if change is not None and attempt.candidate.values:
                 written = readings[n].components[es.index(equation)]
                 change = in_symbols(change, attempt.candidate.in_symbols(written), attempt.candidate.values)
@@ -366,8 +371,14 @@ def _with_reasons(
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
+            if wanted:
+                explained_together.append((n, partial(advisor.hints, why, None, units, None, readings[n].sides)))
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):
             following.append((n, es[0]))
+    for n, hints_on in explained_together if two is not None else ():
+        assert two is not None
+        hints = hints_on(two)
+        equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=two.cause, model=two.name)
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
     nonzero = (
@@ -378,29 +389,52 @@ def _with_reasons(
     return replace(verdict, equations=tuple(equations))
 
 
-def _is_settled(explanations: Mapping[int, Explanation]) -> bool:
-    """Whether a model explains the answer; one later in the table only where no other convention does."""
+def _is_settled(explanations: Mapping[int, Explanation], attempt: _Attempt) -> bool:
+    """Whether a model explains the answer; one later in the table only where no other convention does.
+
+    Where coordinates are free, other ways of measuring one are among the models that have been tried.
+    """
+    models = attempt.candidate.models
+    if explanations is not _NONE and models.mechanics is not None and models.is_free:
+        return not any(e.whole and e.name in _as_by_a_convention() for e in explanations.values())
     if not explanations:
         return False
+    return any(e.whole and e.name not in _as_by_a_convention() for e in explanations.values())
+
+
+_NONE: dict[int, Explanation] = {}
+"""Where no explanation is sought."""
+
+
+def _as_by_a_convention() -> frozenset[str]:
     from lagrange.answers.models.table import AS_BY_A_CONVENTION
 
-    return any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
+    return AS_BY_A_CONVENTION
 
 
 def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
     """The models that explain wrong equations, by their numbers."""
     standings = attempt.standings
     if any(Standing.NOT_LINEAR in several for several in standings):
-        return {}
+        return _NONE
     wrong = [n for n, several in enumerate(standings) if Standing.CONTRADICTS in several]
     components = [(n, e) for n, es in enumerate(attempt.components) for e in es]
     bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
     if not bad:
-        return {}
+        return _NONE
     from lagrange.answers.models.search import explained
 
     found = explained([e for _, e in components], bad, attempt.candidate.models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
+
+
+def _two_mistakes(attempt: _Attempt) -> Explanation | None:
+    """Two mistakes that explain the answer as a whole; None where none are found."""
+    if Standing.NOT_LINEAR in _flat(attempt.standings):
+        return None
+    from lagrange.answers.models.pairs import explained_by_two
+
+    return explained_by_two([e for es in attempt.components for e in es], attempt.candidate.models)
 
 
 def _flat(standings: Sequence[Sequence[Standing]]) -> list[Standing]:

@@ -9,7 +9,7 @@ something out, the answer is also read as tan θ = u.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -18,8 +18,8 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
-from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
-from lagrange.answers.models.letters import letter_variations
+from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS, MAX_SIDE_FACTORS
+from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -41,6 +41,9 @@ from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import Decimal
 from lagrange.core.symbols import variation as virtual_displacement
+from lagrange.core.vectors import Vector
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -215,23 +218,61 @@ def _without_unknowns(readings: Sequence[Reading], reference: Reference) -> tupl
 def explained_equilibria(
     alternatives: Sequence[Sequence[Fragment]], equilibria: Sequence[Equilibrium], reference: Reference
 ) -> str:
-    """Of which changed problem a wrong answer gives the equilibria, in a sentence; empty if that is not found."""
-    readings = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
-    stated = [e for a in readings for r in a for e in r.components]
+    """Of which changed problem the wrong alternatives give the equilibria, in a sentence; empty if not found."""
+    everything = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     for e in [e for e in equilibria if e.branches]:
-        slots = e.configuration.slots
+        values = dict(reference.values)
+        wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))]
+        stated = [e for a in wrong for r in a for e in r.components]
+        slots, bound = e.configuration.slots, geometry_of(e.configuration)
         for variation in letter_variations(stated, e.expressions, slots, (*e.forces, *e.multipliers)):
-            rule, values = dict(variation.rule), {**reference.values, **variation.values}
-            changed = [
-                tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in readings
-            ]
-            try:
-                verdict = _judged(changed, e, reference, values)
-            except (DivisionByZeroError, NoPointError, UnsupportedError):
+            if not bound.isdisjoint(variation.values):
                 continue
-            if verdict is not None and verdict.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
+            rule = dict(variation.rule)
+            changed = [
+                tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
+            ]
+            if _right(_verdict_of(changed, e, reference, {**values, **variation.values})):
                 return f"these are the equilibria {variation.clause}"
+        for sentence, sides in _other_sides(wrong):
+            if _right(_verdict_of(sides, e, reference, values)):
+                return sentence
     return ""
+
+
+def _right(verdict: AnswerVerdict | None) -> bool:
+    return verdict is not None and verdict.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
+
+
+def _verdict_of(
+    readings: Sequence[Sequence[Reading]], e: Equilibrium, reference: Reference, values: Mapping[sp.Symbol, sp.Expr]
+) -> AnswerVerdict | None:
+    try:
+        return _judged(readings, e, reference, dict(values))
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        return None
+
+
+def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list[tuple[Reading, ...]]]]:
+    """One equation f(q) = a of one alternative with 1/a, or with a factor more or less, in place of a."""
+    if len(wrong) != 1 or len(wrong[0]) != 1 or len(wrong[0][0].components) != 1 or len(wrong[0][0].sides) != 2:
+        return
+    [reading] = wrong[0]
+    lhs, rhs = reading.sides
+    if isinstance(lhs, Vector) or isinstance(rhs, Vector) or rhs == 0 or lhs == 0:
+        return
+
+    def with_side(side: sp.Expr) -> list[tuple[Reading, ...]]:
+        return [(replace(reading, components=(lhs - side,), sides=(lhs, side)),)]
+
+    yield "the ratio is the other way round", with_side(1 / rhs)
+    waves = {w for e in (lhs, rhs) for w in e.atoms(sp.sin, sp.cos, sp.tan)}
+    angles = sorted({w.args[0] for w in waves}, key=str)
+    factors = [f(a) for a in angles for f in (sp.sin, sp.cos)]
+    factors += sorted(rhs.free_symbols, key=str)
+    for factor in factors[:MAX_SIDE_FACTORS]:
+        yield f"a factor {text(factor, Notation())} is missing on one of its sides", with_side(rhs * factor)
+        yield f"a factor {text(factor, Notation())} is missing on one of its sides", with_side(rhs / factor)
 
 
 def _unreadable(

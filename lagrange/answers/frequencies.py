@@ -140,7 +140,25 @@ def check_frequencies(
             Verdict.INCOMPLETE,
         ):
             return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
-    return best
+    sentence = next(filter(None, (_of_models(claims, places, reference) for claims in lists)), "")
+    return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
+
+
+def _of_models(claims: Sequence[sp.Expr], places: Sequence[_Place], reference: Reference) -> str:
+    """Of which changed problem these are the frequencies at one of the equilibria, in a sentence."""
+    from lagrange.answers.models.frequencies import explained_by_models
+
+    for place in places:
+        own = place.resting.configuration.slots.coordinates
+        for c in reference.candidates:
+            if c.system.configuration.slots.coordinates != own:
+                continue
+            try:
+                if found := explained_by_models([as_written(e) for e in claims], c.models, place.at):
+                    return found
+            except (NotAlgebraicError, DivisionByZeroError):
+                continue
+    return ""
 
 
 _NAME = "frequencies"

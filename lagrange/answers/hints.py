@@ -95,7 +95,7 @@ class Advisor:
         place = self._place(change) or (f"look at {model.place}" if model is not None else "")
         first = _DIMENSIONS if units else causes[-1] if not any(causes[:-1]) else ""
         cause = next(filter(None, causes), "")
-        return why, _sentences(first, place) or why, _sentences(cause, self._change(change, sides)) or why
+        return why, _sentences(first, place) or why, _sentences(cause, self._change(change, sides, model is not None)) or why
 
     def _place(self, change: Diagnosis | None) -> str:
         if change is None:
@@ -114,15 +114,16 @@ class Advisor:
             return f"its terms are right, but {terms} are missing"
         return f"something is wrong in its {terms}" + ("" if change.alone else "; the others are right")
 
-    def _change(self, change: Diagnosis | None, sides: Sequence[sp.Expr | Vector]) -> str:
+    def _change(self, change: Diagnosis | None, sides: Sequence[sp.Expr | Vector], explained: bool) -> str:
         if change is None:
             return ""
         if change.slip is None:
-            return self._place(change)
+            return "" if explained else self._place(change)
         times = f", once it is multiplied by {self._text(change.times)}," if change.times != 1 else ""
-        return f"one change{times} makes it right: {self._one_change(change, sides)}"
+        return f"one change{times} makes it right: {self._one_change(change, sides, explained)}"
 
-    def _one_change(self, change: Diagnosis, sides: Sequence[sp.Expr | Vector]) -> str:
+    def _one_change(self, change: Diagnosis, sides: Sequence[sp.Expr | Vector], explained: bool) -> str:
+        """The change; what may have been meant by the wrong term only where no cause has been named."""
         term, right = change.term, change.right
         if term is None:
             assert right is not None
@@ -138,7 +139,7 @@ class Advisor:
         exchange = f"{self._text(right)} in place of {self._text(term)}"
         if change.factor is not None:
             return f"{exchange} ({self._factor(change)})"
-        reason = _WHY.get(change.slip, "") if change.slip else ""
+        reason = _WHY.get(change.slip, "") if change.slip and not explained else ""
         return f"{exchange} ({reason})" if reason else exchange
 
     def _factor(self, change: Diagnosis) -> str:

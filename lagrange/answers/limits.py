@@ -128,6 +128,15 @@ MAX_MODEL_WORK = 20_000
 """Numbers in the rows of changed equations that are compared with one answer. Two equations of two coordinates have 6,
 so that all variations of most problems fit; a rigid body with rolling constraints has 40, and 500 are tried."""
 
+MAX_FIRST_MISTAKES = 40
+"""Likely mistakes of which two are combined: a problem with four bodies has some sixty."""
+
+MAX_OF_ONE_KIND = 6
+"""Of these, those of one kind: otherwise moments of inertia, of which there are 26 a body, would leave no room."""
+
+MAX_PAIR_WORK = 1_500
+"""Numbers in the rows of equations changed by two mistakes: 250 pairs for two coordinates, each made once a problem."""
+
 MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
@@ -135,3 +144,6 @@ the longest."""
 
 MAX_LETTER_VARIATIONS = 24
 """Other meanings of letters that are tried for a wrong equilibrium, reaction or frequency: each is compared in full."""
+
+MAX_SIDE_FACTORS = 8
+"""Factors that are tried on a side of a wrong condition of equilibrium, each compared in full."""

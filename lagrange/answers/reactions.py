@@ -43,7 +43,10 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     found = _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
     if found is None or found.verdict is not Verdict.WRONG:
         return found
-    for zero, _ in _claims(fragment, reaction, reference):
+    claims = [zero for zero, _ in _claims(fragment, reaction, reference)]
+    if "=" in fragment.text and reaction.given is not None:
+        claims = [zero.xreplace({reaction.force: m.ratio * reaction.force}) for zero in claims for m in meanings(reaction)]
+    for zero in claims:
         for candidate in reference.candidates:
             if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
                 from lagrange.answers.models.letters import explained_reaction

@@ -46,6 +46,8 @@ class Point:
         self.signs = signs
         self._changes: Mapping[sp.Symbol, Any] = {}
         self._values: list[Any] = []
+        self._origin: Point | None = None
+        self._mask = 0
 
     @property
     def exact(self) -> bool:
@@ -69,14 +71,14 @@ class Point:
         values = self._values
         if len(values) <= node:
             values.extend([None] * (len(self.graph.operations) - len(values)))
-        if values[node] is None:
+        if values[node] is None and (self._origin is None or self._taken_over(node) is None):
             operations, codes, data = self.operations, self.graph.operations, self.graph.data
             n = node
             order = self.graph.order(node)
             spend(len(order) / NODES_PER_UNIT)
             try:
                 for n in order:
-                    if values[n] is None:
+                    if values[n] is None and (self._origin is None or self._taken_over(n) is None):
                         values[n] = operations[codes[n]](self, values, data[n])
             except InadmissibleError as error:
                 # The first node that fails says which symbols are worth drawing again (`Sampler`).
@@ -86,7 +88,20 @@ class Point:
 
     def has_value(self, node: int) -> bool:
         """Whether a node has been evaluated."""
-        return node < len(self._values) and self._values[node] is not None
+        return self._known(node) is not None
+
+    def _known(self, node: int) -> Any:
+        """The value of a node that has been evaluated here, or where this point comes from; None if it has none."""
+        if node < len(self._values) and self._values[node] is not None:
+            return self._values[node]
+        if self._origin is None or self.graph.symbols[node] & self._mask:
+            return None
+        return self._origin._known(node)
+
+    def _taken_over(self, node: int) -> Any:
+        """The same; it is kept."""
+        self._values[node] = value = self._known(node)
+        return value
 
     def is_zero(self, expression: sp.Expr) -> bool:
         """Whether an expression vanishes here."""
@@ -110,13 +125,23 @@ class Point:
 
     def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
         """The same point with other values of the given symbols. Nothing else is evaluated again."""
-        return self._changed(self.assigned, {**self._changes, **changes}, self.graph.mask(changes))
+        # The two share the values of all other symbols, so that values of nodes are taken over when they are needed:
+        # copying all of them takes longer than evaluating an equation.
+        other = self._blank()
+        other.assigned, other._changes, other.functions = self.assigned, {**self._changes, **changes}, self.functions
+        other._origin, other._mask = self, self.graph.mask(changes)
+        return other
 
     def redrawn(self, symbols: Iterable[sp.Symbol]) -> Self:
         """The same point with other random values of the given symbols."""
         drawn = set(symbols)
         kept = {s: v for s, v in self.assigned.items() if s not in drawn}
-        return self._changed(kept, self._changes, self.graph.mask(drawn))
+        other, mask = self._blank(), self.graph.mask(drawn)
+        other.assigned, other._changes, other.functions = kept, self._changes, self.functions
+        # What does not depend on the changed symbols need not be evaluated again.
+        nodes = range(max(len(self._values), len(self._origin._values) if self._origin is not None else 0))
+        other._values = [None if self.graph.symbols[n] & mask else self._known(n) for n in nodes]
+        return other
 
     def assign(self, symbol: sp.Symbol, value: Any) -> None:
         """Give a symbol that has no value yet its value. Raises InadmissibleError for a wrong sign."""
@@ -187,14 +212,6 @@ class Point:
         own = self.graph.bit(symbol)
         place = sum(isinstance(s, Sign) and bit < own for s, bit in self.graph.bits.items())
         return self.number(-1 if self.signs >> place & 1 else 1)
-
-    def _changed(self, assigned: dict[sp.Symbol, Any], changes: Mapping[sp.Symbol, Any], mask: int) -> Self:
-        other = self._blank()
-        other.assigned, other._changes, other.functions = assigned, changes, self.functions
-        symbols = self.graph.symbols
-        # What does not depend on the changed symbols need not be evaluated again.
-        other._values = [v if not symbols[n] & mask else None for n, v in enumerate(self._values)]
-        return other
 
     def _affine(self, node: int, unknowns: Sequence[sp.Symbol], other: Self) -> NumberRow | None:
         """The row of a node; None if it does not hold at `other` values of the unknowns as well."""

@@ -92,7 +92,16 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"for a constant {u}: {u}' is zero in them", f"{u}, which changes in time", values=rates)
         yield Variation(f"without {u}", f"{u}", values={u: sp.S.Zero, **rates})
     for a in _parameters(m):
-        yield Variation(f"without {a}: they hold where {a} = 0", f"{a}", values={a: sp.S.Zero})
+        yield Variation(f"without {a}, as if {a} = 0", f"{a}", values={a: sp.S.Zero})
+
+
+def sum_of_lengths(m: Mechanics) -> Iterator[Variation]:
+    """R + r for R - r throughout: a parameter has the wrong sign in positions and rolling conditions."""
+    places = {s for i in m.inertias for column in i.columns for c in column for s in c.free_symbols}
+    for a in _parameters(m):
+        if a in places:
+            clause = f"with the wrong sign of {a} throughout, a sum for a difference"
+            yield Variation(clause, f"the sign of {a}", rule={a: -a})
 
 
 def one_for_another(m: Mechanics) -> Iterator[Variation]:

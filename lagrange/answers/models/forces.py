@@ -9,6 +9,7 @@ from itertools import permutations
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.models.kinetic import carriers
 from lagrange.answers.models.mechanics import Force, Kind, Mechanics, weight_shares
 from lagrange.answers.models.variation import Variation, called, written
 from lagrange.core.vectors import Vector
@@ -109,13 +110,36 @@ def force_left_out(m: Mechanics) -> Iterator[Variation]:
     yield from _each_kind(m, sp.S.Zero, "without {}", "the forces: is {} there")
 
 
+def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
+    """A weight acts on the coordinates of its own body alone, and not on those of what carries it."""
+    bound = {p.name: carriers(p, m) for p in m.particles}
+    weights = {f.on[0]: f for f in m.of_kind(Kind.WEIGHT) if bound.get(f.on[0])}
+    for names in (*([n] for n in weights), *([list(weights)] if len(weights) > 1 else ())):
+        shares = {
+            n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names
+        }
+        if any(shares[n] != weights[n].shares for n in names):
+            changed = m.force(lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT and f.on[0] in s else f)  # type: ignore[misc]
+            listed = ", ".join(map(called, names))
+            what, it = ("weight", "it") if len(names) == 1 else ("weights", "them")
+            clause = f"without the {what} of {listed} in the equations of what carries {it}"
+            yield Variation(clause, f"the {what} of {listed}: what carries {it} is pulled too", changed)
+
+
 def force_reversed(m: Mechanics) -> Iterator[Variation]:
     """One force has the wrong sign, or all of one kind."""
     yield from _each_kind(m, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}")
 
 
+def energy_doubled(m: Mechanics) -> Iterator[Variation]:
+    """The energy of a spring or another potential without its ½."""
+    for kind in (Kind.SPRING, Kind.POTENTIAL):
+        clause, place = "for {} twice as large, as from an energy without its 1/2", "the factor of {}"
+        yield from _all_and_each(m, m.of_kind(kind), sp.Integer(2), clause, place)
+
+
 def force_doubled(m: Mechanics) -> Iterator[Variation]:
-    """A force twice or half as large: the energy of a spring without its ½, or with one too many."""
+    """A force twice or half as large."""
     yield from _each_kind(m, sp.Integer(2), "for {} twice as large", "the factor of {}")
     yield from _each_kind(m, sp.Rational(1, 2), "for {} half as large", "the factor of {}")
 
@@ -146,6 +170,20 @@ def spring_by_length(m: Mechanics) -> Iterator[Variation]:
         clause = f"for a force of the spring {listed} proportional to its length and not to its extension"
         shares = {s.name: _spring_shares(replace(s, length=sp.S.Zero), m) for s in group}
         yield Variation(clause, f"the extension of the spring {listed}", _with_shares(m, Kind.SPRING, shares))
+    yield from _potential_by_length(m)
+
+
+def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
+    """The same of a spring given by its energy, k (x − a)²/2: k x²/2."""
+    for f in m.of_kind(Kind.POTENTIAL):
+        pulls = [s for s in f.shares if s != 0]
+        letters = sorted({s for p in pulls for s in p.free_symbols} - {*m.slots.coordinates}, key=str)
+        for a in letters:
+            without = tuple(s.xreplace({a: sp.S.Zero}) for s in f.shares)
+            linear = all(p.is_polynomial(a) and sp.degree(sp.expand(p), a) == 1 for p in pulls)
+            if linear and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0):
+                clause = f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
+                yield Variation(clause, f"the extension in {called(f.name)}", _with_shares(m, Kind.POTENTIAL, {f.name: without}))
 
 
 def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
@@ -299,7 +337,8 @@ def _normal_forces(f: FrictionForce, m: Mechanics) -> Iterator[tuple[sp.Expr, st
         for sign in (-1, 1):
             yield textbook_form(sign * along), ", the weight's component alone"
     force = weight.vector.fixed()
-    yield sp.sqrt(sp.Add(*(c**2 for c in force.components))), ", the whole weight"
+    size = sp.powdenest(sp.sqrt(textbook_form(sp.Add(*(c**2 for c in force.components)))), force=True)
+    yield size, ", the whole weight"
 
 
 def _spring_shares(spring: StretchedSpring, m: Mechanics) -> tuple[sp.Expr, ...]:

@@ -71,6 +71,7 @@ def velocity_left_out(m: Mechanics) -> Iterator[Variation]:
         for r in turned:
             clause = f"without {v} in the angular velocity of {called(r.name)}"
             yield Variation(clause, f"the angular velocity of {called(r.name)}", _changed(m, r, r.without(i)))
+    yield from _all_carried_left_out(m)
     yield from _component_left_out(m)
     for first, second in _index_pairs(m):
         for p in m.particles:
@@ -79,6 +80,26 @@ def velocity_left_out(m: Mechanics) -> Iterator[Variation]:
                 clause = f"without {slots.velocities[first]} and {slots.velocities[second]} in the velocity of "
                 left = _changed(m, p, p.without(first).times(dict(p.without(second).pairs)))
                 yield Variation(clause + called(p.name), f"the velocity of {called(p.name)}", left)
+
+
+def carriers(part: Inertia, m: Mechanics) -> set[int]:
+    """The coordinates that move a particle because they move another one that carries it."""
+    return {i for p in m.particles if {*p.moving} < {*part.moving} for i in p.moving}
+
+
+def _all_carried_left_out(m: Mechanics) -> Iterator[Variation]:
+    """Each particle has the velocity of its own coordinate alone."""
+    carried = {p.name: carriers(p, m) for p in m.particles}
+    if sum(map(bool, carried.values())) > 1:
+
+        def alone(p: Inertia) -> Inertia:
+            for i in () if p.turning else carried[p.name]:
+                p = p.without(i)
+            return p
+
+        names = ", ".join(called(n) for n, c in carried.items() if c)
+        clause = f"without the velocities with which {names} are carried along, each moving as if it were alone"
+        yield Variation(clause, f"the velocities of {names}", m.inertia(alone))
 
 
 def _component_left_out(m: Mechanics) -> Iterator[Variation]:
@@ -154,6 +175,8 @@ def _products(m: Mechanics, factor: sp.Expr) -> Iterator[Variation]:
     pairs = sorted({p for i in m.inertias for p in i.products if n not in p}, key=lambda p: (p[0] == p[1], p))
     how = {sp.S.Zero: "without the product", sp.S.NegativeOne: "with the wrong sign of the product"}
     for pair in pairs:
+        if factor == -1 and pair[0] == pair[1]:
+            continue  # nobody counts a kinetic energy as negative: it is the sign of something else
         product = _product_of(pair, m)
         clause = how.get(factor, f"with {factor} times the product").replace(
             "product", "product" if pair[0] != pair[1] else "square"
@@ -374,6 +397,17 @@ def length_left_out(m: Mechanics) -> Iterator[Variation]:
     moving = {*m.slots.coordinates, *m.slots.prescribed, t}
     for a in sorted((s for s in places if base(s) not in moving), key=str):
         yield from _moved(m, {a: sp.S.Zero}, f"without {a} in the position")
+
+
+def length_doubled(m: Mechanics) -> Iterator[Variation]:
+    """A length is doubled or halved in the position of a particle or mass centre: of the end and not the middle."""
+    places = {s for p in m.particles for column in p.columns for c in column for s in c.free_symbols}
+    moving = {*m.slots.coordinates, *m.slots.prescribed, t}
+    lengths = sorted((s for s in places if base(s) not in moving and s not in _angles(m)), key=str)
+    for a in lengths:
+        for factor in (sp.Integer(2), HALF):
+            yield from _moved(m, {a: factor * a}, f"with {written(factor * a, m.slots)} in place of {a} in the position")
+        yield from _moved(m, {a: -a}, f"with the wrong sign of {a} in the position")
 
 
 def _rewritten(part: Inertia, rule: dict[sp.Basic, sp.Basic]) -> tuple[Components, ...]:

@@ -21,11 +21,12 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
 )
 from lagrange.answers.limits import MAX_LETTER_VARIATIONS
-from lagrange.answers.models.search import Models
+from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
 from lagrange.answers.models.variation import Variation
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.kinematics import Configuration
 
 
 def letter_variations(
@@ -48,7 +49,10 @@ def _letters(
     )
     missing = [p for p in needed if p not in used]
     for p in missing:
-        yield Variation(f"without {p}: right where {p} = 0", f"{p}", values={p: sp.S.Zero})
+        yield Variation(f"without {p}, as if {p} = 0", f"{p}", values={p: sp.S.Zero})
+    for a, b in combinations(used, 2):  # m_1 and m_2
+        if a.name.rstrip("0123456789") == b.name.rstrip("0123456789"):
+            yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
     for p in used:
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
@@ -79,18 +83,35 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         if resting and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
             return "it is the reaction at rest: what the velocities contribute is missing"
         unknown = models.system.multipliers
-        bound = _of_geometry(models)
+        bound = geometry_of(models.system.configuration)
         for variation in letter_variations([claim], models.system.equations, slots, unknown):
             if bound.isdisjoint(variation.values) and all(_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
+        for number, (_, variation) in enumerate(models.variations):
+            if variation.mechanics is None or variation.is_reduced:
+                continue
+            row, space = states[0].row(claim), models.space(number, variation)
+            if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
+                return f"this is the reaction {variation.clause}"
+        system = models.system
+        own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
+        more = sorted(claim.free_symbols - own - bound, key=str)
+        if more and not any(base(s) in (*slots.coordinates, *slots.prescribed, t) for s in more):
+            return f"the right answer does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
     return ""
 
 
-def _of_geometry(models: Models) -> set[sp.Basic]:
+def _follows(claim: sp.Expr, variation: Variation, states: Sequence[ModelState]) -> bool:
+    """Whether a claim follows from a changed system at some states."""
+    spaces = [changed_space(variation, at) for at in states]
+    rows = [at.row(claim) for at in states]
+    return all(s is not None and r is not None and r in s for s, r in zip(spaces, rows, strict=True))
+
+
+def geometry_of(configuration: Configuration) -> set[sp.Basic]:
     """The letters of constraints and positions: a rod of no length is no special case of a rod."""
-    configuration = models.system.configuration
     places = [c for p in configuration.points for c in p.position.fixed().components]
     tied = [e for row in configuration.rows for e in (*row.coefficients, row.drift, row.finite or sp.S.Zero)]
     return set().union(*(e.free_symbols for e in (*places, *tied, *configuration.expressed.values())))

@@ -15,7 +15,7 @@ problem finds them there. The budget is one of work, counted in rows: every mach
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -39,10 +39,10 @@ from lagrange.answers.models.table import MODELS
 from lagrange.answers.models.variation import Variation
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.comparison import System, state, symbols_of
 
-_UNUSABLE = (InadmissibleError, DivisionByZeroError, NoPointError, UnsupportedError)
+unusable = (InadmissibleError, DivisionByZeroError, NoPointError, UnsupportedError, AssertionError)
 
 
 @record
@@ -71,6 +71,7 @@ class Models:
         self.values = values
         self._mechanics = mechanics
         self._states: list[ModelState] = []
+        self._pairs: Lazily | None = None
 
     @cached_property
     def mechanics(self) -> Mechanics | None:
@@ -82,7 +83,7 @@ class Models:
             at = self.states(())[0]
             rows = at.rows(mechanics)
             right = at.space(rows)
-        except (*_UNUSABLE, ValueError):
+        except (*unusable, ValueError):
             return None
         agree = all(r in right for r in at.derived) and all(r in at.right for r in rows)
         return mechanics if agree else None
@@ -138,8 +139,25 @@ class Models:
     def space(self, number: int, variation: Variation) -> RowSpace | None:
         """The row space of a variation at the first state; None if it has none."""
         if number not in self._spaces:
-            self._spaces[number] = changed_space(variation, self._states[0])
+            at = self._states[0]
+            self._spaces[number] = _space_by_rule(variation, at) if variation.rule else changed_space(variation, at)
         return self._spaces[number]
+
+    @cached_property
+    def is_free(self) -> bool:
+        """Whether the coordinates are independent: then any values of them are a state, and a rule can be inverted."""
+        return not self.system.configuration.rows
+
+    def pairs(
+        self, made: Callable[[], Iterator[tuple[str, Variation]]]
+    ) -> Iterator[tuple[str, Variation, RowSpace]]:
+        """Variations by two mistakes, made on first use, with their row spaces at the first state."""
+        if self._pairs is None:
+            self._pairs = Lazily(made())
+        for number, (name, variation) in enumerate(self._pairs):
+            space = self.space(-1 - number, variation)
+            if space is not None:
+                yield name, variation, space
 
 
 class Lazily:
@@ -171,7 +189,7 @@ def changed_rows(variation: Variation, at: ModelState) -> list[NumberRow] | None
             changes = {s: at.point.value(e) for s, e in variation.values.items()}
             return ModelState(at.point.with_values(changes), at.system).derived
         return at.derived
-    except (*_UNUSABLE, AssertionError):
+    except unusable:
         return None
 
 
@@ -188,6 +206,37 @@ def changed_space(variation: Variation, at: ModelState) -> RowSpace | None:
     return space
 
 
+def _space_by_rule(variation: Variation, at: ModelState) -> RowSpace | None:
+    """The row space of the derived equations with the inverse of a rule, in which an answer lies if, with the rule, it
+    follows from the derived ones."""
+    inverse = inverted(variation.rule)
+    if inverse is None:
+        return None
+    rows = [at.row(e.xreplace(inverse)) for e in at.system.equations]
+    return None if None in rows else at.space([r for r in rows if r is not None])
+
+
+def inverted(rule: Mapping[sp.Basic, sp.Basic]) -> dict[sp.Basic, sp.Basic] | None:
+    """The inverse of a rule that exchanges symbols, or replaces each by a multiple of itself and others that stay."""
+    inverse: dict[sp.Basic, sp.Basic] = {}
+    for symbol, meant in rule.items():
+        if meant.is_Symbol:
+            inverse[meant] = symbol
+            continue
+        factor = sp.expand(meant).coeff(symbol)
+        rest = sp.expand(meant - factor * symbol)
+        if factor == 0 or not factor.is_number or rest.free_symbols & {*rule}:
+            return None
+        inverse[symbol] = (symbol - rest) / factor
+    return inverse
+
+
+def said_of_all(name: str, variation: Variation, number: int) -> Explanation:
+    """A variation as the explanation of an answer with a number of equations."""
+    these = "these are the equations" if number > 1 else "this is the equation"
+    return Explanation(name, variation.clause, f"{these} {variation.clause}", variation.place, True)
+
+
 def explained(equations: Sequence[sp.Expr], wrong: Sequence[int], models: Models) -> tuple[Explanation | None, ...]:
     """The explanation of each wrong equation of an answer; the same one for all if one explains the whole answer.
 
@@ -201,13 +250,9 @@ def explained(equations: Sequence[sp.Expr], wrong: Sequence[int], models: Models
         search = _Search(equations, models, states)
         whole = search.variation(range(len(equations)), combined=True)
         if whole is not None:
-            name, variation = whole
-            these = "these are the equations" if len(equations) > 1 else "this is the equation"
-            return (Explanation(name, variation.clause, f"{these} {variation.clause}", variation.place, True),) * len(
-                wrong
-            )
+            return (said_of_all(*whole, len(equations)),) * len(wrong)
         return tuple(search.equation(n) for n in wrong)
-    except (*_UNUSABLE, AssertionError):
+    except unusable:
         return nothing
 
 
@@ -247,6 +292,8 @@ class _Search:
         if variation.rule:
             if not any(s in self.used for s in variation.rule):
                 return False
+            if self.models.is_free and (space := self.models.space(number, variation)) is not None:
+                return all(self.rows[n] in space for n in which)
             rows = [self.states[0].row(self.equations[n].xreplace(dict(variation.rule))) for n in which]
             return all(r is not None and r in self.states[0].right for r in rows)
         if variation.values and not self._is_special(variation):
@@ -287,9 +334,23 @@ class _Search:
             return group
         found = self.variation([n], combined=False)
         if found is None:
-            return None
+            return self._foreign(n)
         name, variation = found
         return Explanation(name, variation.clause, f"this is an equation {variation.clause}", variation.place, False)
+
+    def _foreign(self, n: int) -> Explanation | None:
+        """The explanation by a parameter that the problem has and its equations of motion have not: the coefficient of
+        friction where nothing slips."""
+        system = self.models.system
+        own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
+        slots = self.models.system.configuration.slots
+        moving = {*slots.coordinates, *slots.prescribed, t}
+        more = sorted((s for s in self.equations[n].free_symbols - own if base(s) not in moving), key=str)
+        if not more or any(s in self.states[0].unknowns for s in more):
+            return None
+        names = ", ".join(map(str, more))
+        said = f"it depends on {names}, and the motion does not"
+        return Explanation("parameter that does not matter", said, said, f"the terms with {names}", False)
 
     def _group(self, n: int) -> Explanation | None:
         """The first group of terms whose change makes an equation right."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from lagrange.answers.models import coordinates, forces, kinetic, quasi
+from lagrange.answers.models import coordinates, forces, kinetic, quasi, rolling
 from lagrange.answers.models.mechanics import Mechanics
 from lagrange.answers.models.variation import Variation
 from lagrange.core.records import record
@@ -50,6 +50,7 @@ MODELS = (
     Model("normal force of another situation", forces.other_normal_force),
     Model("T + V for T - V", forces.potential_reversed),
     Model("spring with its length for its extension", forces.spring_by_length),
+    Model("carried weight left out", forces.carried_weight_left_out),
     Model("force left out", forces.force_left_out),
     Model("dT/dq left out", kinetic.gradient_left_out),
     Model("d/dt of a product half done", kinetic.product_half_done),
@@ -57,8 +58,9 @@ MODELS = (
     Model("centrifugal terms", kinetic.squared_terms),
     Model("dT/dq with the wrong sign", kinetic.gradient_reversed),
     Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
+    Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
-    Model("energy of a spring or potential without its half", forces.force_doubled),
+    Model("force with another factor", forces.force_doubled),
     Model("mass left out", kinetic.mass_left_out),
     Model("kinetic energy of one part left out", kinetic.translation_left_out),
     Model("sine and cosine exchanged in a position", kinetic.sine_for_cosine),
@@ -69,12 +71,15 @@ MODELS = (
     Model("complementary angle", coordinates.complement),
     Model("parameters exchanged", coordinates.exchanged),
     Model("parameter left out", coordinates.left_out),
+    Model("sum for difference of lengths", coordinates.sum_of_lengths),
     Model("one parameter for another", coordinates.one_for_another),
     Model("force in the wrong equation", forces.in_the_wrong_equation),
     Model("force on one end only", forces.on_one_end),
     Model("absolute for relative motion in a spring or damper", forces.against_the_ground),
+    Model("angular velocity of what rolls or is carried", rolling.other_angular_velocity),
     Model("mass of another part", kinetic.mass_of_another),
     Model("length left out of a position", kinetic.length_left_out),
+    Model("length doubled in a position", kinetic.length_doubled),
     Model("product of velocities in T with another factor", kinetic.product_scaled),
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
     Model("factor 2", kinetic.factor_two),

@@ -131,9 +131,13 @@ class _Claim:
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
+        from lagrange.answers.models.questions import explained_answer, explained_value
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
+        of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
+        if stated is not None and (lost := explained_answer(self.asked, stated, of)):
+            return lost
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
@@ -143,7 +147,22 @@ class _Claim:
                     return f"this is the answer {variation.clause}"
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
-        return ""
+        if stated is None:
+            return ""
+        fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
+        right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
+        return next(filter(None, (explained_value(stated, v, fixed) for v in right)), "")
+
+    def _of_function(self, claim: sp.Expr) -> tuple[sp.Expr, sp.Expr | None]:
+        """f and y where the equation is f(quantity) = y with a sine, cosine or tangent."""
+        waves = [w for w in claim.atoms(*CIRCULAR) if w.args[0] == self.quantity]
+        if len(waves) == 1:
+            [wave] = waves
+            rest = sp.expand(wave - claim), sp.expand(wave + claim)
+            for value in rest:
+                if not value.has(wave) and value.free_symbols.isdisjoint(self.quantity.free_symbols):
+                    return wave, value
+        return self.quantity, None
 
     def _derived(self) -> list[sp.Expr]:
         return list(dict.fromkeys(v for b in self.asked.branches for v in b.values))

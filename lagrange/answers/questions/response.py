@@ -60,4 +60,10 @@ def _judged(name: str, fragment: Fragment, found: list[Response], reference: Ref
     same = is_zero(as_written(difference))
     if same is False and decimals_in([difference]):
         same = rounded([difference]) is not None
-    return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.EQUIVALENT if same else Verdict.WRONG, "")
+    if same is not False:
+        return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.EQUIVALENT, "")
+    from lagrange.answers.models.questions import explained_value
+
+    amplitude = sp.powdenest(sp.sqrt(sp.factor(sp.expand(squares[name]))), force=True)
+    found = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
+    return Verdict.WRONG, next(filter(None, found), "")

@@ -1,0 +1,232 @@
+"""Wrong answers to questions about a motion with one velocity: what was lost between the energy and the reaction.
+
+Such a question is answered from the energy integral, which gives v² at a place, and from a reaction N = A + B v². So
+
+    T_0 − ΔU = ½ M v² ,     N = A(q) + B(q) v² ,     `when` ,     quantity ,
+
+and people lose the potential energy or the ½ in the first, A or B v² in the second, or take v as zero. An answer is put
+into these equations with one of them changed: where they hold, that change explains it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.core.records import record
+from lagrange.core.symbols import base
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
+from lagrange.mechanics.questions.results import Asked, IntegralKind
+
+Rule = dict[sp.Basic, sp.Basic]
+
+
+@record
+class _Change:
+    """What is lost: factors of T, ΔU, A and B v², and whether v is taken as zero."""
+
+    said: str
+    kinetic: sp.Expr = sp.S.One
+    potential: sp.Expr = sp.S.One
+    resting: sp.Expr = sp.S.One
+    moving: sp.Expr = sp.S.One
+    still: bool = False
+
+
+_HALF = sp.Rational(1, 2)
+_OF_REACTION = (
+    _Change("the part of {reaction} with the square of the velocity is missing: it is that of a body at rest", moving=sp.S.Zero),
+    _Change("only the part of {reaction} with the square of the velocity is there: what the forces contribute is missing", resting=sp.S.Zero),
+    _Change("the part of {reaction} with the square of the velocity has the wrong sign", moving=sp.S.NegativeOne),
+)  # fmt: skip
+_OF_ENERGY = (
+    _Change("the velocity is taken as zero there", still=True),
+    _Change("the potential energy is missing: the velocity is taken as at the start", potential=sp.S.Zero),
+    _Change("the potential energy has the wrong sign in the energy", potential=sp.S.NegativeOne),
+    _Change("{less}", kinetic=sp.Integer(2)),
+    _Change("{more}", kinetic=_HALF),
+)  # fmt: skip
+_FROM_REST = {
+    "less": "the square of the velocity is half as large as it should be: is the 1/2 of T missing?",
+    "more": "the square of the velocity is twice as large as it should be",
+}
+_THROWN = {
+    "less": "the kinetic energy is twice, or the change of the potential energy half, of what it should be",
+    "more": "the kinetic energy is half, or the change of the potential energy twice, of what it should be",
+}
+
+
+def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) -> str:
+    """What was lost in a wrong value of the quantity asked for, or `of` a function of it; empty if not found."""
+    try:
+        setting = _Setting.of(asked)
+        if setting is None:
+            return ""
+        quantity = asked.question.quantity if of is None else of
+        # Of a place or a parameter, the velocity at `when` decides; of the reaction itself, its two parts do.
+        own = setting.reaction is not None and quantity.has(setting.reaction)
+        changes = _OF_REACTION if setting.reaction is not None else ()
+        for change in (*changes, *_OF_ENERGY) if own else (*_OF_ENERGY[:1], *changes, *_OF_ENERGY[1:]):
+            if setting.gives(change, claim, quantity):
+                return change.said.format(reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN))
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        pass
+    return ""
+
+
+@record
+class _Setting:
+    """The equations of a question.
+
+    velocity  q'
+    inertia   M
+    start     T_0
+    change    ΔU
+    reaction  N, and what it is; None if the question has none
+    zeros     `when`: each is zero
+    place     the coordinates that `when` fixes
+    """
+
+    velocity: sp.Symbol
+    inertia: sp.Expr
+    start: sp.Expr
+    change: sp.Expr
+    reaction: sp.Symbol | None
+    force: sp.Expr
+    zeros: tuple[sp.Expr, ...]
+    place: Mapping[sp.Basic, sp.Basic]
+
+    @classmethod
+    def of(cls, asked: Asked) -> _Setting | None:
+        """The setting of a question that is answered from the energy alone; None if it is another."""
+        energies = [i for i in asked.integrals if i.kind is not IntegralKind.IMPULSE and i.factor == 1]
+        reactions = [u for u in asked.used if not u.symbol.name.endswith("'")]
+        if len(energies) != 1 or len(asked.integrals) != 1 or len(reactions) > 1 or len(reactions) < len(asked.used):
+            return None
+        initial = {s.symbol: s.value for s in asked.initial}
+        whole = sp.expand(energies[0].expression)
+        velocities = sorted((s for s in whole.free_symbols if s.name.endswith("'")), key=str)
+        if len(velocities) != 1:
+            return None
+        [v] = velocities
+        inertia, rest = 2 * whole.coeff(v, 2), whole.coeff(v, 0)
+        if inertia == 0 or whole.coeff(v, 1) != 0 or inertia.has(v) or base(v) not in initial or v not in initial:
+            return None
+        start = inertia.xreplace(initial) * initial[v] ** 2 / 2
+        zeros = tuple(c.lhs - c.rhs for c in asked.question.when)
+        reaction = reactions[0].symbol if reactions else None
+        states = [dict(s) for b in asked.branches for s in b.states]
+        fixed = [z for z in zeros if z.free_symbols & {base(v)} and v not in z.free_symbols and reaction not in z.free_symbols]
+        place: Rule = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
+        force = reactions[0].value if reactions else sp.S.Zero
+        return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
+
+    def gives(self, change: _Change, claim: sp.Expr, quantity: sp.Expr) -> bool:
+        """Whether the equations with a change hold for a value of the quantity, or of a function of it."""
+        v = self.velocity
+        square = sp.S.Zero if change.still else 2 * (self.start - change.potential * self.change / change.kinetic) / self.inertia
+        force = sp.expand(self.force)
+        resting = force.xreplace({v: sp.S.Zero})
+        force = change.resting * resting + change.moving * (force - resting)
+        is_place = not quantity.has(v, *([self.reaction] if self.reaction is not None else []))
+        stated: Rule = {quantity: claim} if is_place else {}
+        known = self.place if not quantity.has(base(v)) else {}
+        residuals = [z for z in self.zeros if not (z.free_symbols & {base(v)} and known)]
+        if change.still:  # the condition on the reaction is replaced by v = 0
+            if stated and self.reaction is not None:
+                residuals = [2 * (self.start - self.change)]
+            elif not self.reaction:
+                return False
+        if not stated:
+            residuals.append(quantity - claim if v not in quantity.free_symbols else quantity**2 - claim**2)
+        if not residuals:
+            return False
+        of_function = bool(stated) and not quantity.is_Symbol
+        rule: Rule = {} if self.reaction is None else {self.reaction: force}
+        tested = not stated
+        for residual in residuals:
+            whole = sp.expand(residual.xreplace(rule))
+            if whole.coeff(v, 0) == 0 and whole.coeff(v, 1) != 0:
+                whole = sp.expand(whole**2)
+            odd = whole.coeff(v, 1)
+            if odd != 0 or whole.coeff(v, 0).has(v):
+                return False
+            reduced = whole.coeff(v, 0) + whole.coeff(v, 2) * square + whole.coeff(v, 4) * square**2
+            tested |= bool(stated) and reduced.has(*quantity.free_symbols)
+            for more in (known, stated):
+                reduced = reduced.xreplace(more)
+            if reduced.has(v) or (of_function and reduced.has(base(v))) or is_zero(reduced) is not True:
+                return False
+        return tested
+
+
+def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> str:
+    """How a wrong value differs from the right one: the case of a parameter that is zero, a term, a factor.
+
+    fixed  symbols that are no parameters; empty if nothing simple is found
+    """
+    try:
+        return next(_differences(claim, right, fixed), "")
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        return ""
+
+
+def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
+    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
+        special = sp.together(right).xreplace({p: sp.S.Zero})
+        if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
+            yield f"this is the answer without {p}, as if {p} = 0"
+    for form, where in _FORMS:
+        stated, derived = sp.expand(form(claim)), sp.expand(form(right))
+        terms = sp.Add.make_args(derived)
+        if not 1 < len(terms) <= MOST_TERMS:
+            continue
+        for term in terms:
+            for factor, how in _HOW:
+                if _same(stated, derived + factor * term):
+                    what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
+                    yield how.format(what) + ("" if "denominator" in where else where)
+    ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
+    factors = sp.Mul.make_args(ratio)
+    if len(factors) <= 3 and all(f.is_number or f.as_base_exp()[0].is_Symbol or f.as_base_exp()[0].func in (sp.sin, sp.cos, sp.tan) for f in factors):
+        above, below = sp.fraction(ratio)
+        if ratio.is_number and 1 not in (above**2, below**2):
+            return
+        parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
+        parts += [f"there is a factor {_written(above)} too many"] if above != 1 else []
+        if parts:
+            yield " and ".join(parts)
+    more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
+    if more:
+        yield f"the right answer does not depend on {', '.join(map(str, more))}"
+
+
+MOST_TERMS = 8
+_FORMS = (
+    (lambda e: e, ""),
+    (lambda e: e**2, " under the root"),
+    (lambda e: 1 / e, " in the denominator"),
+    (lambda e: 1 / e**2, " in the denominator under the root"),
+)
+_HOW = (
+    (sp.S.NegativeOne, "{} is missing"),
+    (-sp.Integer(2), "the sign of {} is wrong"),
+    (-_HALF, "only half of {} is there"),
+    (sp.S.One, "{} is counted twice"),
+)
+
+
+def _unsigned(term: sp.Expr) -> sp.Expr:
+    """A term without its sign."""
+    return -term if term.could_extract_minus_sign() else term
+
+
+def _same(a: sp.Expr, b: sp.Expr) -> bool:
+    return is_zero(a - b) is True
+
+
+def _written(e: sp.Expr) -> str:
+    return text(e, Notation())
