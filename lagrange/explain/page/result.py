@@ -17,6 +17,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
+from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, in_words, sign_conditions, spoken
@@ -80,7 +81,8 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
-    yield Step(Rule.RESULT, "", body)
+    step = Step(Rule.RESULT, "", body)
+    yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
 
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
