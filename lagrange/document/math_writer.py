@@ -356,10 +356,10 @@ def _is_slope(factor: BasePower) -> bool:
 
 
 def _under_one_root(parts: OrderedProduct) -> None:
-    """√(l/g) for √l/√g, where what is below is not negative."""
+    """√(l/g) for √l/√g, √(a b) for √a √b, where of the factors at most one may be negative, above."""
     over = [b for b, e in parts.above if e == sp.S.Half]
     under = [b for b, e in parts.below if e == sp.S.Half and b.is_nonnegative]
-    if not over or not under:
+    if len(over) + len(under) < 2 or not over or sum(not b.is_nonnegative for b in over) > 1:
         return
     quotient = sp.Mul(*over, *(sp.Pow(b, -1) for b in under), evaluate=False)
     parts.above = [(b, e) for b, e in parts.above if e != sp.S.Half] + [(quotient, sp.S.Half)]

@@ -33,7 +33,9 @@ from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
     in_pairs,
+    lagrangian_once,
     likewise_in_a_line,
+    remaining_shortly,
     said_before,
     together_shortly,
     without_momenta,
@@ -237,6 +239,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield _with_measures(solution, step)
         elif step.rule is Rule.LAGRANGE:
             yield without_lecture(step)
+        elif step.rule is Rule.DISPLACEMENTS and solution.impact is not None and own is None:
+            continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
             yield displacements_shortly(_of_forms(solution, step) if geometric or _are_same(solution) else step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
@@ -277,6 +281,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
             yield _integrability_shortly(solution, step)
+        elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:
+            yield lagrangian_once(step)
         elif step.rule is Rule.RESPONSE:
             yield with_named_denominators(step, {*solution.problem.scope.names()})
         elif step.rule is Rule.CHECKS:
@@ -310,6 +316,7 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
 def _with_measures(solution: Solution, step: Step) -> Step:
     """Generalized coordinates after what they are."""
     view = next(v for v in solution.choices if v.name == step.choice)
+    step = remaining_shortly(step, view.configuration.slots)
     measures = explain_measures(solution, view)
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):

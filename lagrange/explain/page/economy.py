@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, UnitVector
+from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import math, paired, paragraph, prose
@@ -334,6 +334,34 @@ def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:
             yield step
     if waiting is not None:
         yield waiting
+
+
+def remaining_shortly(step: Step, slots: Slots) -> Step:
+    """A constraint that a choice of coordinates leaves, without the constant factors that all of its terms share."""
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+
+    def line(e: Equation) -> Equation:
+        left = e.sides[0]
+        if not (e.label or "").startswith("rate-") or e.sides[1:] != (sp.S.Zero,) or not isinstance(left, sp.Expr):
+            return e
+        factors = sp.Mul.make_args(sp.factor_terms(left))
+        kept = [f for f in factors if f.free_symbols & moving or not f.is_nonzero]
+        shorter = sp.expand(sp.Mul(*kept))
+        return replace(e, sides=(shorter, sp.S.Zero)) if len(kept) < len(factors) else e
+
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
+    return replace(step, body=tuple(blocks))
+
+
+def lagrangian_once(step: Step) -> Step:
+    """The step on a given Lagrangian without a second display of it, which the statement has."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if n and isinstance(block, Display) and [e.label for e in block.equations] == ["lagrangian"]:
+            begins = prose("The derivation begins with ", Ref("given-lagrangian"), ": there are no masses and forces to "
+                           "which d'Alembert's principle could be applied, and none that could check it.")  # fmt: skip
+            return replace(step, body=(*body[: n - 1], begins, *body[n + 1 :]))
+    return step
 
 
 def without_momenta(step: Step) -> Step:

@@ -152,6 +152,11 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     for i in found.impulses:
         if i.value is not None:
             yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
+    struck = found.full.loads or found.full.torques
+    if not found.is_driven and not struck and found.energy_lost != 0:
+        kinetic = energy_symbols(solution).kinetic
+        line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, found.energy_lost))
+        yield from [replace(line, condition=("the energy lost",))] if _operations(line) <= LONGEST_ANSWER else []
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:
