@@ -98,7 +98,7 @@ def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
     workless = " in which the reactions do no work" if found.rows else ""
     yield prose(
         f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: the "
-        "changes of momentum less the given impulses do no work, Σ (m Δv − J)·δr = 0. Here it reads"
+        "changes of momentum less the given impulses do no work. Here this reads"
     )
     yield display(Equation((sp.Add(*parts, evaluate=False), ZERO), label="impulses"))
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]

@@ -177,11 +177,18 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
     defined: dict[object, object] = {}
     head = next((s for s in steps if s.rule is Rule.RESULT), None)
     shown = [e.sides for b in head.body if isinstance(b, Display) for e in b.equations] if head else []
+    asked: list[object] = []
     for step in steps:
         blocks: list[Block] = []
         for block in step.body:
             if isinstance(block, Display) and step.rule is not Rule.RESULT:
                 block = _defined_once(block, defined)
+            if isinstance(block, Display) and step.rule is Rule.QUESTION and not block.boxed:
+                sides = [e.sides for e in block.equations]
+                if sides in asked and blocks and isinstance(blocks[-1], Prose):
+                    blocks.pop()  # a question before has the same
+                    continue
+                asked.append(sides)
             is_repeated = isinstance(block, Display) and len(block.equations) > _MOST_LINES
             before = blocks[-1] if blocks else None
             if is_repeated and isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),):

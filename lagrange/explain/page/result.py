@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import VectorSymbol, prime
+from lagrange.core.symbols import CONSTANT, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
@@ -74,6 +74,7 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
+        yield from _of_constraints(solution)
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
@@ -83,6 +84,22 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _of_constraints(solution: Solution) -> Iterator[Step]:
+    """Where constraints are all that is asked: freedom, class, and the finite relations that they hide."""
+    found = solution.classification
+    if solution.own.motion is not None or not solution.problem.constraints or found.degrees_of_freedom is None:
+        return
+    if found.holonomic is None or found.scleronomic is None:
+        return
+    kind = "holonomic" if found.holonomic else "nonholonomic"
+    time = "scleronomic" if found.scleronomic else "rheonomic"
+    words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind} and {time}"
+    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined))
+    lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
+    shown = [prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF)] if lines else [prose(f"{words}.")]
+    yield Step(Rule.RESULT, "", tuple(shown))
 
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
