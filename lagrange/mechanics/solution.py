@@ -177,8 +177,7 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     rates = transport_rates(configuration.constrained, own.elimination)
     on_stage("choices of coordinates")
     choices = tuple(
-        _in_coordinates(problem, generalized_coordinates(c, configuration))
-        for c in chosen_coordinates(problem, choice)
+        _in_coordinates(problem, generalized_coordinates(c, configuration)) for c in chosen_coordinates(problem, choice)
     )
     on_stage("checks")
     checks = [

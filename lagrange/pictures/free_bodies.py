@@ -10,18 +10,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from lagrange.core.triads import unit_vector
+from lagrange.core.vectors import FIXED
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import PagePoint, Scene, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
-from lagrange.core.vectors import FIXED
-from lagrange.core.triads import unit_vector
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
-from lagrange.pictures.solids import TURN, across
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
+from lagrange.pictures.solids import TURN, across
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
 
@@ -151,7 +151,9 @@ def _declared(system: SystemPicture, body: FreeBody) -> list[PagePoint]:
         return []
     lengths = [abs(system.number(x)) for x in shape.lengths]
     turning = next((r for r in system.configuration.rotations if r.name == body.name), None)
-    e1, e2, e3 = (system.pose.at(a) for a in (turning.axes if turning is not None else (unit_vector(FIXED, n) for n in range(3))))
+    e1, e2, e3 = (
+        system.pose.at(a) for a in (turning.axes if turning is not None else (unit_vector(FIXED, n) for n in range(3)))
+    )
     if shape.axis is not None:
         e3 = unit(system.at(shape.axis))
         e1, e2 = (e3, outer((0.0, 0.0, 1.0), e3)) if shape.kind is Outline.BOX else across(e3)
@@ -163,9 +165,7 @@ def _declared(system: SystemPicture, body: FreeBody) -> list[PagePoint]:
     if shape.kind is Outline.SPHERE:
         return [(lengths[0] * math.cos(s), lengths[0] * math.sin(s)) for s in TURN]
     u, v = (e1, e2) if system.view.planar else across(e3)
-    return [
-        system.page.way(plus(plus(origin, u, lengths[0] * math.cos(s)), v, lengths[0] * math.sin(s))) for s in TURN
-    ]
+    return [system.page.way(plus(plus(origin, u, lengths[0] * math.cos(s)), v, lengths[0] * math.sin(s))) for s in TURN]
 
 
 def _outline(
@@ -180,8 +180,8 @@ def _outline(
     held = [flat(h) for h in known.held]
     centre = system.pose.at(body.particle.position)
     shape = system.problem.figure.shapes.get(body.name)
-    for end in shape.ends if shape is not None and shape.kind is Outline.ROD else ():
-        x, y = system.page.way(minus(system.at(end), centre))
+    for declared in shape.ends if shape is not None and shape.kind is Outline.ROD else ():
+        x, y = system.page.way(minus(system.at(declared), centre))
         held.append((x * scale, y * scale))
     for joint in system.joints.get(body.name, ()):
         x, y = system.page.way(minus(joint, centre))

@@ -189,14 +189,18 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                     blocks.pop()  # a question before has the same
                     continue
                 asked.append(sides)
-            is_repeated = isinstance(block, Display) and len(block.equations) > _MOST_LINES
             before = blocks[-1] if blocks else None
-            if is_repeated and isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),):
-                if all(e.sides in shown for e in block.equations):
-                    blocks[-1] = prose(Emphasis("In short"), ": the equations at the head of the page.")
-                    continue
-            blocks.append(block)
+            in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
+            if in_short and isinstance(block, Display) and _is_repeated(block, shown):
+                blocks[-1] = prose(Emphasis("In short"), ": the equations at the head of the page.")
+            else:
+                blocks.append(block)
         yield replace(step, body=tuple(blocks))
+
+
+def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
+    """Whether a box of several lines has only equations that were shown."""
+    return len(block.equations) > _MOST_LINES and all(e.sides in shown for e in block.equations)
 
 
 def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
@@ -317,7 +321,11 @@ def _is_likewise(blocks: Sequence[Block]) -> bool:
     if len(blocks) < 4 or not all(isinstance(blocks[k], Prose) for k in (0, 1, 3)):
         return False
     shown = blocks[2]
-    if not isinstance(shown, Display) or len(shown.equations) != 1 or not isinstance(shown.equations[0].sides[-1], sp.Expr):
+    if (
+        not isinstance(shown, Display)
+        or len(shown.equations) != 1
+        or not isinstance(shown.equations[0].sides[-1], sp.Expr)
+    ):
         return False
     words = [str(p.parts[0]) if isinstance(p, Prose) else "" for p in (blocks[1], blocks[3])]
     length = shown.equations[0].sides[-1].count_ops()
@@ -365,8 +373,12 @@ def lagrangian_once(step: Step) -> Step:
     body = list(step.body)
     for n, block in enumerate(body):
         if n and isinstance(block, Display) and [e.label for e in block.equations] == ["lagrangian"]:
-            begins = prose("The derivation begins with ", Ref("given-lagrangian"), ": there are no masses and forces to "
-                           "which d'Alembert's principle could be applied, and none that could check it.")  # fmt: skip
+            begins = prose(
+                "The derivation begins with ",
+                Ref("given-lagrangian"),
+                ": there are no masses and forces to which d'Alembert's principle could be applied, and none that "
+                "could check it.",
+            )
             return replace(step, body=(*body[: n - 1], begins, *body[n + 1 :]))
     return step
 

@@ -64,7 +64,7 @@ def _is_plain(equation: Equation) -> bool:
 
 
 def with_kinematics(step: Step, motion: DalembertMotion) -> Step:
-    """Newton's law after the accelerations that occur in it, unless they are linear in ẍ, ÿ, ... as the positions are."""
+    """Newton's law after the accelerations that occur in it, unless they are linear in ẍ, ÿ, ..."""
     kinematics = accelerations_of(motion)
     lines = [e for b in kinematics if isinstance(b, Display) for e in b.equations]
     if not lines or all(_is_linear(e, motion.configuration.slots) for e in lines):

@@ -98,8 +98,10 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
     words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind} and {time}"
     functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined))
     lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
-    shown = [prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF)] if lines else [prose(f"{words}.")]
-    yield Step(Rule.RESULT, "", tuple(shown))
+    body: tuple[Block, ...] = (prose(f"{words}."),)
+    if lines:
+        body = (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF))
+    yield Step(Rule.RESULT, "", body)
 
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:

@@ -1,8 +1,8 @@
 """Where the impulse of a reaction vanishes: a hand that holds a rod is not jarred where 3 a = 2 l.
 
 An impulse is a quotient of polynomials in the parameters. It vanishes, and where it does so to an odd power it changes
-its sense, where a factor of its numerator does: a sum of terms of both signs in positive parameters. Such a place counts
-only if the position that it belongs to exists, that is if the constraints remain real there.
+its sense, where a factor of its numerator does: a sum of terms of both signs in positive parameters. Such a place
+counts only if the position that it belongs to exists, that is if the constraints remain real there.
 """
 
 from __future__ import annotations
