@@ -167,6 +167,8 @@ class Writer:
     # Products and fractions
 
     def _term(self, parts: OrderedProduct) -> Piece:
+        if self.style.by_hand:
+            _under_one_root(parts)
         above, below = self.order.factors(parts.above), self.order.factors(parts.below)
         if not below and not parts.divisors:
             piece = self._product(parts.numbers, above, is_term=True)
@@ -202,6 +204,8 @@ class Writer:
         if below and constant and all(self.order.is_constant(base) for base, _ in below):
             if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
                 return [], scalars, last  # m g cos α/(M + m sin²α): in front, the coefficient would outweigh cos α
+            if others and all(isinstance(base, sp.Abs) or not power.is_Integer for base, power in others):
+                return [], scalars, last  # F |c − m ω²|/|Δ|, a √(...)/√(...)
             return [], constant, others + last
         positions = [f for f in others if self._is_plain(f, _POSITION)]
         moving = [f for f in others if f not in positions]
@@ -349,6 +353,17 @@ def _is_slope(factor: BasePower) -> bool:
     """Whether it is a derivative of an undefined function, to the first power."""
     base, exponent = factor
     return isinstance(base, Unspecified) and any(base.orders) and exponent == 1
+
+
+def _under_one_root(parts: OrderedProduct) -> None:
+    """√(l/g) for √l/√g, √(a b) for √a √b, where of the factors at most one may be negative, above."""
+    over = [b for b, e in parts.above if e == sp.S.Half]
+    under = [b for b, e in parts.below if e == sp.S.Half and b.is_nonnegative]
+    if len(over) + len(under) < 2 or not over or sum(not b.is_nonnegative for b in over) > 1:
+        return
+    quotient = sp.Mul(*over, *(sp.Pow(b, -1) for b in under), evaluate=False)
+    parts.above = [(b, e) for b, e in parts.above if e != sp.S.Half] + [(quotient, sp.S.Half)]
+    parts.below = [(b, e) for b, e in parts.below if e != sp.S.Half or b not in under]
 
 
 def _is_letter(factor: BasePower) -> bool:

@@ -92,7 +92,7 @@ def _not_substituted(setup: LagrangeExposition) -> list[Block]:
     if not kinematic:
         return []
     called = constraints_called(r.name for r in kinematic)
-    kinetic = math(setup.letters.kinetic)
+    kinetic = math(setup.function if _is_outright(setup) else setup.letters.kinetic)
     one = len(kinematic) == 1
     if setup.choice:
         return [prose("Here too ", kinetic, f" is differentiated before {called} {'is' if one else 'are'} used.")]

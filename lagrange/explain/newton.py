@@ -291,15 +291,16 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
     missing = before.missing
     turned = any(b.turning for b in newton.bodies or ())
     whose = "the laws of Newton and of angular momentum" if turned else "Newton's law"
+    bound = "the constraint" if constraints == 1 else f"the {constraints} constraints"
     words = (
-        f"{counted(laws, 'component')} of {whose} and {counted(constraints, 'independent constraint')} are "
-        f"{before.equations} equations for {before.unknowns} unknowns ({counted(coordinates, 'coordinate')}, "
-        f"{counted(components, 'component')} of reactions)"
+        f"The {counted(laws, 'component')} of {whose} and {bound} are {before.equations} equations for "
+        f"{before.unknowns} unknowns ({counted(coordinates, 'coordinate')}, {counted(components, 'component')} of "
+        "reactions)"
     )
     if missing > 0:
         words += f": {missing} too few" + (", as many as there are degrees of freedom" if missing == freedom else "")
-    words += f". With the directions of the reactions known, {after.unknowns} unknowns remain in {after.equations} "
-    words += "equations."
+    same = "" if after.unknowns == after.equations else f" in {after.equations} equations"
+    words += f". With the directions of the reactions known, {after.unknowns} unknowns remain{same}."
     if after.missing > 0:
         words += (
             " The constraints are not independent, so the multipliers are not determined individually, only their "

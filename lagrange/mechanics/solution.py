@@ -20,7 +20,7 @@ from lagrange.core.effort import GivenUpError, allowed, reason
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
-from lagrange.mechanics.constraints.displacements import transport_rates, virtual_displacements
+from lagrange.mechanics.constraints.displacements import not_driven, transport_rates, virtual_displacements
 from lagrange.mechanics.constraints.kinematics import file_configuration
 from lagrange.mechanics.coverage import chosen_coordinates, refuse_what_is_not_covered
 from lagrange.mechanics.dynamics.checks import (
@@ -173,11 +173,11 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     check_defined(problem, classification.constrained)
     configuration = file_configuration(problem, classification.constrained)
     on_stage("displacements")
-    own = _in_coordinates(own_coordinates(configuration))
+    own = _in_coordinates(problem, own_coordinates(configuration))
     rates = transport_rates(configuration.constrained, own.elimination)
     on_stage("choices of coordinates")
     choices = tuple(
-        _in_coordinates(generalized_coordinates(c, configuration)) for c in chosen_coordinates(problem, choice)
+        _in_coordinates(problem, generalized_coordinates(c, configuration)) for c in chosen_coordinates(problem, choice)
     )
     on_stage("checks")
     checks = [
@@ -199,10 +199,10 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     )
 
 
-def _in_coordinates(chosen: GeneralizedCoordinates) -> InCoordinates:
+def _in_coordinates(problem: Problem, chosen: GeneralizedCoordinates) -> InCoordinates:
     """Coordinates with their virtual displacements, those known through velocities solved for first."""
     constrained = chosen.configuration.constrained
-    first = [constrained.slots.coordinates.index(q) for q in chosen.through_rates]
+    first = [constrained.slots.coordinates.index(q) for q in chosen.through_rates] or not_driven(problem, constrained)
     return InCoordinates(chosen, chosen.configuration, virtual_displacements(constrained, first))
 
 

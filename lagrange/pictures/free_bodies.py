@@ -10,15 +10,18 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from lagrange.core.triads import unit_vector
+from lagrange.core.vectors import FIXED
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import PagePoint, Scene, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
-from lagrange.pictures.floats import NoValueError, minus
+from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
+from lagrange.pictures.solids import TURN, across
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
 
@@ -26,7 +29,9 @@ LARGEST_WHEEL = 0.75
 """Radius of a round body, in centimetres."""
 LENGTH = 1.35
 """Length of an arrow, in centimetres."""
-_NEAR = math.cos(math.radians(14))
+LARGEST = 1.1
+"""Half the width of any other body whose shape the file gives."""
+_NEAR = math.cos(math.radians(20))
 """Cosine of the angle between arrows below which their labels would collide."""
 
 
@@ -54,7 +59,12 @@ def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene |
     radius = PARTICLE
     wheel = _wheel(system, body)
     scale = min(system.page.scale, LARGEST_WHEEL / wheel) if wheel else system.page.scale
-    if rotation is not None and system.view.planar:
+    outline = [] if wheel and system.view.planar else _declared(system, body)
+    if outline and not wheel:
+        scale = min(scale, LARGEST / max(math.hypot(*p) for p in outline))
+    if outline:
+        sketch.face([(x * scale, y * scale) for x, y in outline], 2)
+    elif rotation is not None and system.view.planar:
         _outline(sketch, system, body, rotation, wheel, scale)
     elif turning:
         sketch.ellipse((0.0, 0.0), (0.5, 0.12), (-0.1, 0.34))
@@ -134,6 +144,30 @@ def _wheel(system: SystemPicture, body: FreeBody) -> float:
     return known.radius if known else 0.0
 
 
+def _declared(system: SystemPicture, body: FreeBody) -> list[PagePoint]:
+    """The outline of a body whose shape the file gives, about its mass centre, in the units of the problem."""
+    shape = system.problem.figure.shapes.get(body.name)
+    if shape is None or shape.kind in (Outline.ROD, Outline.CONE):
+        return []
+    lengths = [abs(system.number(x)) for x in shape.lengths]
+    turning = next((r for r in system.configuration.rotations if r.name == body.name), None)
+    e1, e2, e3 = (
+        system.pose.at(a) for a in (turning.axes if turning is not None else (unit_vector(FIXED, n) for n in range(3)))
+    )
+    if shape.axis is not None:
+        e3 = unit(system.at(shape.axis))
+        e1, e2 = (e3, outer((0.0, 0.0, 1.0), e3)) if shape.kind is Outline.BOX else across(e3)
+    origin: FloatVector = (0.0, 0.0, 0.0)
+    if shape.kind is Outline.BOX:
+        half = [x / 2 for x in lengths]
+        corners = ((1, 1), (-1, 1), (-1, -1), (1, -1))
+        return [system.page.way(plus(plus(origin, e1, a * half[0]), e2, b * half[1])) for a, b in corners]
+    if shape.kind is Outline.SPHERE:
+        return [(lengths[0] * math.cos(s), lengths[0] * math.sin(s)) for s in TURN]
+    u, v = (e1, e2) if system.view.planar else across(e3)
+    return [system.page.way(plus(plus(origin, u, lengths[0] * math.cos(s)), v, lengths[0] * math.sin(s))) for s in TURN]
+
+
 def _outline(
     sketch: Sketch, system: SystemPicture, body: FreeBody, rotation: Rotation, wheel: float, scale: float
 ) -> None:
@@ -145,6 +179,10 @@ def _outline(
 
     held = [flat(h) for h in known.held]
     centre = system.pose.at(body.particle.position)
+    shape = system.problem.figure.shapes.get(body.name)
+    for declared in shape.ends if shape is not None and shape.kind is Outline.ROD else ():
+        x, y = system.page.way(minus(system.at(declared), centre))
+        held.append((x * scale, y * scale))
     for joint in system.joints.get(body.name, ()):
         x, y = system.page.way(minus(joint, centre))
         held.append((x * scale, y * scale))

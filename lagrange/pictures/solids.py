@@ -19,7 +19,7 @@ from lagrange.problem.model import BodyShape, Outline
 
 LIGHT, MEDIUM = 2, 3
 """Shades of insides."""
-_TURN = [2 * math.pi * k / 48 for k in range(49)]
+TURN = [2 * math.pi * k / 48 for k in range(49)]
 _IN_PLANE: FloatVector = (0.0, 0.0, 0.0)
 
 
@@ -37,7 +37,7 @@ class Solids:
     def ring(self, centre: FloatVector, axis: FloatVector, radius: float) -> list[FloatVector]:
         """The points of a circle."""
         u, v = across(axis)
-        return [plus(plus(centre, u, radius * math.cos(s)), v, radius * math.sin(s)) for s in _TURN[:-1]]
+        return [plus(plus(centre, u, radius * math.cos(s)), v, radius * math.sin(s)) for s in TURN[:-1]]
 
     def disc(
         self,
@@ -59,7 +59,7 @@ class Solids:
         page = self.system.page
         size = radius * page.scale
         self.sketch.face(
-            [beyond(page(centre), (math.cos(s), math.sin(s)), size) for s in _TURN], LIGHT, self.depth(centre)
+            [beyond(page(centre), (math.cos(s), math.sin(s)), size) for s in TURN], LIGHT, self.depth(centre)
         )
         if self.system.view.planar:
             return

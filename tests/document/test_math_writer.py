@@ -389,3 +389,16 @@ def test_nothing_is_lost_on_the_terminal(expression):
     shown = unicode(expression, N).translate(str.maketrans("[]{}", "()()"))
     shown = re.sub(r"√(\w+)", r"√(\1)", shown.replace("½", "(1/2)").replace("¼", "(1/4)").replace("¾", "(3/4)"))
     assert same(read_scalar(Fragment.of(shown), SCOPE), expression)
+
+
+def test_roots_of_a_quotient_are_one_root_by_hand_and_apart_in_text():
+    p, q, u = sp.symbols("p q u", positive=True)
+    assert unicode(sp.sqrt(p) / sp.sqrt(q)) == "√(p/q)"
+    assert unicode(sp.sqrt(p) * sp.sqrt(u - q)) == "√(p (u − q))"
+    assert text(sp.sqrt(p) / sp.sqrt(q)) == "sqrt(p)/sqrt(q)"
+
+
+def test_roots_that_may_both_be_imaginary_stay_apart():
+    v, w = sp.symbols("v w", real=True)
+    root = sp.Pow(v, sp.S.Half) * sp.Pow(w, sp.S.Half)
+    assert unicode(root) == "√v √w"

@@ -43,3 +43,20 @@ def test_a_ladder_is_held_at_its_ends_and_a_hoop_is_a_wheel() -> None:
     assert near(held[1], (half, 0))
     hoop = system_of("motion/hoop-on-incline")
     assert math.isclose(hoop.shapes["hoop"].radius, evaluated(sp.Symbol("R", positive=True), hoop))
+
+
+def outline(name: str) -> list[tuple[float, float]]:
+    """The first closed and filled line of a free body."""
+    scene = free_body_scene(system_of(name), reported(name).notation)
+    assert scene is not None
+    return next([*line.points] for line in scene.lines if line.closed and line.shade)
+
+
+def test_free_bodies_have_the_shape_that_the_file_gives() -> None:
+    box = outline("motion/trolley-on-three-wheels")
+    assert len(box) == 4
+    assert near((math.dist(box[0], box[1]) / math.dist(box[1], box[2]), 0.0), (3 / 0.7, 0.0))
+    ball = outline("motion/ball-on-turntable")
+    centre = (sum(x for x, _ in ball) / len(ball), sum(y for _, y in ball) / len(ball))
+    radii = [math.dist(centre, p) for p in ball]
+    assert max(radii) < 1.1 * min(radii)

@@ -22,6 +22,7 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.energy_symbols import EnergySymbols
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, ReactionImpulse
+from lagrange.mechanics.momenta.vanishing_impulses import vanishings
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import AppliedMoment, Impact
 
@@ -79,7 +80,9 @@ def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
     coordinates = found.slots.coordinates
     known = [(q, b) for q, b in zip(coordinates, found.before, strict=True) if b != velocity_before(q)]
     free = [q for q in coordinates if q not in [k for k, _ in known]]
-    if known:
+    if known and not free and all(b == 0 for _, b in known):
+        yield prose("Just before the impact everything is at rest.")
+    elif known:
         yield prose("Just before the impact the velocities are")
         yield display(*(Equation((velocity_before(q), b), label=f"before-{q.name}") for q, b in known))
     if free:
@@ -118,7 +121,7 @@ def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
     workless = " in which the reactions do no work" if found.rows else ""
     yield prose(
         f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: the "
-        "changes of momentum less the given impulses do no work, Σ (m Δv − J)·δr = 0. Here it reads"
+        "changes of momentum less the given impulses do no work. Here this reads"
     )
     yield display(Equation((sp.Add(*parts, evaluate=False), ZERO), label="impulses"))
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]
@@ -173,6 +176,7 @@ def _impulses(found: ImpulsiveMotion) -> Iterator[Block]:
             boxed=True,
         )
         yield paragraph(*map(_meaning, known))
+        yield from _vanishing(found, known)
     left = found.open_impulses
     if left:
         yield prose(f"The impulses of {constraints_called(left)} are not determined: the constraints depend on one "
@@ -181,6 +185,15 @@ def _impulses(found: ImpulsiveMotion) -> Iterator[Block]:
         one = f"{capital(constraints_called([c.constraint]))} acts "
         why = "only if the impulse presses: " if c.is_impulse else "only if it is approached: "
         yield prose(one, why, math(c.quantity, ZERO, relation="≥" if c.is_impulse else ">"), ".")
+
+
+def _vanishing(found: ImpulsiveMotion, known: list[ReactionImpulse]) -> Iterator[Block]:
+    """Where an impulse is zero: a hand that holds the rod there is not jarred."""
+    coefficients = [a for r in found.rows for a in r.coefficients]
+    for i in known if found.full.loads or found.full.torques else []:
+        for v in vanishings(i.value or ZERO, coefficients):
+            turns = ", and changes its sense there" if v.turns else ""
+            yield prose(math(i.symbol), " vanishes where ", math(v.left, v.right), f"{turns}.")
 
 
 def _meaning(i: ReactionImpulse) -> Prose:
@@ -214,14 +227,14 @@ def _energy(found: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
                     math(found.work), ".")  # fmt: skip
     places = [i for i in found.impulses if i.lost is not None and i.lost != 0]
     if found.energy_lost == 0:
-        yield prose("No energy is lost.")
+        yield from [] if blows else [prose("No energy is lost.")]
         return
     yield prose("Beyond that work, the energy lost is" if blows else "The energy lost in the impact is")
     lost = earlier - T if not blows else earlier - T + found.work
     yield display(Equation((lost, found.energy_lost), label="energy-lost"), boxed=True)
     if len(places) == 1:
         yield prose(f"It is lost at {constraints_called([places[0].name])}.")
-    elif places:
+    elif len({i.restitution for i in places}) > 1:
         shares = [part for i in places for part in (math(i.lost), f" at {constraints_called([i.name])}")]
         parts: list[Part] = []
         for n in range(0, len(shares), 2):

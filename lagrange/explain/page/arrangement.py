@@ -13,8 +13,9 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step, Table
+from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.newton import explain_works
@@ -28,6 +29,18 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.economy import (
+    freedom_in_one,
+    in_one_name,
+    in_pairs,
+    lagrangian_once,
+    likewise_in_a_line,
+    remaining_shortly,
+    said_before,
+    together_shortly,
+    without_momenta,
+    without_unused,
+)
 from lagrange.explain.page.kinematic import (
     explain_short_displacements,
     explain_short_forms,
@@ -94,6 +107,14 @@ def page(
     stated        the equations of motion in the form of the file's answers, if these are right
     every_choice  whether no choice of coordinates is folded
     """
+    arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
+    yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
+
+
+def _arranged(
+    solution: Solution, steps: Iterable[Step], stated: Stated = (), *, every_choice: bool = False
+) -> Iterator[Step]:
+    """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
     stated = in_names(solution, stated)
@@ -103,7 +124,7 @@ def page(
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
-    arranged = list(_without_bodies(solution, shortened))
+    arranged = list(freedom_in_one(_without_bodies(solution, shortened)))
     if not every_choice:
         arranged = without_detour(solution, arranged, lambda step: _is_detour(solution, step))
     for step in _in_pairs(arranged):
@@ -206,19 +227,22 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
             yield explain_short_forms(short, solution.problem.slots)
         elif short is not None and step.rule is Rule.INTEGRABILITY:
-            yield explain_short_integrability(solution, short)
+            yield _integrability_shortly(solution, explain_short_integrability(solution, short))
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
             yield displacements_shortly(explain_short_displacements(solution))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:
-            yield explain_system(solution, step)
+            system = explain_system(solution, step)
+            yield without_momenta(system) if ends_with_speeds(solution) else system
         elif step.rule is Rule.GENERALIZED_COORDINATES:
             yield _with_measures(solution, step)
         elif step.rule is Rule.LAGRANGE:
             yield without_lecture(step)
+        elif step.rule is Rule.DISPLACEMENTS and solution.impact is not None and own is None:
+            continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
-            yield displacements_shortly(_of_forms(solution, step) if geometric else step)
+            yield displacements_shortly(_of_forms(solution, step) if geometric or _are_same(solution) else step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
@@ -253,11 +277,23 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
-            yield from (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
+            named = (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
+            yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
+        elif step.rule is Rule.INTEGRABILITY:
+            yield _integrability_shortly(solution, step)
+        elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:
+            yield lagrangian_once(step)
+        elif step.rule is Rule.RESPONSE:
+            yield with_named_denominators(step, {*solution.problem.scope.names()})
         elif step.rule is Rule.CHECKS:
             yield in_one_line(step, solution)
         else:
             yield step
+
+
+def _integrability_shortly(solution: Solution, step: Step) -> Step:
+    shortly = (together_shortly(solution.classification, b) for b in step.body if b.detail < Detail.FULL)
+    return replace(step, body=tuple(likewise_in_a_line([*shortly])))
 
 
 def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
@@ -280,6 +316,7 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
 def _with_measures(solution: Solution, step: Step) -> Step:
     """Generalized coordinates after what they are."""
     view = next(v for v in solution.choices if v.name == step.choice)
+    step = remaining_shortly(step, view.configuration.slots)
     measures = explain_measures(solution, view)
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):
@@ -291,10 +328,21 @@ def _with_measures(solution: Solution, step: Step) -> Step:
     return replace(step, body=(paragraph(measures, first), *step.body[1:]))
 
 
+def _are_same(solution: Solution) -> bool:
+    """Whether possible and virtual displacements are the same, on a page that only uses them to derive a motion."""
+    own = solution.own
+    moving = {t, *solution.problem.slots.prescribed}
+    rows = own.configuration.rows
+    plain = all(r.nonlinear is None and r.drift == 0 for r in rows)
+    timeless = not any(a.free_symbols & moving for r in rows for a in r.coefficients)
+    derived = own.dynamics is not None or solution.impact is not None
+    return bool(rows) and derived and plain and timeless and not solution.classification.redundancies
+
+
 def _of_forms(solution: Solution, step: Step) -> Step:
     """Displacements of geometric constraints, from the forms without common factors; shortly before a law of motion."""
     own = solution.own
-    rows = tuple(map(halved, own.configuration.rows))
+    rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
     if own.dynamics is not None or own.equilibrium is not None or solution.impact is not None:
         return displacements_of_geometric(configuration, own.elimination)

@@ -30,19 +30,21 @@ def _named(block: Block, taken: Collection[str]) -> Block:
     [base] = shared
     letter = sp.Symbol(free_letter("Delta", "D", "D_0", taken=taken), real=True)
     lines = tuple(replace(e, sides=tuple(_with_letter(s, base, letter) for s in e.sides)) for e in block.equations)
-    last = lines[-1]
-    return replace(block, equations=(*lines[:-1], last, Equation((letter, base))))
+    return replace(block, equations=(*lines, Equation((letter, base))))
 
 
 def _below(equation: Equation) -> Iterator[sp.Expr]:
     """The sums in the denominators of its sides."""
     for side in equation.sides:
         if isinstance(side, sp.Expr):
-            yield from (f.base for f in sp.Mul.make_args(side) if f.is_Pow and f.exp == -1 and f.base.is_Add)
+            bases = (f.base for f in sp.Mul.make_args(side) if f.is_Pow and f.exp == -1)
+            inside = (b.args[0] if isinstance(b, sp.Abs) else b for b in bases)
+            yield from (b for b in inside if b.is_Add)
 
 
 def _with_letter(side: object, base: sp.Expr, letter: sp.Symbol) -> object:
     if not isinstance(side, sp.Expr) or not side.is_Mul:
         return side
-    factors = [1 / letter if f.is_Pow and f.exp == -1 and f.base == base else f for f in side.args]
+    short = {base: letter, sp.Abs(base): sp.Abs(letter)}
+    factors = [1 / short[f.base] if f.is_Pow and f.exp == -1 and f.base in short else f for f in side.args]
     return sp.Mul(*factors, evaluate=False) if factors != list(side.args) else side

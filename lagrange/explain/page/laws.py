@@ -24,6 +24,8 @@ from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkO
 from lagrange.mechanics.results import Solution
 
 ZERO = sp.S.Zero
+LONGEST_FORMS = 12
+"""The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
 SHORT_NAME = 2
 """The most characters of a point whose name is written beside another, as in AB."""
 
@@ -174,6 +176,13 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     rows = configuration.rows
     forms = [virtual_displacement(halved(r), slots) for r in rows]
     total = sp.Add(*(w.reaction.force * _factored(w.virtual) for w in works))
+    lines = [Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True)]
+    between = [_relative(w.reaction) for w in works]
+    if len(works) == len(rows) and all(b is not None for b in between) and sum(map(_length, forms)) > LONGEST_FORMS:
+        products = dict(zip((w.reaction.name for w in works), between, strict=True))
+        lines = [replace(e, sides=(products[r.name] or ZERO, ZERO)) for e, r in zip(lines, rows, strict=True)]
+        total = sp.Add(*(-w.reaction.force / w.reaction.rod.length * products[w.reaction.name]
+                         for w in works if w.reaction.rod is not None))  # fmt: skip
     on = [p.name for p in configuration.points if any(w.reaction.on(p.name) is not None for w in works)]
     left = sp.Add(*(DotProduct(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on))
     zero = listed(Ref(f"virtual-{r.name}") for r in rows)
@@ -183,7 +192,7 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
             "Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
             f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,",
         ),
-        display(*(Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True))),
+        display(*lines),
         prose("In them the ", plural(len(works), "reaction does no work:", "reactions together do no work:")),
         display(Equation((left, total, ZERO), label="virtual-work", condition=("by ", *zero) if one else ())),
         *_single(works, () if one else zero),
@@ -193,6 +202,23 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
         plural(len(works), "The reaction does no virtual work", "The reactions do no virtual work"),
         tuple(body),
     )
+
+
+def _relative(reaction: Reaction) -> sp.Expr | None:
+    """(r_A − r_B)·(δr_A − δr_B) of the ends of a rod, or r·δr about O; None of any other reaction."""
+    rod = reaction.rod
+    if rod is None or reaction.tension is None or not reaction.named or reaction.moments:
+        return None
+    if rod.centre is not None and not rod.centre.is_zero:
+        return None
+    ends = [name for name in rod.ends if name]
+    along = sp.Add(*(VectorSymbol(f"r_{name}") * (-1) ** n for n, name in enumerate(ends)))
+    moved = sp.Add(*(VectorSymbol(f"delta(r_{name})") * (-1) ** n for n, name in enumerate(ends)))
+    return DotProduct(along, moved)
+
+
+def _length(e: sp.Expr) -> int:
+    return int(e.count_ops())
 
 
 def _factored(work: sp.Expr) -> sp.Expr:

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.symbols import variation
-from lagrange.core.vectors import Vector
+from lagrange.core.symbols import Slots, t, variation
+from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.displacements import LONGEST, conditions, of_points, solved_displacements
@@ -64,11 +64,10 @@ def _is_plain(equation: Equation) -> bool:
 
 
 def with_kinematics(step: Step, motion: DalembertMotion) -> Step:
-    """Newton's law after the accelerations that occur in it, unless they are merely ẍ i + ÿ j."""
+    """Newton's law after the accelerations that occur in it, unless they are linear in ẍ, ÿ, ..."""
     kinematics = accelerations_of(motion)
-    coordinates = frozenset(motion.configuration.slots.accelerations)
     lines = [e for b in kinematics if isinstance(b, Display) for e in b.equations]
-    if not lines or all(_is_evident(e, coordinates) for e in lines):
+    if not lines or all(_is_linear(e, motion.configuration.slots) for e in lines):
         return step
     return replace(step, body=(*kinematics, *step.body))
 
@@ -94,6 +93,16 @@ def _is_evident(equation: Equation, accelerations: frozenset[object]) -> bool:
     value = equation.sides[-1]
     named = (equation.label or "").startswith("acceleration")
     return named and isinstance(value, Vector) and all(c == 0 or c in accelerations for c in value.components)
+
+
+def _is_linear(equation: Equation, slots: Slots) -> bool:
+    """Whether an acceleration has accelerations of coordinates with constant coefficients as components."""
+    value = equation.sides[-1]
+    if not isinstance(value, Vector) or value.triad != FIXED:
+        return False
+    terms = [a for c in value.components for a in sp.Add.make_args(sp.expand(c)) if a != 0]
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *slots.accelerations, t}
+    return all(len(a.free_symbols & moving) == 1 and a.free_symbols & {*slots.accelerations} for a in terms)
 
 
 def with_displacements(step: Step, motion: DalembertMotion) -> Step:

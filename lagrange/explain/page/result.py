@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import VectorSymbol, prime
+from lagrange.core.symbols import CONSTANT, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
+from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, in_words, sign_conditions, spoken
@@ -73,6 +74,7 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
+        yield from _of_constraints(solution)
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
@@ -80,6 +82,25 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
+    step = Step(Rule.RESULT, "", body)
+    yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _of_constraints(solution: Solution) -> Iterator[Step]:
+    """Where constraints are all that is asked: freedom, class, and the finite relations that they hide."""
+    found = solution.classification
+    if solution.own.motion is not None or not solution.problem.constraints or found.degrees_of_freedom is None:
+        return
+    if found.holonomic is None or found.scleronomic is None:
+        return
+    kind = "holonomic" if found.holonomic else "nonholonomic"
+    time = "scleronomic" if found.scleronomic else "rheonomic"
+    words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind} and {time}"
+    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined))
+    lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
+    body: tuple[Block, ...] = (prose(f"{words}."),)
+    if lines:
+        body = (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF))
     yield Step(Rule.RESULT, "", body)
 
 
@@ -150,6 +171,11 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     for i in found.impulses:
         if i.value is not None:
             yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
+    struck = found.full.loads or found.full.torques
+    if not found.is_driven and not struck and found.energy_lost != 0:
+        kinetic = energy_symbols(solution).kinetic
+        line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, found.energy_lost))
+        yield from [replace(line, condition=("the energy lost",))] if _operations(line) <= LONGEST_ANSWER else []
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

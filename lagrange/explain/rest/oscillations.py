@@ -31,6 +31,8 @@ from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
+LONGEST_CONDITIONS = 30
+"""The most operations of conditions of stability that are written out where an equation before has the same."""
 LONGEST_BESIDE = 15
 """The most operations of a mode that is shown beside its frequency."""
 LONGEST = 120
@@ -175,7 +177,7 @@ def explain_about(
     yield from _matrices(s)
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
     named = (f"the {noun} ", place) if is_stated else ("every position of rest",)
-    yield from _verdict(named, s)
+    yield from _verdict(named, s, label_of(linearization, "omega-1", n))
 
 
 def _bound(s: SmallOscillations, linearization: Linearization) -> Iterator[Block]:
@@ -373,8 +375,15 @@ def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearizat
     return ("with ", math(*moved, relation=":"), " as ", math(*m.shape, relation=":"))
 
 
-def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
-    """The verdict on stability."""
+def _is_sign_of_square(s: SmallOscillations) -> bool:
+    """Whether it depends on the sign of the only ω², and to write the conditions out would take long."""
+    one = len(s.free) == 1 and len(s.frequencies) == 1 and s.frequencies[0].square is not None
+    length = sum(int((c.lhs - c.rhs).count_ops()) for c in s.judgement.stability.conditions)
+    return one and s.oscillates and length > LONGEST_CONDITIONS
+
+
+def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str) -> Iterator[Prose]:
+    """The verdict on stability; `square`: the label of ω², where there is one."""
     stability, ground = s.judgement.stability, s.judgement.ground
     detail = Detail.BRIEF
     firm = ground is Ground.POTENTIAL or ground is Ground.HURWITZ
@@ -387,6 +396,9 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
             yield prose(*_why(s), *named, f" is {stable}", *_presupposing(stability), ".", detail=detail)
         case StabilityVerdict.UNSTABLE:
             yield prose(*_why(s), *named, " is unstable", *_presupposing(stability), ".", detail=detail)
+        case StabilityVerdict.CONDITIONAL if _is_sign_of_square(s):
+            yield prose(*subject, f" is {stable} where the right side of ", Ref(square), " is positive, and unstable "
+                        "where it is negative.", detail=detail)  # fmt: skip
         case StabilityVerdict.CONDITIONAL:
             where = sign_conditions(stability.conditions)
             strict = [c for c in stability.conditions if c.relation != "≠"]

@@ -8,10 +8,10 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.core.symbols import t
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
-from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
+from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, extremes
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 
 ZERO = sp.S.Zero
@@ -77,7 +77,17 @@ def _steady_state(found: Response) -> Iterator[Block]:
         boxed=True,
         detail=Detail.BRIEF,
     )
+    yield from _extremes(found)
     yield from _lags(found)
+
+
+def _extremes(found: Response) -> Iterator[Block]:
+    """What the amplitude tends to at low and at high frequency."""
+    [letter, *_], w = found.letters, found.drive.frequency
+    ends = zip(extremes(found), (ZERO, sp.oo), strict=True)
+    clauses = [(math(letter, e, relation="→"), " as ", math(w, end, relation="→")) for e, end in ends if e is not None]
+    if clauses:
+        yield prose(*series(clauses), ".")
 
 
 def _dies_out(found: Response) -> bool:

@@ -61,7 +61,9 @@ def _branches(found: SteadyMotions) -> Iterator[Block]:
         open_ = "Solutions were not found in closed form."
         yield prose(nowhere if found.complete else open_, detail=Detail.BRIEF)
     else:
-        yield prose("This holds for" if found.complete else "Among other solutions, perhaps, this holds for")
+        yield prose(
+            "This holds for" if found.complete else "This holds, perhaps besides other solutions not found, for"
+        )
     for n, (family, b, _) in enumerate(solutions, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]
         if not lines:

@@ -36,6 +36,7 @@ from lagrange.mechanics.constraints.limits import (
     MOST_DRIFTS,
     MOST_FACTORED_SYMBOLS,
 )
+from lagrange.problem.model import AppliedMoment, Problem
 
 
 @record
@@ -115,6 +116,19 @@ def displaced_force(load: Load, slots: Slots) -> Vector:
 def virtual_displacements(system: ConstrainedSystem, first: Collection[int] = ()) -> Elimination:
     """The virtual displacements A δq = 0, the dependent ones solved for; `first` are eliminated before any others."""
     return eliminate(system.rows, system.size, system.states, first)
+
+
+def not_driven(problem: Problem, system: ConstrainedSystem) -> list[int]:
+    """All coordinates but the angle of the body on which the only given moment acts: the crank of a linkage stays free.
+
+    Indices; none where constraints are on velocities, or no such angle is a coordinate.
+    """
+    moments = [f for f in problem.forces if isinstance(f, AppliedMoment)]
+    if len(moments) != 1 or any(row.finite is None for row in system.rows):
+        return []
+    driven = next((b.angle for b in problem.bodies if b.name == moments[0].on), None)
+    coordinates = system.slots.coordinates
+    return [k for k, q in enumerate(coordinates) if q != driven] if driven in coordinates else []
 
 
 def transport_rates(system: ConstrainedSystem, elimination: Elimination) -> tuple[sp.Expr, ...]:

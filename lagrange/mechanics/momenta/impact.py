@@ -28,6 +28,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -535,7 +536,8 @@ def _tidy(expression: sp.Expr) -> sp.Expr:
     if tidied.is_Atom or tidied.count_ops() > LONGEST_FACTORED or tidied.atoms(sp.Function):
         return tidied
     factors = sp.factor(tidied)
-    return factors if factors.count_ops() <= tidied.count_ops() else tidied
+    nested = any(a.is_Pow and a.exp.is_negative for b in tidied.atoms(sp.Add) for a in sp.preorder_traversal(b))
+    return without_leading_minus(factors) if nested or factors.count_ops() <= tidied.count_ops() else tidied
 
 
 def _sum(expression: sp.Expr) -> sp.Expr:

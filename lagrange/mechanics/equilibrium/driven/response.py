@@ -202,15 +202,16 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     of_sine = not any(f != 0 for f, _ in parts)
     for z in numerators:
         real, imaginary = _parts(sp.expand(z * _conjugate(determinant)))
-        a, b = _short(real / scale), _short(-imaginary / scale)
+        a, b = (_over_squares(_short(e / scale), determinant) for e in (real, -imaginary))
         if not is_damped:
             up, down = _parts(z)
             a, b = _short(up / determinant), _short(-down / determinant)
-        cosines.append(a)
-        sines.append(b)
-        amplitudes.append(_amplitude(z, determinant, is_damped))
+        cosines.append(_by_powers(a, w))
+        sines.append(_by_powers(b, w))
+        amplitudes.append(_by_powers(_amplitude(z, determinant, is_damped), w))
         lag = _lag(real, imaginary, of_cosine, of_sine)
-        phases.append(lag if is_damped else _lag_without_damping(z, determinant, of_cosine, of_sine))
+        lag = lag if is_damped else _lag_without_damping(z, determinant, of_cosine, of_sine)
+        phases.append(None if lag is None else _by_powers(lag, w))
     found = tuple(amplitudes)
     resonances = _resonances(determinant, found, w, is_damped)
     rests = tuple(_zeros(_squared(z), w) if n > 1 else () for z in numerators)
@@ -221,6 +222,59 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     return Response(
         forced, drive, tuple(cosines), tuple(sines), found, tuple(phases), resonances, rests, is_damped, letters, lags
     )
+
+
+def _over_squares(e: sp.Expr, determinant: sp.Expr) -> sp.Expr:
+    """A quotient by |determinant|², with Re² + Im² in its denominator instead of the sum multiplied out."""
+    above, below = sp.fraction(e)
+    return above / _root(below, determinant) ** 2
+
+
+def _by_powers(e: sp.Expr, w: sp.Expr) -> sp.Expr:
+    """An expression whose sums are collected in powers of ω: c − (M + m) ω² for c − M ω² − m ω²."""
+    if not w.is_Symbol or not e.has(w) or not e.args:
+        return e
+    if not e.is_Add or not e.is_polynomial(w):
+        return e.func(*(_by_powers(a, w) for a in e.args))
+    if any(a.is_Pow and a.base.is_Add for term in e.args for a in sp.Mul.make_args(term)):
+        return sp.Add(*(_by_powers(a, w) for a in e.args))  # Re² + Im²
+    terms = sp.Poly(e, w).terms()
+    return sp.Add(*(sp.Mul(_in_front(c), w**k) for (k,), c in terms))
+
+
+def _in_front(coefficient: sp.Expr) -> sp.Expr:
+    """A coefficient with a sign, and what its terms have in common, in front: −[m₁ c₂ + m₂ (c₁ + c₂)]."""
+    together = textbook_form(coefficient)
+    minus = [a.could_extract_minus_sign() for a in sp.Add.make_args(together)]
+    return sp.Mul(-1, -together, evaluate=False) if together.is_Add and all(minus) else together
+
+
+def extremes(found: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
+    """What the amplitude of the only coordinate tends to as ω → 0 and as ω → ∞; None where it has no limit."""
+    w = found.drive.frequency
+    if len(found.amplitudes) != 1 or not w.is_Symbol:
+        return None, None
+    above, below = sp.fraction(sp.cancel(sp.together(found.amplitudes[0] ** 2)))
+    if not above.is_polynomial(w) or not below.is_polynomial(w):
+        return None, None
+    (low, up), (lowest, top) = ((min(p.monoms())[0], p.degree()) for p in (sp.Poly(e, w) for e in (above, below)))
+    numerator, denominator = sp.Poly(above, w), sp.Poly(below, w)
+
+    def root(k: int, n: int) -> sp.Expr:
+        ratio = sp.factor(numerator.coeff_monomial(w**k) / denominator.coeff_monomial(w**n))
+        return sp.sqrt(ratio) if ratio.is_number else sp.Mul(*(_half(f) for f in sp.Mul.make_args(ratio)))
+
+    at_zero = None if low < lowest else ZERO if low > lowest else root(low, lowest)
+    at_infinity = None if up > top else ZERO if up < top else root(up, top)
+    return at_zero, at_infinity
+
+
+def _half(factor: sp.Expr) -> sp.Expr:
+    """The root of a factor of a square."""
+    base_, exponent = factor.as_base_exp()
+    if factor.is_number:
+        return sp.sqrt(factor)
+    return _modulus(base_) ** (exponent / 2) if (exponent / 2).is_Integer else sp.sqrt(factor)
 
 
 def _conjugate(e: sp.Expr) -> sp.Expr:
@@ -254,7 +308,7 @@ def _amplitude(numerator: sp.Expr, determinant: sp.Expr, is_damped: bool) -> sp.
         if up != 0 and down != 0:
             return sp.sqrt(_short(up**2 + down**2)) / sp.Abs(sp.factor(determinant))
         above, below = sp.fraction(_short((up if down == 0 else down) / determinant))
-        return sp.Mul(*(_modulus(above), 1 / _modulus(below)))
+        return sp.Mul(_modulus(above), 1 / sp.Mul(*(sp.Abs(f) for f in sp.Mul.make_args(below))))  # as in ξ itself
     ratio = sp.cancel(sp.together(_squared(numerator) / _squared(determinant)))
     above, below = (sp.factor(e) for e in sp.fraction(ratio))
     factors, under = _root(above, numerator), _root(below, determinant)
@@ -360,7 +414,7 @@ def _zeros(e: sp.Expr, w: sp.Expr) -> tuple[sp.Expr, ...]:
         elif p.degree() == 2:
             a, b, c = p.all_coeffs()
             inner = sp.factor(b**2 - 4 * a * c)
-            found += [(-b - sp.sqrt(inner)) / (2 * a), (-b + sp.sqrt(inner)) / (2 * a)]
+            found += [sp.factor_terms((-b + sign * sp.sqrt(inner)) / (2 * a)) for sign in (-1, 1)]
     return tuple(v for v in found if not v.is_nonpositive)
 
 

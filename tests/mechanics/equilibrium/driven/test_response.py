@@ -13,7 +13,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import ProblemError
-from lagrange.mechanics.equilibrium.driven.response import Response
+from lagrange.mechanics.equilibrium.driven.response import Response, extremes
 from lagrange.mechanics.solution import solve
 from lagrange.render.json import as_object
 from tests.support.problem_texts import read
@@ -169,3 +169,33 @@ REFUSED = [
 def test_what_has_no_steady_state_is_refused_with_the_reason(text: str, said: str) -> None:
     with pytest.raises(ProblemError, match=said):
         solve(read(f"title: T\n{text.lstrip()}"))
+
+
+@pytest.mark.parametrize(
+    ("name", "ends"),
+    [
+        ("damped-oscillator", ("F/c", "0")),
+        ("rotating-unbalance", ("0", "m*e/(M + m)")),
+        ("shaken-support", ("a", "0")),
+        ("pendulum-on-a-shaken-pivot", ("0", "a/l")),
+        ("dynamic-absorber", (None, None)),
+    ],
+)
+def test_what_the_amplitude_tends_to_at_low_and_at_high_frequency(
+    name: str, ends: tuple[str | None, str | None]
+) -> None:
+    found = reported(name).solution.own.response
+    assert found is not None
+    for value, expected in zip(extremes(found), ends, strict=True):
+        assert (value is None) == (expected is None)
+        if value is not None and expected is not None:
+            symbols = {s.name: s for s in found.amplitudes[0].free_symbols}
+            assert sp.simplify(value - sp.sympify(expected, locals=symbols)) == 0
+
+
+def test_amplitudes_are_collected_in_powers_of_the_frequency() -> None:
+    found = reported("rotating-unbalance").solution.own.response
+    assert found is not None
+    M, m, c, w = (next(s for s in found.amplitudes[0].free_symbols if s.name == n) for n in ("M", "m", "c", "w"))
+    sums = found.amplitudes[0].atoms(sp.Add)
+    assert any(s in (c - (M + m) * w**2, (M + m) * w**2 - c) for s in sums)

@@ -1,0 +1,117 @@
+"""A page says nothing twice: one name for a unit vector, no unused abbreviations, short lines in pairs."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import CONSTANT, UnitVector, VectorSymbol
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import display, math, prose
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Prose, Ref, Rule, Step
+from lagrange.explain.page.economy import freedom_in_one, in_pairs, lagrangian_once, likewise_in_a_line, said_before
+from lagrange.render import terminal
+from tests.support.shared import reported
+
+x, y, z = sp.symbols("x y z", real=True)
+D = sp.Symbol("Delta", real=True)
+
+
+def step(*blocks: Block, rule: Rule = Rule.MEANING, title: str = "") -> Step:
+    return Step(rule, title, blocks)
+
+
+def printed(name: str, width: int = 80) -> str:
+    r = reported(name, complete=False)
+    return terminal.text(r.derivation, r.notation, width)
+
+
+def test_equal_unit_vectors_have_one_name_and_what_is_not_used_is_not_stated() -> None:
+    said = printed("two-wheeled-carriage")
+    assert said.count("𝐬 = cos θ 𝐢 + sin θ 𝐣") == 1
+    assert "𝛚_left = φ̇₁ 𝐧 + θ̇ 𝐤" in said
+    assert "_left = 𝐤" not in said
+    unused = printed("struck-sleigh")
+    assert "𝐧 =" not in unused
+    assert "For brevity" not in unused
+
+
+def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
+    head = step(display(Equation((x, y)), Equation((y, z)), boxed=True), rule=Rule.RESULT)
+    first = step(display(Equation((x, y / D)), Equation((D, z)), boxed=True))
+    again = step(display(Equation((z, x / D)), Equation((D, z)), boxed=True))
+    other = step(display(Equation((z, x / D)), Equation((D, x)), boxed=True))
+    short = step(prose(Emphasis("In short"), ","), display(Equation((x, y)), Equation((y, z)), boxed=True))
+    _, a, b, c, d = said_before([head, first, again, other, short])
+    assert a == first
+    [box] = b.body
+    assert isinstance(box, Display)
+    assert box.equations == (Equation((z, x / D), condition=("with ", math(D), " as above")),)
+    assert c == other
+    assert d.body == (prose(Emphasis("In short"), ": the equations at the head of the page."),)
+
+
+def test_a_form_in_short_that_the_head_does_not_have_stays() -> None:
+    short = step(prose(Emphasis("In short"), ","), display(Equation((x, y)), Equation((y, CONSTANT)), boxed=True))
+    assert [*said_before([short])] == [short]
+
+
+def test_a_second_question_does_not_state_the_condition_again() -> None:
+    told = (prose("The condition becomes"), display(Equation((x, sp.S.Zero), label="one")))
+    first, second = said_before([step(*told, rule=Rule.QUESTION), step(*told, prose("So"), rule=Rule.QUESTION)])
+    assert first.body == told
+    assert second.body == (prose("So"),)
+
+
+def test_short_lines_of_one_kind_are_paired_unless_something_refers_to_the_second() -> None:
+    a, b = (Equation((VectorSymbol(f"F_{n}"), x * UnitVector("i")), label=f"force-{n}") for n in "AB")
+    [paired] = in_pairs([step(display(a, b))])
+    [block] = paired.body
+    assert isinstance(block, Display)
+    assert [e.label for e in block.equations] == ["force-A"]
+    kept = [step(display(a, b)), step(prose("By ", Ref("force-B")))]
+    assert [*in_pairs(kept)] == kept
+    long = Equation((VectorSymbol("F_B"), Vector((x * y + z, x * y - z, x + y))), label="force-B")
+    assert [*in_pairs([step(display(a, long))])] == [step(display(a, long))]
+
+
+def test_classification_and_freedom_are_one_section() -> None:
+    [one] = freedom_in_one(
+        [step(prose("holonomic"), rule=Rule.CLASSIFICATION), step(prose("2"), rule=Rule.DEGREES_OF_FREEDOM)]
+    )
+    assert one.title == "Classification and degrees of freedom"
+    assert one.body == (prose("holonomic"), prose("2"))
+
+
+def test_a_further_form_that_is_not_integrable_takes_one_paragraph() -> None:
+    first, question, end = (
+        prose(Ref("form-b"), " is not"),
+        prose("With ", math(x), ", "),
+        prose("This does not vanish."),
+    )
+    [said] = likewise_in_a_line([first, question, display(Equation((x, y * z))), end])
+    assert isinstance(said, Prose)
+    assert math(x, y * z) in said.parts
+    apart = [first, question, display(Equation((x, y), condition=("a",)), Equation((y, z))), end]
+    assert [*likewise_in_a_line(apart)] == apart
+
+
+def test_a_given_lagrangian_is_displayed_once() -> None:
+    again = step(prose("The Lagrangian is given."), display(Equation((x, y), label="lagrangian")), rule=Rule.ENERGIES)
+    [begins] = lagrangian_once(again).body
+    assert isinstance(begins, Prose)
+    assert Ref("given-lagrangian") in begins.parts
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("ex06-two-particle-skate", "ẋ sin θ − ẏ cos θ = 0"),
+        ("ex07-constant-coefficients", "One degree of freedom; holonomic and rheonomic:"),
+        ("ex14-two-particles", "(𝐫_P₁ − 𝐫_P₂)·(δ𝐫_P₁ − δ𝐫_P₂) = 0"),
+        ("south-pointing-chariot", "θ + ψ = const"),
+        ("snakeboard", "of 2 forms 1 remains, then none"),
+    ],
+)  # fmt: skip
+def test_a_page_has_the_short_form(name: str, said: str) -> None:
+    assert said in " ".join(printed(name, 100).split()).replace("( ", "(")
