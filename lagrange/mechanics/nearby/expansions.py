@@ -19,8 +19,17 @@ from lagrange.algebra.exact.real_points import Reals
 from lagrange.algebra.forms.jets import BITS, Expansion, Jet, JetRing, constant_term
 from lagrange.core.symbols import Slots, t
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.nearby.limits import ROUNDED_TO_ZERO
 
 Numbers = Mapping[sp.Symbol, sp.Expr]
+
+
+class RoundedReals(Reals):
+    """Real numbers of eighty digits, of which fifty-five are used: what is smaller counts as zero."""
+
+    def vanishes(self, x: Any) -> bool:
+        """Whether x is 0."""
+        return bool(abs(x) < ROUNDED_TO_ZERO)
 
 
 class Expansions:
@@ -30,7 +39,7 @@ class Expansions:
     """
 
     def __init__(self, slots: Slots, values: Numbers) -> None:
-        self.reals = Reals(Random(0))
+        self.reals = RoundedReals(Random(0))
         self.ring = JetRing(self.reals)
         self.size = len(slots.coordinates)
         self._values = {**values, t: sp.S.Zero}
@@ -39,12 +48,16 @@ class Expansions:
         self._numbers: dict[sp.Expr, Any] = {}
 
     def number(self, e: sp.Expr) -> Any:
-        """The value of an expression at the state."""
+        """The value of a short expression at the state."""
         known = self._numbers.get(e)
         if known is None:
             value = sp.N(e.xreplace(self._values), REAL_DIGITS + 5)
             known = self._numbers[e] = self.reals.float(sp.Float(value, REAL_DIGITS + 5))
         return known
+
+    def value(self, e: sp.Expr) -> Any:
+        """The value of a long expression at the state; each distinct part of it is worked out once."""
+        return self.at_state(self.jet(e, 0, moving=True))
 
     def jet(self, e: sp.Expr, order: int, *, moving: bool = False) -> Jet:
         """The Taylor series of an expression of coordinates; of velocities too if `moving`."""

@@ -9,3 +9,9 @@ SPARE_VALUES = 2
 CLEARLY_ZERO = 1e-40
 # Digits of a number that is no short fraction.
 SHOWN_DIGITS = 15
+# The check takes a state in a distance of 10^-20: a remainder of second order is below 10^-36, and one of first order
+# far above. The tables are rounded to fifteen digits, which leaves 10^-34.
+CHECKED_DISTANCE = 20
+CHECKED_REMAINDER = 1e-31
+# Numbers of eighty digits that count as zero.
+ROUNDED_TO_ZERO = 1e-55

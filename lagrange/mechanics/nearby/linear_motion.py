@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
+from random import Random
 from typing import Any
 
 import sympy as sp
@@ -29,7 +30,7 @@ from lagrange.algebra.exact.linear_algebra import solution
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.nearby.expansions import Expansions
+from lagrange.mechanics.nearby.expansions import Expansions, RoundedReals
 from lagrange.mechanics.nearby.limits import CLEARLY_ZERO, HIGHEST_DEGREE, MOST_LETTERS, SHOWN_DIGITS, SPARE_VALUES
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
@@ -223,10 +224,7 @@ class _Fit:
     """Polynomials in the letters through the values at `_places`."""
 
     def __init__(self, letters: Sequence[sp.Symbol]) -> None:
-        from lagrange.algebra.exact.real_points import Reals
-        from random import Random
-
-        self.reals = Reals(Random(0))
+        self.reals = RoundedReals(Random(0))
         self.monomials = _monomials(letters)
         self.rows = []
         for point in _places(letters):
@@ -254,7 +252,7 @@ class _Fit:
 
 def _rounded(x: Any) -> sp.Expr:
     """A number of eighty digits: the rational that it is to fifty digits, if that is short, or its first digits."""
-    near = Fraction(sp.Float(x, 60).p if False else str(sp.Float(x, 50))).limit_denominator(10**6)
+    near = Fraction(str(sp.Float(x, 50))).limit_denominator(10**6)
     if abs(x - near.numerator / type(x)(near.denominator)) < CLEARLY_ZERO:
         return sp.Rational(near.numerator, near.denominator)
     return sp.Float(x, SHOWN_DIGITS)

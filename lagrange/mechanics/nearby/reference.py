@@ -49,8 +49,8 @@ def reference(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr],
     loose = [k for k, q in enumerate(slots.coordinates) if q not in stated]
     gradients = _placed(configuration, values, loose)
     about = Expansions(slots, values)
-    rows = [[about.number(a) for a in row.coefficients] for row in configuration.rows]
-    drifts = [about.number(row.drift) for row in configuration.rows]
+    rows = [[about.value(a) for a in row.coefficients] for row in configuration.rows]
+    drifts = [about.value(row.drift) for row in configuration.rows]
     # Columns to be solved for come first: velocities that nothing is said of, of coordinates that nothing is said of.
     order = sorted(range(size), key=lambda k: (slots.velocities[k] in stated, slots.coordinates[k] in stated, k))
     dependent = _columns(about, rows, order)
