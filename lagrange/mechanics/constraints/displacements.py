@@ -62,7 +62,9 @@ class Elimination:
     is_closed: bool = True
 
     def solved(self, slots: Slots) -> Mapping[sp.Symbol, sp.Expr]:
-        """Each dependent δq in terms of the independent ones."""
+        """Each dependent δq in terms of the independent ones; none where they are not written out."""
+        if not self.is_closed:
+            return {}
         free = [variation(slots.coordinates[k]) for k in self.independent]
         return {
             variation(slots.coordinates[d]): sp.Add(*(c * v for c, v in zip(row, free, strict=True)))

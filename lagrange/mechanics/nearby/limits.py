@@ -15,3 +15,7 @@ CHECKED_DISTANCE = 20
 CHECKED_REMAINDER = 1e-31
 # Numbers of eighty digits that count as zero.
 ROUNDED_TO_ZERO = 1e-55
+# Steps in which the exponents of a linear system are found.
+MOST_ROOT_STEPS = 200
+# The denominator of a fraction that is written as one.
+LARGEST_DENOMINATOR = 100

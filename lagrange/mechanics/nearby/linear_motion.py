@@ -20,18 +20,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations_with_replacement
 from random import Random
 from typing import Any
 
 import sympy as sp
+from mpmath.libmp.libhyper import NoConvergence
 
 from lagrange.algebra.exact.linear_algebra import solution
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.records import record
+from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, RoundedReals
-from lagrange.mechanics.nearby.limits import CLEARLY_ZERO, HIGHEST_DEGREE, MOST_LETTERS, SHOWN_DIGITS, SPARE_VALUES
+from lagrange.mechanics.nearby.limits import CLEARLY_ZERO, HIGHEST_DEGREE, LARGEST_DENOMINATOR, MOST_LETTERS, MOST_ROOT_STEPS, SHOWN_DIGITS, SPARE_VALUES
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
 from lagrange.problem.model import Problem
@@ -48,6 +51,36 @@ class LinearBlock:
     mass: Entries
     damping: Entries
     stiffness: Entries
+
+    @property
+    def equations(self) -> tuple[sp.Expr, ...]:
+        """The left sides, each zero."""
+        tables = zip(self.mass, self.damping, self.stiffness, strict=True)
+        return tuple(
+            sp.Add(
+                *(
+                    m * prime(q, 2) + d * prime(q) + k * q
+                    for q, m, d, k in zip(self.coordinates, ms, ds, ks, strict=True)
+                )
+            )
+            for ms, ds, ks in tables
+        )
+
+    @cached_property
+    def exponents(self) -> tuple[sp.Expr, ...]:
+        """The p of solutions e^(pt), det(M p² + D p + K) = 0, but for p = 0; none where a letter has no value."""
+        tables = [sp.Matrix(m) for m in (self.mass, self.damping, self.stiffness)]
+        if any(m.free_symbols for m in tables):
+            return ()
+        p = sp.Dummy("p")
+        polynomial = sp.Poly((tables[0] * p**2 + tables[1] * p + tables[2]).det(method="berkowitz"), p)
+        lowest = min(power for (power,), _ in polynomial.terms())
+        polynomial = sp.Poly(sp.expand(polynomial.as_expr() / p**lowest), p)
+        try:
+            roots = polynomial.nroots(n=SHOWN_DIGITS, maxsteps=MOST_ROOT_STEPS) if polynomial.degree() else []
+        except NoConvergence:  # roots that are several at one place
+            return ()
+        return tuple(sp.N(r, SHOWN_DIGITS - 1, chop=True) for r in roots)
 
 
 @record
@@ -252,7 +285,7 @@ class _Fit:
 
 def _rounded(x: Any) -> sp.Expr:
     """A number of eighty digits: the rational that it is to fifty digits, if that is short, or its first digits."""
-    near = Fraction(str(sp.Float(x, 50))).limit_denominator(10**6)
+    near = Fraction(str(sp.Float(x, 50))).limit_denominator(LARGEST_DENOMINATOR)
     if abs(x - near.numerator / type(x)(near.denominator)) < CLEARLY_ZERO:
         return sp.Rational(near.numerator, near.denominator)
     return sp.Float(x, SHOWN_DIGITS)
