@@ -166,12 +166,24 @@ def _explained(
         stated = stated_equations(solution) if right and solution.own.motion is not None else ()
         return without_names_of_choices(finished(page(solution, steps, stated, every_choice=every_choice)))
 
+    if not solution.own.elimination.is_closed:
+        steps = tuple(illustrated(_of_large(solution, answers), solution, notation))
+        return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation, (), values)
     steps = tuple(step for step in _steps(solution, answers, complete) if step is not None)
     whole = tuple(in_full()) if complete else _later(in_full, problem)
     arranged = _later(on_page, problem) if complete else tuple(on_page())
     derivation = Derivation(problem.title, problem.source, whole, arranged)
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks, values)
+
+
+def _of_large(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Step]:
+    """The steps for a system in which nothing is eliminated."""
+    from lagrange.explain.large_systems import large_system_steps
+
+    yield explain_statement(solution.problem, solution.own.configuration)
+    yield from large_system_steps(solution, names_of(solution.problem))
+    yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], [])
 
 
 def _later(make: Callable[[], Iterator[Step]], problem: Problem) -> MadeWhenRead:

@@ -40,6 +40,8 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.nearby.linear_motion import LinearMotion
+    from lagrange.mechanics.nearby.long_equations import LongEquations
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
@@ -126,6 +128,8 @@ class Solution:
     from_start       the motion from the initial state, where nothing is asked
     impact           the velocities after an impact, and the impulses
     after            the motion after it, where something is asked
+    long_equations   the equations of motion in abbreviations, where nothing is eliminated because it would fill pages
+    linear_motion    the linear equations about the motion that the file gives, in numbers, for such a system
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -142,6 +146,8 @@ class Solution:
     from_start: FromStart | None = None
     impact: ImpulsiveMotion | None = None
     after: Solution | None = None
+    long_equations: LongEquations | None = None
+    linear_motion: LinearMotion | None = None
     given_up: str = ""
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.nearby.linear_motion import LinearMotion
+    from lagrange.mechanics.nearby.long_equations import LongEquations
     from lagrange.mechanics.results import InCoordinates, Solution
 
 Write = Callable[[Any], str]
@@ -42,6 +44,10 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
     forced = next((v for v in reversed(views) if v.forced is not None), None)
     if forced is not None and forced.forced is not None:
         found["response"] = response(forced.forced, forced.response, write) | _named(forced)
+    if solution.long_equations is not None:
+        found |= long_equations(solution.long_equations, write)
+    if solution.linear_motion is not None:
+        found["linear_motion"] = linear_motion(solution.linear_motion, write)
     if solution.impact is not None:
         found["impact"] = impact(solution.impact, write)
     return found
@@ -64,6 +70,35 @@ def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -
         if v.name == m.name and v.symbol is not None:
             result["valid"] = f"{write(v.symbol)} {'>' if v.above else '<'} {write(v.bound)}"
     return result
+
+
+def long_equations(found: LongEquations, write: Write) -> dict[str, Any]:
+    """`definitions` of abbreviations, in their order, and the `equations` with multipliers, which use them."""
+    lines = [f"{write(a)} = {write(b)}" for a, b in zip(found.left, found.right, strict=True)]
+    return {"definitions": {z.name: write(e) for z, e in found.definitions.items()}, "equations": lines}
+
+
+def linear_motion(found: LinearMotion, write: Write) -> dict[str, Any]:
+    """`about`: the steady motion; `blocks` of coordinates that are coupled, with the tables of ξ'', ξ', ξ."""
+
+    def table(rows: Sequence[Sequence[Any]]) -> list[list[str]]:
+        return [[write(e) for e in row] for row in rows]
+
+    return {
+        "about": {s.name: write(e) for s, e in found.state.items()},
+        "blocks": [
+            {
+                "coordinates": [q.name for q in b.coordinates],
+                "mass": table(b.mass),
+                "damping": table(b.damping),
+                "stiffness": table(b.stiffness),
+                "equations": [f"{write(e)} = 0" for e in b.equations],
+            }
+            | ({"exponents": [str(p) for p in b.exponents]} if b.exponents else {})
+            for b in found.blocks
+        ],
+        "ignorable": [q.name for q in found.ignorable],
+    }
 
 
 def _named(view: InCoordinates) -> dict[str, str]:

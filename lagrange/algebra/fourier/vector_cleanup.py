@@ -2,7 +2,8 @@
 
 A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with
 sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is brought to textbook
-form, which is kept where it is shorter; any other stays as the file has it.
+form, which is kept where it is shorter; any other stays as the file has it. So does a product of many rotations: the
+wheel of a bicycle is turned through five angles, which are hundreds of waves, and no shorter for it.
 
 A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
 cos w/sin w is written cot w, where it is to be read and not computed with. Only short expressions are treated:
@@ -13,19 +14,55 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from itertools import combinations
+from math import prod
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.fourier.limits import LARGEST_CLEANED, MOST_CLEANED_TERMS
+from lagrange.algebra.exact.zero_test import is_zero, vanishes
+from lagrange.algebra.fourier.limits import (
+    FEW_ANGLES,
+    HIGHEST_MULTIPLE,
+    LARGEST_CLEANED,
+    MOST_CLEANED_TERMS,
+    MOST_CLEANED_WAVES,
+)
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
+
+LARGEST_COUNT = 1e9
 
 
 def is_short(expression: sp.Expr) -> bool:
     """Whether multiplying out and factoring take little time."""
     measure = Sizes().of(expression)
-    return measure.size <= LARGEST_CLEANED and measure.widest <= MOST_CLEANED_TERMS
+    return measure.size <= LARGEST_CLEANED and measure.widest <= MOST_CLEANED_TERMS and not is_many_waves(expression)
+
+
+def is_many_waves(expression: sp.Expr) -> bool:
+    """Whether an expression in several angles may be more waves, as a Fourier sum, than anybody would read."""
+    angles = {s for f in expression.atoms(sp.sin, sp.cos) for s in f.free_symbols}
+    return len(angles) > FEW_ANGLES and _waves(expression, {}) > MOST_CLEANED_WAVES
+
+
+def written(expression: sp.Expr) -> sp.Expr:
+    """The textbook form; an expression of many waves as it is, or 0 if it is zero."""
+    if not is_many_waves(expression):
+        return textbook_form(expression)
+    return sp.S.Zero if vanishes(expression) else expression
+
+
+def _waves(e: sp.Expr, known: dict[sp.Expr, float]) -> float:
+    """An upper bound on the number of waves e^{iw} in an expression; each distinct part is counted once."""
+    if e not in known:
+        parts = [_waves(a, known) for a in e.args] if e.is_Add or e.is_Mul else []
+        if isinstance(e, sp.sin | sp.cos):
+            count = 2.0
+        elif e.is_Pow and e.exp.is_Integer and e.exp.is_positive:
+            count = _waves(e.base, known) ** min(int(e.exp), HIGHEST_MULTIPLE)
+        else:
+            count = sum(parts) if e.is_Add else prod(parts)
+        known[e] = min(count, LARGEST_COUNT)
+    return known[e]
 
 
 def tidied(expression: sp.Expr) -> sp.Expr:

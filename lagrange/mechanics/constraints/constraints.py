@@ -40,7 +40,7 @@ from lagrange.algebra.forms.integrability import (
     writer,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, tidied
+from lagrange.algebra.fourier.vector_cleanup import in_differences, is_many_waves, tidied, written
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
@@ -164,8 +164,8 @@ def constraint_row(constraint: Constraint, slots: Slots) -> Row:
     """The differential form of a constraint, or Chetaev's coefficients if it is not linear in the velocities."""
     f = constraint.function
     if not constraint.kinematic:
-        gradient = tuple(textbook_form(f.diff(q)) for q in slots.coordinates)
-        return Row(constraint.name, gradient, textbook_form(slots.frozen_derivative(f)), f)
+        gradient = tuple(written(f.diff(q)) for q in slots.coordinates)
+        return Row(constraint.name, gradient, written(slots.frozen_derivative(f)), f)
     at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     coefficients = tuple(_coefficient(f, v, slots) for v in slots.velocities)
     if any(c is None for c in coefficients):
@@ -291,7 +291,9 @@ def _is_integrable(system: ConstrainedSystem) -> bool | None:
 
 
 def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots) -> tuple[FrobeniusComponent, ...]:
-    """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold."""
+    """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold; none of what would fill pages."""
+    if any(map(is_many_waves, row.form)):
+        return ()
     variables = (*slots.coordinates, t)
     form: ExteriorForm = {
         tuple(variables.index(v) for v in c.variables): c.coefficient

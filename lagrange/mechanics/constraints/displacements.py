@@ -20,9 +20,10 @@ from functools import lru_cache
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.linear_algebra import row_reduced
+from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short
+from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, written
 from lagrange.core.expression_size import Sizes
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -31,6 +32,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.kinematics import Load, MassPoint
 from lagrange.mechanics.constraints.limits import (
+    LONGEST_DISPLACEMENTS,
     LONGEST_FACTORED,
     MOST_CANCELLED_TERMS,
     MOST_DRIFTS,
@@ -49,6 +51,7 @@ class Elimination:
     drift        shape (number dependent,): dq_D = solution · dq_I + drift dt
     pivots       the factors of the minor divided by, without constants: must not vanish
     unused       indices of redundant rows
+    is_closed    whether it is written out; otherwise solution, drift and pivots are empty, because they would fill pages
     """
 
     independent: tuple[int, ...]
@@ -57,9 +60,12 @@ class Elimination:
     drift: tuple[sp.Expr, ...]
     pivots: tuple[sp.Expr, ...]
     unused: tuple[int, ...]
+    is_closed: bool = True
 
     def solved(self, slots: Slots) -> Mapping[sp.Symbol, sp.Expr]:
-        """Each dependent δq in terms of the independent ones."""
+        """Each dependent δq in terms of the independent ones; none where they are not written out."""
+        if not self.is_closed:
+            return {}
         free = [variation(slots.coordinates[k]) for k in self.independent]
         return {
             variation(slots.coordinates[d]): sp.Add(*(c * v for c, v in zip(row, free, strict=True)))
@@ -115,7 +121,27 @@ def displaced_force(load: Load, slots: Slots) -> Vector:
 
 def virtual_displacements(system: ConstrainedSystem, first: Collection[int] = ()) -> Elimination:
     """The virtual displacements A δq = 0, the dependent ones solved for; `first` are eliminated before any others."""
-    return eliminate(system.rows, system.size, system.states, first)
+    try:
+        return eliminate(system.rows, system.size, system.states, first, LONGEST_DISPLACEMENTS)
+    except TooLongError:
+        return _open(system, first)
+
+
+def _open(system: ConstrainedSystem, first: Collection[int]) -> Elimination:
+    """Which displacements are independent, found at a random point; nothing is solved."""
+    order = sorted(range(system.size), key=lambda k: k not in first)
+
+    def at(point: Point) -> tuple[list[int], list[int]]:
+        values = point.matrix([[row.coefficients[k] for k in order] for row in system.rows])
+        columns = row_reduced(point.arithmetic, values)[1]
+        used = row_reduced(point.arithmetic, [list(column) for column in zip(*values, strict=True)])[1]
+        return columns, used
+
+    columns, used = max(system.states.sampled(at), key=lambda found: len(found[0]))
+    dependent = tuple(order[k] for k in columns)
+    independent = tuple(k for k in range(system.size) if k not in dependent)
+    unused = tuple(k for k in range(len(system.rows)) if k not in used)
+    return Elimination(independent, dependent, (), (), (), unused, is_closed=False)
 
 
 def not_driven(problem: Problem, system: ConstrainedSystem) -> list[int]:
@@ -260,5 +286,5 @@ def _tidy(entry: sp.Expr) -> sp.Expr:
     reduced = _cancelled(entry)
     if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
-    tidied = textbook_form(reduced)
+    tidied = written(reduced)
     return tidied if tidied.count_ops() <= reduced.count_ops() else reduced

@@ -36,3 +36,7 @@ MOST_SQUARE_TERMS = 20
 # Points at which the rank of the second fundamental form has to agree (`constraints.bending_rank`). A single point of
 # the field may lie where the rank drops by accident; if the points disagree, the question is undecided.
 CURVATURE_POINTS = 3
+
+# Operations of all entries together on the way to the displacements solved for. Beyond, as for a bicycle, it is only
+# found which are independent.
+LONGEST_DISPLACEMENTS = 3000

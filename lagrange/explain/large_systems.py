@@ -1,0 +1,125 @@
+"""The derivation for a system in which nothing is eliminated: what was found, in short, and where the long part is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Equation, Matrices, Rule, Step, Table
+from lagrange.explain.constraints import explain_freedom
+from lagrange.explain.constraints import explain_classification
+from lagrange.explain.words import counted, in_words, plural
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
+from lagrange.mechanics.nearby.long_equations import LongEquations
+from lagrange.mechanics.results import Solution
+
+LONGEST = 30
+"""Operations of a constraint that is printed."""
+
+
+def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[Step]:
+    """The steps before the checks."""
+    classification = solution.classification
+    yield _constraints(classification)
+    followed = tuple(replace(r, combination=None) for r in classification.redundancies)  # of forms that are not shown
+    yield explain_classification(replace(classification, redundancies=followed), taken)
+    yield explain_freedom(classification)
+    if solution.long_equations is not None:
+        yield _equations(solution.long_equations, solution)
+    if solution.linear_motion is not None:
+        yield _linear(solution.linear_motion)
+
+
+def _constraints(classification: Classification) -> Step:
+    """The constraints, those that are short written out, and what each is."""
+    short = [c for c in classification.constraints if c.constraint.function.count_ops() <= LONGEST]
+    lines = [Equation((c.constraint.lhs, c.constraint.rhs), label=f"constraint-{c.row.name}") for c in short]
+    rows = tuple(
+        (
+            c.row.name,
+            "geometric" if c.row.finite is not None else "kinematic",
+            "undecided" if c.integrable is None else "yes" if c.integrable else "no",
+            "follows from others" if c.row.name in classification.redundant else "",
+        )
+        for c in classification.constraints
+    )
+    body: list[Block] = [display(*lines)] if lines else []
+    left = len(classification.constraints) - len(short)
+    if left:
+        body.append(
+            prose(f"{in_words(left, 'other constraint').capitalize()} {plural(left, 'is', 'are')} too long to be read: "
+                  "`--format json` prints all of them, as the file states them and as differential forms.")
+        )  # fmt: skip
+    body.append(prose("Whether a constraint is integrable is decided by Frobenius' condition at random exact points "
+                      "where the geometric constraints hold."))  # fmt: skip
+    body.append(Table(("constraint", "kind", "integrable", ""), rows, Detail.BRIEF))
+    return Step(Rule.CONSTRAINT, "Constraints", tuple(body))
+
+
+def _equations(found: LongEquations, solution: Solution) -> Step:
+    """How long the equations of motion are, and where they stand; in full, the equations."""
+    slots = solution.problem.slots
+    operations = sum(int(e.count_ops()) for e in (*found.definitions.values(), *found.left, *found.right))
+    names = list(found.definitions)
+    text = (
+        f"D'Alembert's principle gives {counted(len(found.left), 'equation')} with "
+        f"{counted(len(solution.classification.rows), 'multiplier')}, one equation for each coordinate. Nothing is "
+        f"eliminated or multiplied out. They have {operations:,} operations, with {len(names)} abbreviations ",
+    )
+    body: list[Block] = []
+    if names:
+        body.append(
+            prose(*text, math(names[0]), " to ", math(names[-1]), " for what occurs several times. `--format json` has "
+                  "them under `equations` and `definitions`, `--detail full` prints them here.", detail=Detail.BRIEF)
+        )  # fmt: skip
+        body.append(display(*(Equation((z, e)) for z, e in found.definitions.items()), detail=Detail.FULL))
+    lines = (
+        Equation((left, right), label=f"motion-{q.name}")
+        for q, left, right in zip(slots.coordinates, found.left, found.right, strict=True)
+    )
+    body.append(display(*lines, detail=Detail.FULL if names else Detail.BRIEF))
+    return Step(Rule.EQUATIONS_OF_MOTION, "Equations of motion", tuple(body))
+
+
+def _linear(found: LinearMotion) -> Step:
+    """The motion, and the linear equations about it."""
+    steady = [(s, e) for s, e in found.state.items() if e != 0]
+    rest = [s for s, e in found.state.items() if e == 0 and not s.name.endswith("'")]
+    body: list[Block] = [prose("The steady motion about which the equations are linear has")]
+    body.append(display(*(Equation((s, e)) for s, e in steady)))
+    body.append(prose("and ", *listed(math(s) for s in rest), plural(len(rest), " is", " are"), " zero at the start. "
+                      "Positions and axes are expanded in small changes, the constraints are solved to first order in "
+                      "numbers, and nothing else is approximated."))  # fmt: skip
+    if found.ignorable:
+        body.append(
+            prose(*listed(math(q) for q in found.ignorable), " follow from the other coordinates by the constraints, "
+                  "and do not act on them.")
+        )  # fmt: skip
+    for n, block in enumerate(found.blocks, start=1):
+        if len(block.coordinates) > 1:
+            body += _matrices(block)
+        body.append(prose("The linear equations, the letters standing for small changes:" if n == 1 else "and"))
+        body.append(display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF))
+        if block.exponents:
+            body.append(
+                prose("with solutions ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), " for ",
+                      *listed(math(sp.Symbol("p"), e) for e in block.exponents), ".", detail=Detail.BRIEF)
+            )  # fmt: skip
+    return Step(Rule.LINEARIZATION, "Linear equations about the steady motion", tuple(body))
+
+
+def _matrices(block: LinearBlock) -> Sequence[Block]:
+    names = (sp.Symbol("M"), sp.Symbol("D"), sp.Symbol("K"))
+    named = tuple(zip(names, (block.mass, block.damping, block.stiffness), strict=True))
+    x = [math(q) for q in block.coordinates]
+    return [prose("With ", *listed(x), " in this order, the accelerations, velocities and coordinates have the tables"),
+            Matrices(named, Detail.STEPS)]  # fmt: skip
+
+
+def _line(e: sp.Expr, block: LinearBlock, n: int, k: int) -> Equation:
+    return Equation((e, sp.S.Zero), label=f"linear-{n}-{prime(block.coordinates[k]).name}")

@@ -1,0 +1,51 @@
+"""The stages for a system whose virtual displacements are too long to be solved for, such as a bicycle.
+
+Nothing is eliminated in symbols then. The constraints are classified at random points; the equations of motion are
+those with multipliers, in abbreviations; about a motion that `initial` gives they are made linear in numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Find
+
+COVERED = {Find.CONSTRAINTS, Find.MOTION, Find.LINEARIZATION, Find.STEADY}
+
+
+def stages_of_large(
+    wanted: frozenset[Find], on_stage: Callable[[str], None]
+) -> Iterator[Callable[[Solution], Solution]]:
+    """The stages after the constraints, as the file asks for them. Raises NotCoveredError."""
+    missing = sorted(f.value for f in wanted - COVERED)
+    if missing:
+        raise NotCoveredError(f"`find: {missing[0]}` for a system whose displacements are too long to be solved for")
+    if Find.MOTION in wanted:
+        yield lambda s: _with_long_equations(s, on_stage)
+    if {Find.LINEARIZATION, Find.STEADY} & wanted:
+        yield lambda s: _with_linear_motion(s, on_stage)
+
+
+def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
+    """The solution with the equations of motion in abbreviations."""
+    from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
+
+    on_stage("equations of motion")
+    found = long_equations(solution.problem, solution.own.configuration)
+    checks = check_long_equations(found, solution.own.configuration)
+    return replace(solution, long_equations=found, checks=(*solution.checks, *checks))
+
+
+def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
+    """The solution with the linear equations about the motion that the file gives."""
+    from lagrange.mechanics.nearby.checks import check_linear_motion
+    from lagrange.mechanics.nearby.linear_motion import linear_motion
+
+    on_stage("linear equations")
+    problem, configuration = solution.problem, solution.own.configuration
+    found = linear_motion(problem, configuration)
+    checks = check_linear_motion(problem, configuration, found)
+    return replace(solution, linear_motion=found, checks=(*solution.checks, *checks))

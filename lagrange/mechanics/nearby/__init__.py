@@ -1,0 +1,1 @@
+"""Linear equations about a given motion, in numbers, of systems whose equations nobody would write down."""
