@@ -360,15 +360,33 @@ def _vanishes(e: sp.Expr) -> bool:
         return True
 
 
+def unbarred(e: sp.Expr) -> sp.Expr:
+    """±g for |g|: signs do not change where nothing vanishes. A factor that is never positive, cos ψ − 1, has the other
+    sign, because a power of it that is not whole would be real nowhere.
+    """
+    g = e.args[0] if isinstance(e, sp.Abs) else e
+    factors = (f.as_base_exp() for f in sp.Mul.make_args(g))
+    return sp.Mul(*((-f if is_never_positive(f) else f) ** n for f, n in factors))
+
+
+def is_never_positive(e: sp.Expr) -> bool:
+    """Whether c + Σ a_k sin or cos has c + Σ |a_k| ≤ 0, with numbers a_k and c."""
+    largest = sp.S.Zero
+    for term in sp.Add.make_args(e):
+        a, wave = term.as_coeff_Mul()
+        if not (wave is sp.S.One or isinstance(wave, sp.sin | sp.cos)):
+            return False
+        largest += a if wave is sp.S.One else abs(a)
+    return bool(largest <= 0)
+
+
 def exp_of(phi: sp.Expr) -> sp.Expr:
     """e^φ, with its logarithms as powers and without bars."""
     powers, rest = [], []
     for term in sp.Add.make_args(sp.expand(phi) if is_small(phi) else phi):
         logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log)]
         if len(logs) == 1:
-            g = logs[0].args[0]
-            g = g.args[0] if isinstance(g, sp.Abs) else g
-            powers.append(g ** (term / logs[0]))
+            powers.append(unbarred(logs[0].args[0]) ** (term / logs[0]))
         else:
             rest.append(term)
     return sp.Mul(*powers) * sp.exp(sp.Add(*rest))

@@ -38,11 +38,13 @@ from lagrange.algebra.forms.factor_methods import (
     exponents_beside,
     factor_beside,
     factors_of_combinations,
+    is_never_positive,
     parametric_exponents,
     rational_exponents,
     shortened,
     shortest,
     symmetry_fields,
+    unbarred,
 )
 from lagrange.algebra.forms.integrability import Exactness, exactness
 from lagrange.algebra.forms.limits import (
@@ -87,11 +89,6 @@ def depends_on(e: sp.Expr, moving: Collection[sp.Symbol]) -> bool:
     return any(base(s) in moving for s in e.free_symbols) or bool(e.has(Unspecified))
 
 
-def _unbarred(e: sp.Expr) -> sp.Expr:
-    """g for |g|: signs do not change where nothing vanishes."""
-    return e.args[0] if isinstance(e, sp.Abs) else e
-
-
 def _without_constants(f: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
     return sp.Add(*(term for term in sp.Add.make_args(f) if depends_on(term, moving)))
 
@@ -107,7 +104,7 @@ def _shorter(f: sp.Expr) -> sp.Expr:
 def _freed(f: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """h(g) = const, for a monotonic h alone: g = const."""
     if isinstance(f, _MONOTONIC):
-        g = _unbarred(f.args[0])
+        g = unbarred(f.args[0])
         return g, 1 / f.func(g).fdiff()
     return None
 
@@ -123,7 +120,7 @@ def _of_logarithms(f: sp.Expr, moving: set[sp.Symbol], angles: Collection[sp.Sym
         logs = [a for a in sp.Mul.make_args(term) if isinstance(a, sp.log)]
         if len(logs) != 1 or depends_on(term / logs[0], moving):
             return None
-        g = _unbarred(logs[0].args[0])
+        g = unbarred(logs[0].args[0])
         product[g] = product.get(g, sp.S.Zero) + term / logs[0]
     if not product or len(product) > MOST_RELATION_FACTORS:
         return None
@@ -151,7 +148,7 @@ def _of_powers(f: sp.Expr, moving: set[sp.Symbol]) -> tuple[sp.Expr, sp.Expr] | 
             growth += factor.args[0]
         else:
             g, e = factor.as_base_exp()
-            g = _unbarred(g)
+            g = unbarred(g)
             powers[g] = powers.get(g, sp.S.Zero) + e
     if not powers or any(depends_on(e, moving) for e in powers.values()) or len(powers) > MOST_RELATION_FACTORS:
         return None
@@ -399,8 +396,9 @@ def _conditions(factor: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ..
         g, e = part.as_base_exp()
         if isinstance(part, sp.exp) or g.is_number or g.is_positive:
             continue
-        (nonzero if e.is_Integer or g.is_nonnegative else positive).append(g)
-    return tuple(dict.fromkeys(nonzero)), tuple(dict.fromkeys(positive))
+        g, power = g.as_base_exp() if g.is_Pow and g.exp.is_Integer else (g, sp.S.One)
+        (nonzero if e.is_Integer or power.is_even or is_never_positive(-g) or g.is_nonnegative else positive).append(g)
+    return tuple(g for g in dict.fromkeys(nonzero) if g not in positive), tuple(dict.fromkeys(positive))
 
 
 def _parts(factor: sp.Expr) -> Iterable[sp.Expr]:

@@ -230,12 +230,15 @@ def _rows(system: System, names: dict[str, Any], chosen: str | None = None) -> l
 
 
 def _strays(text: str, system: System, rng: random.Random, chosen: str | None = None) -> bool:
-    """Whether the gradient of a function is no combination of the constraints, where they hold."""
-    at = _point(system, rng)
-    if at is None:
-        return False
-    names = dict(zip(system.coordinates, variables(at, 1), strict=True))
-    gradient = (names[system.coordinates[0]] * 0 + evaluate(text, names)).gradient
+    """Whether the gradient of a function is no combination of the constraints, where they hold and it is real."""
+    for _ in range(10):
+        at = _point(system, rng)
+        if at is None:
+            return False
+        names = dict(zip(system.coordinates, variables(at, 1), strict=True))
+        gradient = (names[system.coordinates[0]] * 0 + evaluate(text, names)).gradient
+        if np.isfinite(gradient).all():
+            break
     matrix = np.array(_rows(system, names, chosen)).T
     rest = gradient - matrix @ np.linalg.lstsq(matrix, gradient, rcond=1e-9)[0]
     return not np.abs(rest).max() < 1e-6 * (1 + np.abs(gradient).max())

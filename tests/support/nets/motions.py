@@ -325,7 +325,7 @@ def _named(system: System, shown: Printed, s: State) -> dict[str, float]:
     reactions = shown.json.get("reactions") or {}
     for constraint, name in system.named.items():
         stated = reactions.get(constraint, reactions.get(name, {}))
-        text = stated.get("force", stated.get("tension"))
+        text = None if "choice" in stated else stated.get("force", stated.get("tension"))
         if isinstance(text, str):
             value = evaluate(text, s.scope)
             if math.isfinite(value):
