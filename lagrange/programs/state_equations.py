@@ -147,6 +147,7 @@ class StateEquations:
     conserved   what stays constant, by name: `energy`, `p_theta`, ...
     reactions   forces of constraint by the names of the page, in state, parameters and multipliers
     contacts    by name of a one-sided constraint: not negative while contact lasts
+    exchanges   by name of a particle: the mass that joins or leaves per time, positive as long as the equations hold
     slips       speeds of slip, positive in the sense for which the file has written its friction
     signs       each open sign of a reaction, with the expression whose sign it is
     branches    the signs of square roots that the coordinates leave open
@@ -162,6 +163,7 @@ class StateEquations:
     reactions: Mapping[str, sp.Expr] = field(default_factory=dict)
     contacts: Mapping[str, sp.Expr] = field(default_factory=dict)
     slips: tuple[sp.Expr, ...] = ()
+    exchanges: Mapping[str, sp.Expr] = field(default_factory=dict)
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
     given: Mapping[str, sp.Expr] = field(default_factory=dict)
@@ -186,7 +188,7 @@ class StateEquations:
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters that occur, in the order of the file; then open signs and unknown forces."""
-        more = (*self.conserved.values(), *self.reactions.values(), *self.contacts.values())
+        more = (*self.conserved.values(), *self.reactions.values(), *self.contacts.values(), *self.exchanges.values())
         used = _symbols((*self.expressions, *more, *([self.energy] if self.energy is not None else [])))
         declared = [p for p in self.problem.parameters if p.symbol in used]
         signs = [Parameter(s, Assumption.SIGN, meaning="+1 or -1") for s in (*self.branches, *self.signs) if s in used]
@@ -234,6 +236,7 @@ class StateEquations:
             reactions={n: put(x) for n, x in self.reactions.items()},
             contacts={n: put(x) for n, x in self.contacts.items()},
             slips=tuple(map(put, self.slips)),
+            exchanges={n: put(x) for n, x in self.exchanges.items()},
             signs={s: put(x) for s, x in self.signs.items()},
             given={**self.given, **given},
         )
@@ -317,6 +320,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         reactions={n: here(e) for n, e in _reactions(dynamics, law, equations)},
         contacts={n: here(e) for n, e in contacts.items()},
         slips=tuple(map(here, dynamics.slips)),
+        exchanges={m.name: here(m.exchanged) for m in dynamics.shown.variable_masses if m.has_one_sense},
         signs={s: here(e) for s, e in dynamics.signs.items()},
         branches=view.signs,
     )

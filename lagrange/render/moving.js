@@ -160,9 +160,10 @@ const lagsolveFigure = (() => {
       });
       return { loads, reactions };
     }
-    // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
+    // What no longer holds: "contact", "slip" or "mass"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
     function broken(y, p, sense, side) {
-      if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
+      const ended = data.slips.length ? F.sli(y, p).findIndex((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9) : -1;
+      if (ended >= 0) return data.slips[ended] == 3 ? "mass" : "slip";
       if (!data.guards.some(g => g)) return "";
       const f = forces(y, p).reactions;
       return data.guards.some((g, i) => g && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
@@ -247,6 +248,7 @@ const lagsolveFigure = (() => {
     const endings = {
       contact: "contact is lost, or a string goes slack. From here on other equations hold.",
       slip: "the slip ends. From here on other equations hold.",
+      mass: "mass no longer joins or leaves. From here on other equations hold.",
     };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
