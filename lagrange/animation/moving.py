@@ -311,10 +311,13 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square."""
+        """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square. Then the
+        rates at which mass joins or leaves, where the equations hold only as long as it does; their kind is 3.
+        """
         found = [*slip_speeds(self.view.dynamics)]
-        self.slips = [int(kind) for kind, _ in found]
-        return [self.put(e) for _, e in found]
+        rates = [m.exchanged for m in self.view.configuration.variable_masses if m.has_one_sense]
+        self.slips = [*(int(kind) for kind, _ in found), *(3 for _ in rates)]
+        return [self.put(e) for e in (*(e for _, e in found), *rates)]
 
     def _static(
         self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]

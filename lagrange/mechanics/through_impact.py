@@ -14,7 +14,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.symbols import base, prime
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, impulsive_motion
 from lagrange.mechanics.momenta.impact_checks import check_impact
@@ -34,6 +34,10 @@ def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable
     solution = replace(solution, impact=found, checks=checks)
     if not problem.questions:
         return solution
+    if problem.initial:
+        message = "the motion after the impact begins with the state that the impact leaves, and not with `initial`"
+        help_ = "move what holds just before the impact to `before` under `impact`, and leave `initial` out"
+        raise ProblemError(Diagnostic("two-starts", message, problem.initial[0].span, help=help_))
     after = solve_after(problem_after(problem, found))
     known = {(c.name, c.choice) for c in checks}
     checks += tuple(c for c in after.checks if (c.name, c.choice) not in known)
@@ -48,12 +52,16 @@ def problem_after(problem: Problem, found: ImpulsiveMotion) -> Problem:
     persistent = tuple(c for c in impact.constraints if c.name in names)
     choices = tuple(c for c in (_within(c, persistent) for c in problem.choices) if c is not None)
     known = {*problem.slots.coordinates, *(q for c in choices for q in c.coordinates)}
+    over = {c.reaction for c in impact.constraints if c.name not in names}
     for question in problem.questions:
         asked = {base(s) for e in (question.quantity, *(w.function for w in question.when)) for s in e.free_symbols}
         if lost := sorted(q.name for c in problem.choices for q in c.coordinates if q in asked - known):
             raise NotCoveredError(
-                f"a question about `{lost[0]}` after the impact: the choice that has it", question.span
+                f"a question about `{lost[0]}` after the impact, which no remaining choice has,", question.span
             )
+        if gone := sorted(s.name for s in over & asked):
+            what = f"a question about `{gone[0]}` after the impact, whose constraint has ended,"
+            raise NotCoveredError(what, question.span)
     state = {**found.position, **{prime(q): v for q, v in zip(found.slots.coordinates, found.velocities, strict=True)}}
     return replace(
         problem,

@@ -97,6 +97,9 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     choices = read_choices(root.section("generalized_coordinates"), context)
     asking = scope_of_questions(context.scope, constraints, choices)
     initial = read_initial(root.section("initial"), context, asking)
+    impact = read_impact(root.section("impact"), context, asking, constraints)
+    if impact is not None:
+        asking = scope_of_questions(context.scope, (*constraints, *impact.constraints), choices)
     questions = read_questions(root.section("ask"), context, asking)
     scope = _scope_of_answers(context.scope, constraints, choices, speeds)
     if questions:
@@ -107,7 +110,6 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     lagrangian = (
         None if function is None else diagnostics.attempt(lambda: context.scalar(function, "`lagrangian`", RATE))
     )
-    impact = read_impact(root.section("impact"), context, asking, constraints)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
         source=root.text("source"),

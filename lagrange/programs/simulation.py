@@ -4,7 +4,8 @@ The state is brought back to the constraints after every step, so that they are 
 functions of the state, located on the interpolating polynomial of the step in which the sign changes:
 
     the condition of a question       the first time is reported, and the motion goes on
-    contact, slip in a stated sense   where it ends the equations end too, and so does the simulation
+    contact, slip in a stated sense,  where it ends the equations end too, and so does the simulation
+    mass that joins or leaves
     slip in a plane                   likewise, where its speed has become zero
     the sign of a slip, of |R|        the step ends there, and the motion goes on with the other sign; where neither
                                       sign goes on, friction holds the system, and the simulation ends
@@ -62,6 +63,7 @@ class EventKind(StrEnum):
     CONTACT = "contact"  # a contact or a string ends
     REVERSED = "reversed"  # the force of a two-sided constraint changes its sign
     AT_REST = "at rest"  # slip in a plane ends
+    EXCHANGE = "exchange"  # mass no longer joins a particle, or no longer leaves it
     SLIP = "slip"  # slip ends to have the sense for which the equations hold
     HELD = "held"  # slip ends, and friction keeps it from beginning again
     STOPPED = "stopped"  # the integration cannot go on
@@ -265,7 +267,8 @@ class _Run:
     @property
     def _longest(self) -> float:
         """The longest step: events are looked for once in each."""
-        return self.until / 50 if self.asked or self.states.contacts or self.system.signs else math.inf
+        watched = self.asked or self.states.contacts or self.states.exchanges or self.system.signs
+        return self.until / 50 if watched else math.inf
 
     def _projected(self, step: Step) -> State | None:
         try:
@@ -309,6 +312,7 @@ class _Run:
         for e in states.plane_slips:
             least = ENDED_SLIP**2 * self._safely(function(e), 0.0, self.start.state)
             found.append(_Watch(EventKind.AT_REST, str(e), function(e - least), falling=True))
+        found += [_Watch(EventKind.EXCHANGE, n, function(e), falling=True) for n, e in states.exchanges.items()]
         found += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
         return [*found, *reversed_, *(w for q in self.asked for w in self._watch_of(q))]
 

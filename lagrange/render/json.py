@@ -547,6 +547,8 @@ def by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
     }
     if principle.has_quasi_coordinates:
         result["quasi_coordinate_terms"] = each(principle.quasi)
+    if any(s != 0 for s in principle.of_masses):
+        result["variable_mass_terms"] = each(principle.of_masses)
     if principle.moving != 0:
         result["lagrangian"] = write(principle.lagrangian)
     return {"lagrange": result}

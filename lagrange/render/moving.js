@@ -161,9 +161,10 @@ const lagsolveFigure = (() => {
       });
       return { loads, reactions };
     }
-    // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
+    // What no longer holds: "contact", "slip" or "mass"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
     function broken(y, p, sense, side) {
-      if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
+      const ended = data.slips.length ? F.sli(y, p).findIndex((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9) : -1;
+      if (ended >= 0) return data.slips[ended] == 3 ? "mass" : "slip";
       if (!data.guards.some(g => g && g < 4)) return "";
       const f = forces(y, p).reactions;
       return data.guards.some((g, i) => g && g < 4 && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
@@ -263,6 +264,7 @@ const lagsolveFigure = (() => {
     const endings = {
       contact: "contact is lost, or a string goes slack. From here on other equations hold.",
       slip: "the slip ends. From here on other equations hold.",
+      mass: "mass no longer joins or leaves. From here on other equations hold.",
     };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
@@ -272,7 +274,7 @@ const lagsolveFigure = (() => {
         const part = Math.min(piece, end - y[2 * n]);
         const next = M.advanced(y, p, part);
         // Where friction would change its sense to and fro, no step is short enough.
-        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => Math.abs(s) < 0.1 * (fastest[i] || 0)));
+        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => data.slips[i] != 3 && Math.abs(s) < 0.1 * (fastest[i] || 0)));
         if (next === null && !sticks) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
         const ending = sticks ? "slip" : fails(next);
         if (ending) {

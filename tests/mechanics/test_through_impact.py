@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.core.diagnostics import NotCoveredError, Source
+from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -83,6 +83,29 @@ def test_the_ballistic_pendulum_in_its_angle() -> None:
     assert [c.coordinates for c in after.problem.choices] == [(sp.Symbol("theta", real=True),)]
     titles = [s.title for s in report.derivation.steps]
     assert titles.index("The motion after the impact") < titles.index("Question: swing")
+
+
+FLOOR = """
+title: Ball
+parameters: [m, g, v, w]
+coordinates: [x, y]
+particles: {ball: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+impact:
+  before: {x: 0, y: 0, x': w, y': -v}
+  constraints: {floor: {equation: y >= 0, reaction: N}}
+  restitution: {floor: 0}
+ask:
+  push: {quantity: N, when: t = 0}
+"""
+
+
+def test_reactions_of_new_constraints_while_they_act() -> None:
+    assert equal(answers(solved(FLOOR))["push"], "m*g")
+    with pytest.raises(NotCoveredError, match="`N` after the impact"):
+        solve(read_problem(Source("case.yaml", FLOOR.replace("{floor: 0}", "{floor: 1/2}"))))
+    with pytest.raises(ProblemError, match="not with `initial`"):
+        solve(read_problem(Source("case.yaml", FLOOR + "initial: {x: 0}\n")))
 
 
 def test_a_question_in_a_coordinate_that_is_lost_is_refused() -> None:

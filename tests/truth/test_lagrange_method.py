@@ -299,7 +299,8 @@ def test_json_is_read_back(name: str) -> None:
             quasi = (
                 value(printed["quasi_coordinate_terms"][q.name]) if "quasi_coordinate_terms" in printed else sp.S.Zero
             )
-            left = slots_.time_derivative(momentum) - kinetic.diff(q) + potential.diff(q) - force - quasi
+            of_masses = value(printed["variable_mass_terms"][q.name]) if "variable_mass_terms" in printed else sp.S.Zero
+            left = slots_.time_derivative(momentum) - kinetic.diff(q) + potential.diff(q) - force - quasi - of_masses
             assert is_zero(left - principle.coefficients[k].to_sympy()) is True
 
 

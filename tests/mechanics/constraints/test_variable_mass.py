@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.answers.equations import Verdict
 from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.mechanics.constraints.variable_mass import validities
@@ -138,3 +139,11 @@ def test_the_page_and_json_show_the_reactive_force() -> None:
     heap = str(as_object(reported("load-that-lifts-a-chain"))["steps"])
     assert "as long as mass joins, -rho*y' > 0, and the mass is positive, y < h" in heap
     assert all(a.verdict is Verdict.EQUIVALENT for a in rocket.answers)
+
+
+def test_a_simulation_ends_where_mass_no_longer_joins() -> None:
+    lifted = lagrange.solve(lagrange.load("load-that-lifts-a-chain"))
+    motion = lifted.simulate(5, values={"M": 2, "rho": 1, "h": 6, "g": 9.81})
+    end = motion.events[-1]
+    assert (end.kind, end.name) == ("exchange", "chain")
+    assert motion["x"][-1] == pytest.approx(12**0.5)
