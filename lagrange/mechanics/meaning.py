@@ -14,7 +14,7 @@ that statics gives, and what the motion adds. To take the first for the whole is
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -29,9 +29,11 @@ from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
+from lagrange.problem.model import Keeper
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
 if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.mechanics.equilibrium.linearization import Linearization
 
 MOST_OPERATIONS = 60
@@ -136,7 +138,31 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
         found = linearization(motion, taken)
     except NotCoveredError:
         return None
-    return found if found.complete and found.branches else None
+    if not found.complete:
+        return None
+    here = [k for k, b in enumerate(found.branches) if not _is_let_go(solution, view, b)]
+    found = replace(found, branches=tuple(found.branches[k] for k in here), at=tuple(found.at[k] for k in here))
+    return found if found.branches else None
+
+
+def _is_let_go(solution: Solution, view: InCoordinates, place: Branch) -> bool:
+    """Whether what can only push, or only pull, would have to do the opposite to keep the system at rest there.
+
+    A surface without a permitted side pushes as it does in the initial state.
+    """
+    reactions = None if view.dynamics is None else view.dynamics.reactions
+    slots = view.configuration.slots
+    if reactions is None or len(place.relations) != 1 or place.relations[0].lhs not in slots.coordinates:
+        return False
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    there = {**still, place.relations[0].lhs: place.relations[0].rhs}
+    by = {c.name: c.by for c in solution.problem.constraints}
+    known = {**reactions.contacts, **{n: e for n, e in reactions.tensions.items() if by.get(n) is Keeper.STRING}}
+    start = {v.symbol: v.value for v in solution.problem.initial}
+    for name, size in reactions.sizes.items():
+        if by.get(name) is Keeper.SURFACE and name not in known and {*slots.coordinates} <= {*start}:
+            known[name] = size * size.xreplace({**still, **{q: start[q] for q in slots.coordinates}})
+    return any(e.xreplace(there).is_negative is True for e in known.values())
 
 
 # -- limits ------------------------------------------------------------------------------------------------------------

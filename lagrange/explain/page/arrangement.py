@@ -344,7 +344,8 @@ def _of_forms(solution: Solution, step: Step) -> Step:
     own = solution.own
     rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
-    if own.dynamics is not None or own.equilibrium is not None or solution.impact is not None:
+    at_rest = own.equilibrium is not None or any(v.at_rest is not None for v in solution.views)
+    if own.dynamics is not None or at_rest or solution.impact is not None:
         return displacements_of_geometric(configuration, own.elimination)
     normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
     made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)

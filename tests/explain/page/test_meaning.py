@@ -68,3 +68,19 @@ def test_a_page_gives_what_its_description_promises(name: str, said: str) -> Non
 
 def test_equations_that_stand_on_the_page_are_not_said_in_short() -> None:
     assert "In short" not in shipped_page("blade-from-a-lagrangian")
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "unsaid"),
+    [
+        ("leaving-a-sphere", "At rest: θ = 0, unstable.", "θ = π"),  # a sphere cannot pull
+        ("ball-on-a-string", "At rest: φ = 0, stable.", "φ = π"),  # a string cannot push
+        ("ex11-ideal-pendulum", "θ = π, unstable", "only"),  # a rod can do both
+    ],
+)
+def test_no_rest_where_contact_would_be_lost(name: str, said: str, unsaid: str) -> None:
+    r = reported(name, complete=False)
+    lines = terminal.text(r.derivation, r.notation, 200).splitlines()
+    [line] = [line for line in lines if "At rest:" in line]
+    assert said in line
+    assert unsaid not in line

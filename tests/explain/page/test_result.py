@@ -23,7 +23,8 @@ def box(r: Report) -> str:
     ("name", "contained"),
     [
         ("ex16-rod-on-two-planes", ("One degree of freedom; the equilibrium", "tan θ = (2k − 1)/tan α    unstable")),
-        ("rod-in-bowl", ("the equilibria", "stable where sin θ > 0")),
+        ("rod-in-bowl", ("the equilibrium:", "where 2r ≥ a")),
+        ("inverted-pendulum-springs", ("the equilibria", "stable where b² c > l W")),
         ("leaving-a-sphere", ("what is asked", "cos θ = 2/3", "θ ≈ 48.19°")),
         ("released-pendulum", ("T = m g (3 − 2 cos α)    when θ = 0",)),
         ("ladder-on-rough-ground", ("the conditions of rest", "tan θ = 2μ/(1 − μ ν)    at the limit")),
