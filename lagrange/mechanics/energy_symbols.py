@@ -122,10 +122,12 @@ def _linearizations(solution: Solution) -> list[Linearization]:
 
 
 def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
-    """The letters for frequencies, exponents and damping ratios."""
+    """The letters for frequencies, exponents, decay rates and damping ratios."""
     linear = _linearizations(solution)
     names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
     names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
+    damped = (f for f in linear if any(s is not None and s.decaying is not None for s in f.at))
+    names |= {f"{f.decay}{i}" for f in damped for i in ("", *(f"_{n}" for n in range(1, 2 * len(f.displacements) + 1)))}
     return tuple(sp.Symbol(n, real=True) for n in sorted(names))
 
 

@@ -150,9 +150,9 @@ def _matrix(node: ListNode, context: LoadContext) -> InertiaTensor:
         message = "a matrix `inertia` has three rows of three elements each"
         raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
     reads = (
-        (lambda m=m, n=n: constant(rows[m][n], "a moment of inertia", context))  # type: ignore[misc]
+        (lambda m=m, n=n: constant(rows[m][n], "a moment of inertia", context))
         if m == n
-        else (lambda m=m, n=n: context.scalar(rows[m][n], "an element of the tensor of inertia", CONSTANT))  # type: ignore[misc]
+        else (lambda m=m, n=n: context.scalar(rows[m][n], "an element of the tensor of inertia", CONSTANT))
         for m, n in product(range(3), repeat=2)
     )
     elements = context.diagnostics.all_of(*reads)

@@ -31,6 +31,8 @@ def written(kind: Kind) -> str:
 
 
 def plural(kind: Kind) -> str:
+    if isinstance(kind, ListOf):
+        return written(kind).replace("list", "lists", 1)
     assert isinstance(kind, str)
     return f"{kind}s"
 

@@ -295,7 +295,7 @@ def _one_damped(
     """Of one coordinate: its own frequency, the damping ratio, the decay rate; the three cases."""
     omega = linearization.omega
     own, ratio = sp.Symbol(f"{omega.name}_0", real=True), sp.Symbol("zeta", real=True)
-    delta = _rate_letter(linearization)
+    delta = linearization.decay
     yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio),
                 ", the decay rate ", math(delta), ":")  # fmt: skip
     lines = [
@@ -318,21 +318,12 @@ def _one_damped(
     )  # fmt: skip
 
 
-def _rate_letter(linearization: Linearization) -> sp.Symbol:
-    """δ for a decay rate, or a letter that the problem does not use."""
-    used = {
-        x.name.split("_")[0] for s in linearization.at if s is not None for e in s.equations for x in e.free_symbols
-    }
-    name = next((n for n in ("delta", "sigma", "alpha", "kappa") if n not in used), "delta_0")
-    return sp.Symbol(name, real=True)
-
-
 def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: Linearization) -> Iterator[Block]:
     """The modes of several coordinates, each with its decay rate and, where it oscillates, its frequency."""
     if not found.modes:
         yield prose("This equation has no roots in closed form, or only long ones.")
         return
-    p, delta, omega = s.unknown, _rate_letter(linearization), linearization.omega
+    p, delta, omega = s.unknown, linearization.decay, linearization.omega
     pairs = any(m.oscillates is not False for m in found.modes)
     lead: tuple[Part, ...] = ("In each mode the motion decays as exp(−", math(delta), " ", math(TIME), ")")
     if found.proportional:

@@ -18,7 +18,7 @@ the verdict. Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from itertools import product
 
 import sympy as sp
@@ -62,6 +62,7 @@ from lagrange.mechanics.equilibrium.relative_equilibrium import (
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
 ZERO = sp.S.Zero
+DELTA = sp.Symbol("delta", real=True)
 
 
 @record
@@ -131,6 +132,7 @@ class Linearization:
     displacements ξ, one for each coordinate
     omega         the letter for a frequency
     exponent      the letter p
+    decay         the letter δ for a decay rate
     driven        whether positions contain time, which cancels
     at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
     copies        for each branch the earlier one with the same linear equations, but for the signs of some ξ; or None
@@ -146,6 +148,7 @@ class Linearization:
     driven: bool
     at: tuple[SmallOscillations | None, ...]
     copies: tuple[Copy | None, ...] = ()
+    decay: sp.Symbol = field(default=DELTA)
 
     def copy_of(self, n: int) -> Copy | None:
         """The earlier equilibrium that the nth one, counted from 0, is a copy of."""
@@ -184,13 +187,19 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
     for n, b in enumerate(branches):
         about.add(b, known=n < MOST_EQUILIBRIA)
     at, copies = tuple(about.at), tuple(about.copies)
-    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at, copies)
+    decay = decay_letter(taken)
+    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at, copies, decay)
 
 
 def letters_of(taken: frozenset[str]) -> tuple[sp.Symbol, sp.Symbol]:
     """The letters for a frequency, ω, and for an exponent, p."""
     omega = _letter(("omega", "Omega", "nu", "varpi"), taken)
     return sp.Symbol(omega, real=True), sp.Symbol(_letter(("p", "s", "sigma", "zeta"), taken), real=True)
+
+
+def decay_letter(taken: frozenset[str]) -> sp.Symbol:
+    """The letter for a decay rate, δ."""
+    return sp.Symbol(_letter(("delta", "sigma", "kappa", "alpha"), taken), real=True)
 
 
 def _letter(letters: Sequence[str], taken: frozenset[str]) -> str:

@@ -61,6 +61,7 @@ from lagrange.mechanics.equilibrium.limits import (
 from lagrange.mechanics.equilibrium.linearization import (
     Linearization,
     SmallOscillations,
+    decay_letter,
     displacement_names,
     letters_of,
     oscillations,
@@ -146,7 +147,10 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
             for n, b in enumerate(branches)
         )
         of_others = replace(motion, configuration=remaining)
-        return Family(rates, Linearization(of_others, at_rest, branches, complete, small, *letters, False, at))
+        about = Linearization(
+            of_others, at_rest, branches, complete, small, *letters, False, at, decay=decay_letter(taken)
+        )
+        return Family(rates, about)
 
     general = resting({})
     complete = branches_at_rest(general)[1]

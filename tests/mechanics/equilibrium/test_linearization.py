@@ -253,20 +253,22 @@ def test_gyroscopic_beside_circulatory_forces() -> None:
     assert oscillation.judgement.stability.verdict is StabilityVerdict.UNSTABLE
 
 
-FREE_BODY = """
-parameters: [A, B, C, Omega]
-coordinates: [beta, gamma]
-bodies: {body: {inertia: [A, B, C], position: 0*i, orientation: {axes: 123, angles: [Omega*t, beta, gamma]}}}
+EGG_CRATE = """
+parameters: [m, c]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces: {crate: {potential: c*cos(x)*cos(y)}}
 """
 
 
 def test_copies_of_an_equilibrium_are_worked_out_once() -> None:
-    """A body that turns about one of its axes: eight positions, but two systems of equations. Each copy is checked."""
-    solution = solved(FREE_BODY)
+    """Two tops, two bottoms and four saddles, of which two slope the other way: ξ_2 is reversed."""
+    solution = solved(EGG_CRATE)
     assert solution.holds
     linear = linear_equations(solution)
     known = [(s, linear.copy_of(n)) for n, s in enumerate(linear.at) if s is not None]
-    assert (len(known), len(linear.originals)) == (8, 2)
+    assert (len(known), len(linear.originals)) == (8, 3)
+    assert [len(copy.reversed) for _, copy in known if copy is not None].count(1) == 2
     for s, copy in known:
         if copy is not None:
             original = linear.at[copy.of]
