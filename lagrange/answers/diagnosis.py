@@ -180,7 +180,9 @@ def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Dia
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
-            if change is None or (change.factor is not None and not change.factor.is_number and search.is_inertia(change)):
+            if change is None or (
+                change.factor is not None and not change.factor.is_number and search.is_inertia(change)
+            ):
                 return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
             return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
