@@ -84,8 +84,12 @@ def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
         shares = {n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names}
         if any(shares[n] != weights[n].shares for n in names):
             changed = m.force(
-                lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT and f.on[0] in s else f
-            )  # type: ignore[misc]
+                lambda f, s=shares: (
+                    replace(f, shares=s[f.on[0]])  # type: ignore[misc]
+                    if f.kind is Kind.WEIGHT and f.on[0] in s
+                    else f
+                )
+            )
             listed = ", ".join(map(called, names))
             what, it = ("weight", "it") if len(names) == 1 else ("weights", "them")
             clause = f"without the {what} of {listed} in the equations of what carries {it}"
