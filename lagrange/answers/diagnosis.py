@@ -46,7 +46,17 @@ from lagrange.answers.limits import (
     REAL_STATES,
     STATES,
 )
-from lagrange.answers.slips import NUMBERS, Slip, cleared, factors, terms_of, variants
+from lagrange.answers.slips import (
+    NUMBERS,
+    Slip,
+    cleared,
+    factors,
+    is_decimal,
+    is_divided,
+    kind_of_factor,
+    terms_of,
+    variants,
+)
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, symbols_of
@@ -180,7 +190,9 @@ def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Dia
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
-            if change is None or (change.factor is not None and not change.factor.is_number and search.is_inertia(change)):
+            if change is None or (
+                change.factor is not None and not change.factor.is_number and search.is_inertia(change)
+            ):
                 return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
             return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
@@ -384,11 +396,11 @@ class _Search:
             number = None if wanted is None else self._as_number(wanted)
             if number is None or number == 0:
                 continue
-            odd = number not in _USUAL and not _is_decimal(term)
-            cost = 0.0 if number == -1 else 1.0 + 2.0 * odd - 0.5 * _is_decimal(term)
+            odd = number not in _USUAL and not is_decimal(term)
+            cost = 0.0 if number == -1 else 1.0 + 2.0 * odd - 0.5 * is_decimal(term)
             # A term that has a number already is likelier to have a wrong one.
             cost += 0.2 * (term.as_coeff_Mul()[0] in (1, -1)) + 0.1 * bool(self._is_inertia(term))
-            slip = _kind_of_factor(term, number, self.slots.velocities)
+            slip = kind_of_factor(term, number, self.slots.velocities)
             yield cost, Diagnosis(None, slip, term, number * term, number)
 
     def _by_another(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
@@ -406,7 +418,7 @@ class _Search:
             if wanted is None or state.point.arithmetic.vanishes(wanted):
                 continue
             for cost, factor in self._factors_of(wanted, term):
-                slip = _kind_of_factor(term, factor, self.slots.velocities)
+                slip = kind_of_factor(term, factor, self.slots.velocities)
                 cost += 1.5 * self._is_inertia(term) - 0.5 * (slip in (Slip.INVERTED, Slip.NUMBER))
                 yield cost, Diagnosis(None, slip, term, factor * term, factor)
 
@@ -439,7 +451,7 @@ class _Search:
                 for cost, factor in self._scales_of(reduce(-ratio), term, derived):
                     # A factor that moves is one that other terms have: the whole equation was multiplied by it.
                     has_own = cost == 0 and not self._direct
-                    if not self._is_divided and _is_divided(factor * term):
+                    if not self._is_divided and is_divided(factor * term):
                         continue  # a term of equations that were solved for something; nobody has forgotten it
                     is_fixed = factor.free_symbols.isdisjoint(self._moving)
                     if has_own or is_fixed or (None, factor * term) in self._direct:
@@ -471,7 +483,7 @@ class _Search:
             yield 1.0, number
             return
         arithmetic = state.point.arithmetic
-        odd, of_inertia = _is_decimal(term), self._is_inertia(term)
+        odd, of_inertia = is_decimal(term), self._is_inertia(term)
         for n, number in self._matching(wanted, arithmetic, odd):
             factor = self._simple_factors[n]
             # A factor of three parts and a number, or a negative one of an acceleration, explains nothing.
@@ -525,7 +537,7 @@ class _Search:
     @cached_property
     def _is_divided(self) -> bool:
         """Whether one of the terms is divided by a sum."""
-        return any(map(_is_divided, self.terms))
+        return any(map(is_divided, self.terms))
 
     @cached_property
     def _simple_factors(self) -> tuple[sp.Expr, ...]:
@@ -580,33 +592,5 @@ _COSTS = {
 }
 
 
-def _is_decimal(term: sp.Expr) -> bool:
-    """Whether the number in a term looks measured: 9.81, 0.33, 10."""
-    number = term.as_coeff_Mul()[0]
-    return bool(number.is_Rational) and (number.q >= 10 or abs(number.p) >= 10)
-
-
-def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symbol]) -> Slip:
-    """The name of a wrong factor."""
-    if factor == -1:
-        return Slip.SIGN
-    number, rest = factor.as_coeff_Mul()
-    if _is_decimal(term) and (rest != 1 or abs(abs(factor) - 1) < sp.Rational(1, 20)):
-        return Slip.NUMBER
-    root = sp.sqrt(rest)
-    if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
-        return Slip.INVERTED
-    return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
-
-
-def _is_divided(e: sp.Expr) -> bool:
-    """Whether a term is divided by a sum."""
-    return any(f.is_Pow and f.exp.is_negative and f.base.is_Add for f in sp.Mul.make_args(e))
-
-
 def _positive(angle: sp.Expr) -> sp.Expr:
     return -angle if angle.could_extract_minus_sign() else angle
-
-
-def _is_quotient(factor: sp.Expr) -> bool:
-    return isinstance(factor, sp.Mul) and len(factor.args) == 2 and any(f.as_base_exp()[1] == -1 for f in factor.args)

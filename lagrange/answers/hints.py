@@ -95,7 +95,11 @@ class Advisor:
         place = self._place(change) or (f"look at {model.place}" if model is not None else "")
         first = _DIMENSIONS if units else causes[-1] if not any(causes[:-1]) else ""
         cause = next(filter(None, causes), "")
-        return why, _sentences(first, place) or why, _sentences(cause, self._change(change, sides, model is not None)) or why
+        return (
+            why,
+            _sentences(first, place) or why,
+            _sentences(cause, self._change(change, sides, model is not None)) or why,
+        )
 
     def _place(self, change: Diagnosis | None) -> str:
         if change is None:

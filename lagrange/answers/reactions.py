@@ -45,7 +45,9 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
         return found
     claims = [zero for zero, _ in _claims(fragment, reaction, reference)]
     if "=" in fragment.text and reaction.given is not None:
-        claims = [zero.xreplace({reaction.force: m.ratio * reaction.force}) for zero in claims for m in meanings(reaction)]
+        claims = [
+            zero.xreplace({reaction.force: m.ratio * reaction.force}) for zero in claims for m in meanings(reaction)
+        ]
     for zero in claims:
         for candidate in reference.candidates:
             if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:

@@ -208,3 +208,31 @@ def factors(parameters: Sequence[sp.Symbol], slots: Slots, angles: Sequence[sp.E
     simple += [a * f for a in constants for f in moving]
     simple += [f / a for a in constants for f in moving]
     return tuple(simple)
+
+
+def is_decimal(term: sp.Expr) -> bool:
+    """Whether the number in a term looks measured: 9.81, 0.33, 10."""
+    number = term.as_coeff_Mul()[0]
+    return bool(number.is_Rational) and (number.q >= 10 or abs(number.p) >= 10)
+
+
+def kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symbol]) -> Slip:
+    """The name of a wrong factor."""
+    if factor == -1:
+        return Slip.SIGN
+    number, rest = factor.as_coeff_Mul()
+    if is_decimal(term) and (rest != 1 or abs(abs(factor) - 1) < sp.Rational(1, 20)):
+        return Slip.NUMBER
+    root = sp.sqrt(rest)
+    if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
+        return Slip.INVERTED
+    return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
+
+
+def is_divided(e: sp.Expr) -> bool:
+    """Whether a term is divided by a sum."""
+    return any(f.is_Pow and f.exp.is_negative and f.base.is_Add for f in sp.Mul.make_args(e))
+
+
+def _is_quotient(factor: sp.Expr) -> bool:
+    return isinstance(factor, sp.Mul) and len(factor.args) == 2 and any(f.as_base_exp()[1] == -1 for f in factor.args)

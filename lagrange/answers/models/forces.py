@@ -115,11 +115,15 @@ def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
     bound = {p.name: carriers(p, m) for p in m.particles}
     weights = {f.on[0]: f for f in m.of_kind(Kind.WEIGHT) if bound.get(f.on[0])}
     for names in (*([n] for n in weights), *([list(weights)] if len(weights) > 1 else ())):
-        shares = {
-            n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names
-        }
+        shares = {n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names}
         if any(shares[n] != weights[n].shares for n in names):
-            changed = m.force(lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT and f.on[0] in s else f)  # type: ignore[misc]
+            changed = m.force(
+                lambda f, s=shares: (
+                    replace(f, shares=s[f.on[0]])  # type: ignore[misc]
+                    if f.kind is Kind.WEIGHT and f.on[0] in s
+                    else f
+                )
+            )
             listed = ", ".join(map(called, names))
             what, it = ("weight", "it") if len(names) == 1 else ("weights", "them")
             clause = f"without the {what} of {listed} in the equations of what carries {it}"
@@ -182,8 +186,12 @@ def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
             without = tuple(s.xreplace({a: sp.S.Zero}) for s in f.shares)
             linear = all(p.is_polynomial(a) and sp.degree(sp.expand(p), a) == 1 for p in pulls)
             if linear and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0):
-                clause = f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
-                yield Variation(clause, f"the extension in {called(f.name)}", _with_shares(m, Kind.POTENTIAL, {f.name: without}))
+                clause = (
+                    f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
+                )
+                yield Variation(
+                    clause, f"the extension in {called(f.name)}", _with_shares(m, Kind.POTENTIAL, {f.name: without})
+                )
 
 
 def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:

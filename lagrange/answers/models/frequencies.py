@@ -79,7 +79,10 @@ class _Numbers:
         roots = [self.number(s) for s in squares]
         if any(not r.is_number or r.is_finite is False for row in (*inertia, *stiffness, roots) for r in row):
             return False
-        pulls = [sum((self.number(f.shares[k]) * self.number(f.factor) for f in m.forces), sp.S.Zero) for k in range(len(inertia))]
+        pulls = [
+            sum((self.number(f.shares[k]) * self.number(f.factor) for f in m.forces), sp.S.Zero)
+            for k in range(len(inertia))
+        ]
         if any(abs(p) > _SMALL for p in pulls):
             return False  # it is no equilibrium of the changed problem
         n = len(inertia)
@@ -114,13 +117,18 @@ class _Numbers:
         if g is None:
             columns = [[self.number(c) for c in column] for column in part.columns]
             weights = [self.number(w) for w in part.weights]
-            g = [[sum((weights[a] * columns[i][a] * columns[j][a] for a in range(3)), sp.S.Zero) for j in range(n)] for i in range(n)]
+            g = [
+                [sum((weights[a] * columns[i][a] * columns[j][a] for a in range(3)), sp.S.Zero) for j in range(n)]
+                for i in range(n)
+            ]
             self.known[part.geometry] = g
         of_pair = dict(part.pairs)
         factor = self.number(part.factor)
         return [
             [
-                sp.S.Zero if {i, j} & {*part.still} else g[i][j] * factor * of_pair.get((min(i, j), max(i, j)), sp.S.One)
+                sp.S.Zero
+                if {i, j} & {*part.still}
+                else g[i][j] * factor * of_pair.get((min(i, j), max(i, j)), sp.S.One)
                 for j in range(n)
             ]
             for i in range(n)

@@ -406,7 +406,9 @@ def length_doubled(m: Mechanics) -> Iterator[Variation]:
     lengths = sorted((s for s in places if base(s) not in moving and s not in _angles(m)), key=str)
     for a in lengths:
         for factor in (sp.Integer(2), HALF):
-            yield from _moved(m, {a: factor * a}, f"with {written(factor * a, m.slots)} in place of {a} in the position")
+            yield from _moved(
+                m, {a: factor * a}, f"with {written(factor * a, m.slots)} in place of {a} in the position"
+            )
         yield from _moved(m, {a: -a}, f"with the wrong sign of {a} in the position")
 
 

@@ -46,8 +46,8 @@ def explained_by_two(equations: Sequence[sp.Expr], models: Models) -> Explanatio
             return None
         states = models.states(equations)
         rows = [[at.row(e) for e in equations] for at in states]
+        others = states[1:]
         for name, variation, space in models.pairs(lambda: _pairs(models)):
-            first, *others = states
             if all(r is not None and r in space for r in rows[0]) and all(
                 (other := changed_space(variation, at)) is not None and all(r is not None and r in other for r in own)
                 for at, own in zip(others, rows[1:], strict=True)

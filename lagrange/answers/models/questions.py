@@ -10,7 +10,7 @@ into these equations with one of them changed: where they hold, that change expl
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 import sympy as sp
 
@@ -37,25 +37,26 @@ class _Change:
 
 
 _HALF = sp.Rational(1, 2)
+_MOVING = "the part of {reaction} with the square of the velocity"
 _OF_REACTION = (
-    _Change("the part of {reaction} with the square of the velocity is missing: it is that of a body at rest", moving=sp.S.Zero),
-    _Change("only the part of {reaction} with the square of the velocity is there: what the forces contribute is missing", resting=sp.S.Zero),
-    _Change("the part of {reaction} with the square of the velocity has the wrong sign", moving=sp.S.NegativeOne),
-)  # fmt: skip
+    _Change(f"{_MOVING} is missing: it is that of a body at rest", moving=sp.S.Zero),
+    _Change(f"only {_MOVING} is there: what the forces contribute is missing", resting=sp.S.Zero),
+    _Change(f"{_MOVING} has the wrong sign", moving=sp.S.NegativeOne),
+)
 _OF_ENERGY = (
     _Change("the velocity is taken as zero there", still=True),
     _Change("the potential energy is missing: the velocity is taken as at the start", potential=sp.S.Zero),
     _Change("the potential energy has the wrong sign in the energy", potential=sp.S.NegativeOne),
     _Change("{less}", kinetic=sp.Integer(2)),
     _Change("{more}", kinetic=_HALF),
-)  # fmt: skip
+)
 _FROM_REST = {
     "less": "the square of the velocity is half as large as it should be: is the 1/2 of T missing?",
     "more": "the square of the velocity is twice as large as it should be",
 }
 _THROWN = {
-    "less": "the kinetic energy is twice, or the change of the potential energy half, of what it should be",
-    "more": "the kinetic energy is half, or the change of the potential energy twice, of what it should be",
+    "less": "the kinetic energy is twice as large as it should be, or the change of the potential energy half as large",
+    "more": "the kinetic energy is half as large as it should be, or the change of the potential energy twice as large",
 }
 
 
@@ -71,7 +72,10 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) ->
         changes = _OF_REACTION if setting.reaction is not None else ()
         for change in (*changes, *_OF_ENERGY) if own else (*_OF_ENERGY[:1], *changes, *_OF_ENERGY[1:]):
             if setting.gives(change, claim, quantity):
-                return change.said.format(reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN))
+                said: str = change.said.format(
+                    reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN)
+                )
+                return said
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
     return ""
@@ -119,7 +123,11 @@ class _Setting:
         zeros = tuple(c.lhs - c.rhs for c in asked.question.when)
         reaction = reactions[0].symbol if reactions else None
         states = [dict(s) for b in asked.branches for s in b.states]
-        fixed = [z for z in zeros if z.free_symbols & {base(v)} and v not in z.free_symbols and reaction not in z.free_symbols]
+        fixed = [
+            z
+            for z in zeros
+            if z.free_symbols & {base(v)} and v not in z.free_symbols and reaction not in z.free_symbols
+        ]
         place: Rule = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
         force = reactions[0].value if reactions else sp.S.Zero
         return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
@@ -127,7 +135,11 @@ class _Setting:
     def gives(self, change: _Change, claim: sp.Expr, quantity: sp.Expr) -> bool:
         """Whether the equations with a change hold for a value of the quantity, or of a function of it."""
         v = self.velocity
-        square = sp.S.Zero if change.still else 2 * (self.start - change.potential * self.change / change.kinetic) / self.inertia
+        square = (
+            sp.S.Zero
+            if change.still
+            else 2 * (self.start - change.potential * self.change / change.kinetic) / self.inertia
+        )
         force = sp.expand(self.force)
         resting = force.xreplace({v: sp.S.Zero})
         force = change.resting * resting + change.moving * (force - resting)
@@ -191,7 +203,10 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
                     yield how.format(what) + ("" if "denominator" in where else where)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
     factors = sp.Mul.make_args(ratio)
-    if len(factors) <= 3 and all(f.is_number or f.as_base_exp()[0].is_Symbol or f.as_base_exp()[0].func in (sp.sin, sp.cos, sp.tan) for f in factors):
+    if len(factors) <= 3 and all(
+        f.is_number or f.as_base_exp()[0].is_Symbol or f.as_base_exp()[0].func in (sp.sin, sp.cos, sp.tan)
+        for f in factors
+    ):
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
             return
@@ -205,7 +220,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
 
 
 MOST_TERMS = 8
-_FORMS = (
+_FORMS: tuple[tuple[Callable[[sp.Expr], sp.Expr], str], ...] = (
     (lambda e: e, ""),
     (lambda e: e**2, " under the root"),
     (lambda e: 1 / e, " in the denominator"),

@@ -71,6 +71,4 @@ def _turning(m: Mechanics, old: Inertia, new: Inertia) -> Mechanics:
         if k is not None:
             moment = f.shares[k] / old.columns[k][own]
             moved[f.name] = tuple(moment * c[own] for c in new.columns[:-1])
-    return changed.force(
-        lambda f: replace(f, shares=moved[f.name]) if f.kind is Kind.MOMENT and f.name in moved else f
-    )
+    return changed.force(lambda f: replace(f, shares=moved[f.name]) if f.kind is Kind.MOMENT and f.name in moved else f)

@@ -148,9 +148,7 @@ class Models:
         """Whether the coordinates are independent: then any values of them are a state, and a rule can be inverted."""
         return not self.system.configuration.rows
 
-    def pairs(
-        self, made: Callable[[], Iterator[tuple[str, Variation]]]
-    ) -> Iterator[tuple[str, Variation, RowSpace]]:
+    def pairs(self, made: Callable[[], Iterator[tuple[str, Variation]]]) -> Iterator[tuple[str, Variation, RowSpace]]:
         """Variations by two mistakes, made on first use, with their row spaces at the first state."""
         if self._pairs is None:
             self._pairs = Lazily(made())

@@ -65,5 +65,5 @@ def _judged(name: str, fragment: Fragment, found: list[Response], reference: Ref
     from lagrange.answers.models.questions import explained_value
 
     amplitude = sp.powdenest(sp.sqrt(sp.factor(sp.expand(squares[name]))), force=True)
-    found = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
-    return Verdict.WRONG, next(filter(None, found), "")
+    why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
+    return Verdict.WRONG, next(filter(None, why), "")

@@ -19,6 +19,7 @@ EQUILIBRIA = [
 REACTIONS = [
     ("ex11-ideal-pendulum", "rod", "m*g*cos(theta)", "at rest"),
     ("slide-off-a-dome", "dome", "N = m*g*cos(theta)", "at rest"),
+    ("hoop-on-incline", "rolling", "F = -m*g*sin(alpha)/3", "which a disc or solid cylinder has"),
     ("ex11-ideal-pendulum", "rod", "m*g*sin(theta)^3", ""),
 ]
 
@@ -66,5 +67,20 @@ def test_degrees_of_freedom(name: str, number: int, said: str) -> None:
 )
 def test_frequencies(stated: str, said: str) -> None:
     [other] = judged("cycloidal-pendulum", Answers(frequencies=((Fragment.of(stated),),))).others
+    assert said in other.diagnosis
+    assert ("these are" in other.diagnosis) is bool(said)
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"),
+    [
+        (("sqrt(g/l)", "sqrt(g/l)"), "without the product theta1'*theta2' in the kinetic energy of `Q`"),
+        (("sqrt(2*g/l)", "sqrt(g/l)"), "without theta1' in the velocity of `Q`"),
+        (("sqrt(g/l)", "sqrt(5*g/(7*l))"), ""),
+    ],
+)
+def test_frequencies_of_a_changed_problem(stated: tuple[str, ...], said: str) -> None:
+    answers = Answers(frequencies=(tuple(map(Fragment.of, stated)),))
+    [other] = judged("double-pendulum-small-oscillations", answers).others
     assert said in other.diagnosis
     assert ("these are" in other.diagnosis) is bool(said)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
-from lagrange.answers.models.search import changed_rows, explained
+from lagrange.answers.models.search import changed_rows, explained, inverted
 from lagrange.answers.readings import read_answer
 from lagrange.core.diagnostics import Fragment
 from tests.answers.models.slips import examiner
@@ -55,3 +56,27 @@ def test_a_reaction_in_one_equation(reaction: str, said: str) -> None:
     wrong, *_ = examiner("sleigh").check(tuple(map(Fragment.of, (own, *others)))).each
     assert wrong.diagnosis == said
     assert wrong.model == "reaction in one equation"
+
+
+def test_rules_are_inverted() -> None:
+    x, y, a, b = sp.symbols("x y a b")
+    for rule in ({x: a - x}, {x: x + y}, {a: b, b: a}, {x: -x, y: -y}):
+        inverse = inverted(rule)
+        assert inverse is not None
+        for symbol in (x, y, a, b):
+            assert sp.expand(symbol.xreplace(rule).xreplace(inverse)) == symbol
+    assert inverted({x: y + a, y: x}) is None
+
+
+def test_two_mistakes_are_named_only_where_they_make_the_answer() -> None:
+    both = ("m*r'' - m*r*phi'^2 + c*r + m*g*cos(phi) = 0", "r*phi'' + 2*r'*phi' - g*sin(phi) = 0")
+    for wrong in examiner("spring-pendulum").check(tuple(map(Fragment.of, both))).each:
+        assert wrong.model == "gravity reversed; spring with its length for its extension"
+    neither = ("m*r'' - m*r*phi'^2 + c*r + m*g*cos(2*phi) = 0", "r*phi'' + 2*r'*phi' - g*sin(phi) = 0")
+    assert not any(";" in e.model for e in examiner("spring-pendulum").check(tuple(map(Fragment.of, neither))).each)
+
+
+def test_a_coefficient_of_friction_where_nothing_slips() -> None:
+    equation = Fragment.of("x'' = g*sin(alpha) - mu*g*cos(alpha)")
+    [wrong] = examiner("cylinder-on-rough-incline").check((equation,)).each
+    assert wrong.diagnosis == "It depends on mu, and the motion does not."

@@ -1,0 +1,46 @@
+"""Wrong answers to questions: what was lost between the energy and the reaction."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.models.questions import explained_value
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment
+from lagrange.problem.model import Answers
+from tests.support.shared import loaded, solved
+
+# worked out by hand: what somebody gets who makes the mistake
+QUESTIONS = [
+    ("loop-the-loop", "least_height", "2*R", "the velocity is taken as zero there"),
+    ("loop-the-loop", "speed_at_the_top", "sqrt(2*g*h)", "the potential energy is missing"),
+    ("loop-the-loop", "press_at_the_bottom", "2*m*g*h/R", "what the forces contribute is missing"),
+    ("loop-the-loop", "press_at_the_bottom", "m*g", "that of a body at rest"),
+    ("loop-the-loop", "press_at_the_bottom", "m*g*(1 + 7*h/R)", ""),
+    ("leaving-a-sphere", "leaves", "cos(theta) = 1/2", "is the 1/2 of T missing?"),
+    ("leaving-a-sphere", "pressure", "m*g*(2 - cos(theta))", "has the wrong sign"),
+    ("released-pendulum", "tension", "m*g*cos(theta)", "that of a body at rest"),
+    ("released-pendulum", "speed", "sqrt(2*g*l)", "2*g*l*cos(alpha) is missing under the root"),
+]
+
+
+@pytest.mark.parametrize(("problem", "question", "answer", "said"), QUESTIONS)
+def test_what_was_lost(problem: str, question: str, answer: str, said: str) -> None:
+    examiner = Examiner(loaded(problem), solved(problem, complete=False))
+    [other] = examiner.check_answers(Answers(ask={question: Fragment.of(answer)})).others
+    [verdict] = other.equations
+    assert verdict.verdict is Verdict.WRONG
+    assert said in verdict.diagnosis
+    assert bool(verdict.diagnosis) is bool(said)
+
+
+def test_differences_of_values() -> None:
+    m, g, l, mu = sp.symbols("m g l mu", positive=True)
+    right = m * g + mu * m * l
+    assert explained_value(m * g, right, set()) == "this is the answer without l, as if l = 0"
+    assert explained_value(mu * m * l - m * g, right, set()) == "the sign of the term m*g is wrong"
+    assert explained_value(right * l, right, set()) == "there is a factor l too many"
+    assert explained_value(right * 35 / 36, right, set()) == ""
+    assert explained_value(right + sp.Symbol("q"), right, set()) == "the right answer does not depend on q"
