@@ -74,7 +74,9 @@ class Contact:
     value: sp.Expr
 
 
-def contacts(dynamics: Motion, reactions: Collection[Reaction], multipliers: Collection[sp.Symbol]) -> Iterator[Contact]:
+def contacts(
+    dynamics: Motion, reactions: Collection[Reaction], multipliers: Collection[sp.Symbol]
+) -> Iterator[Contact]:
     """The reactions that are watched along a motion; those that are not known are solved for if they are unknowns."""
     known, guarded = dynamics.reactions, guards(dynamics, reactions)
     for r in reactions:
