@@ -319,9 +319,7 @@ class _Maker:
         self.slips = [*(int(kind) for kind, _ in found), *(3 for _ in rates)]
         return [self.put(e) for e in (*(e for _, e in found), *rates)]
 
-    def _static(
-        self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]
-    ) -> list[tuple[int, float]]:
+    def _static(self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]) -> list[tuple[int, float]]:
         """Of each coefficient of friction that is a parameter: its place, and the number of the static coefficient."""
         out = []
         for kinetic, static in coefficients_at_rest(self.solution.problem).items():

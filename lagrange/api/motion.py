@@ -162,9 +162,7 @@ def simulated_motion(
     """The motion of a solved problem. Raises ValueError at a name that does not exist, ProblemError as the command."""
     require("numpy", "scipy")
     problem = solution.problem
-    states = state_equations(solution, choice).with_functions(
-        {n: _expression(e) for n, e in functions.items()}
-    )
+    states = state_equations(solution, choice).with_functions({n: _expression(e) for n, e in functions.items()})
     require_functions(states, functions, "`functions={{'{name}': ...}}`, in SymPy")
     known = [p.symbol.name for p in (*problem.parameters, *states.parameters)]
     coordinates = [q.symbol for q in problem.coordinates] + [q for c in problem.choices for q in c.coordinates]

@@ -1,14 +1,14 @@
 """Where a contact ends during a motion, and where a reaction changes its sign without ending anything.
 
-An equation between coordinates acts on both sides: a bead on a wire is pushed and pulled. It acts on one side only where
-the file says so:
+An equation between coordinates acts on both sides: a bead on a wire is pushed and pulled. It acts on one side only
+where the file says so:
 
     r >= R, or `contact:` of a friction    as long as ±λ, the sign being that of the push, is not negative
     `by: string`                           as long as the tension is not negative
     `by: surface`                          as long as the force has the sign that it has at first
 
-Figures on pages and simulations end a motion by these rules. Of any other force that the file names, a change of sign is
-reported and the motion goes on.
+Figures on pages and simulations end a motion by these rules. If any other force that the file names changes its sign,
+that is reported, and the motion goes on.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ def coefficients_at_rest(problem: Problem) -> dict[sp.Symbol, sp.Expr]:
 
 @record
 class Contact:
-    """A reaction that is watched: the name of its constraint and of its force, its guard, and what has to have a sign."""
+    """A reaction that is watched: the names of its constraint and of its force, its guard, what must have a sign."""
 
     name: str
     force: str
@@ -74,7 +74,9 @@ class Contact:
     value: sp.Expr
 
 
-def contacts(dynamics: Motion, reactions: Collection[Reaction], multipliers: Collection[sp.Symbol]) -> Iterator[Contact]:
+def contacts(
+    dynamics: Motion, reactions: Collection[Reaction], multipliers: Collection[sp.Symbol]
+) -> Iterator[Contact]:
     """The reactions that are watched along a motion; those that are not known are solved for if they are unknowns."""
     known, guarded = dynamics.reactions, guards(dynamics, reactions)
     for r in reactions:

@@ -9,7 +9,7 @@ LONGEST_PROGRAM = 200_000
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
 SMALLEST_STEP = 1e-13
-# So many steps must bring a motion on by this share of its time; at a hundredth of that pace it would never end.
+# So many steps must bring a motion on by this share of its time; with less it would take a hundred times MOST_STEPS.
 PACE, SLOWEST_PACE = 20_000, 1e-4
 
 # Iterations that bring a state to the constraints, and what is left of them there, relative to the size of the state.

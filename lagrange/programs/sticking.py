@@ -1,8 +1,8 @@
 """Dry friction where nothing slips: whether a slip begins, and in which sense.
 
-The equations of motion have the friction of a slip, μ|R| against its sense s. At v = 0 they hold for a sense if the slip
-then begins in it: s dv/dt > 0, the friction being the largest that is possible at rest, with the static coefficient if
-there is one. If that is so for neither sense, friction holds the system.
+The equations of motion have the friction of a slip, μ|R| against its sense s. At v = 0 they hold for a sense if the
+slip then begins in it: s dv/dt > 0, the friction being the largest that is possible at rest, with the static
+coefficient if there is one. If that is so for neither sense, friction holds the system.
 """
 
 from __future__ import annotations

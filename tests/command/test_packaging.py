@@ -116,7 +116,13 @@ def test_its_metadata(wheel: Path, contents: set[str]) -> None:
         assert "lagsolve = lagsolve.__main__:run" in archive.read(entry).decode()
         lines = archive.read(metadata).decode().splitlines()
     dependencies = [line.partition(": ")[2] for line in lines if line.startswith("Requires-Dist: ")]
-    assert {d.split(">")[0] for d in dependencies if "extra ==" not in d} == {"sympy", "click", "rich", "pyyaml"}
+    assert {d.split(">")[0] for d in dependencies if "extra ==" not in d} == {
+        "sympy",
+        "mpmath",
+        "click",
+        "rich",
+        "pyyaml",
+    }
     assert "Requires-Python: >=3.11" in lines
     assert "License-File: LICENSE" in lines
 
