@@ -157,9 +157,7 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
-def _in_numbers(
-    equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()
-) -> Equation | None:
+def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()) -> Equation | None:
     """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
 
     bare  sides of equations in which a number hides a unit: only that of the left side is known
@@ -191,7 +189,8 @@ def _in_numbers(
 def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
     """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
     left, right = equation.sides
-    assert isinstance(left, sp.Expr) and isinstance(right, sp.Expr)
+    assert isinstance(left, sp.Expr)
+    assert isinstance(right, sp.Expr)
     found = bound_with(left, right, values)
     if found is None:
         return None
