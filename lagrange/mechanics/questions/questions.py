@@ -145,12 +145,11 @@ class _Search:
         self.used = tuple(self._used())
         parameters = {p.symbol for p in setting.problem.parameters} | {*setting.problem.unknowns}
         of_system: set[sp.Symbol] = set().union(*(e.free_symbols for e in setting.known.accelerations.values()))
-        # Of l ω_0 it is ω_0 that is asked for, which the system itself does not have.
+        # Of l ω_0 it is ω_0 that is asked for, which the system itself does not have:
         of_quantity = sorted(question.quantity.free_symbols & parameters, key=lambda s: (s in of_system, s.name))
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
-        slots = self.configuration.slots.coordinates
-        occurring = [q for q in slots if any(q in e.free_symbols for e in (self.quantity, *self.when))]
+        occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
         rather_not = {*_mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = dependent(self.configuration, rather_not, question.by)
 
