@@ -24,6 +24,6 @@ def test_what_no_sum_can_take_stays(e: sp.Expr) -> None:
 
 def test_common_numbers_stand_before_a_product() -> None:
     """4 a (1 − M/m) for 2 a (2 − 2 M/m), and 2 b/(3 + c) for 6 b·2/(18 + 6 c)."""
-    assert str(with_whole_contents(2 * a * (2 - 2 * b / c))) == "4*a*(1 - b/c)"
+    assert str(with_whole_contents(2 * a * (2 - 2 * b / c))) == "4*a*(-b/c + 1)"
     assert with_whole_contents(12 * b / (18 + 6 * c)) == 2 * b / (3 + c)
     assert with_whole_contents(2 * a + 2) == 2 * a + 2
