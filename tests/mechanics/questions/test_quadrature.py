@@ -11,7 +11,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded
 from lagrange.mechanics.questions.quadrature import time_between
 
-g, l = sp.symbols("g l", positive=True)  # noqa: E741
+g, l = sp.symbols("g l", positive=True)
 theta = sp.Symbol("theta", real=True)
 start = Bounded("theta_0", sp.S.Zero, sp.pi)
 
