@@ -46,7 +46,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
-    angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+    angles: Angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
               if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     for step in steps:
         view = positions.get((step.rule, step.title))
