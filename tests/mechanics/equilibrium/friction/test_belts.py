@@ -31,6 +31,7 @@ forces:
   drum: {belt: mu, angle: beta, tight: T, slack: P}
 find: [equilibrium, impending]
 """
+GIVEN = CAPSTAN.replace("[m, g, mu, beta]", "[m, g, P, mu, beta]").replace("[T, P]", "[T]")
 STRING = """title: Weight on a string that passes over a rough drum
 parameters: [W, P, L, mu, beta]
 coordinates: [y]
@@ -107,8 +108,8 @@ def test_a_block_held_over_a_drum_is_a_linear_program() -> None:
             "{rest: ['P >= m*g*exp(-mu*beta)'], equilibrium: ['P = m*g*exp(-mu*beta)', 'T = m*g']}",
             "equivalent",
         ),
-        (CAPSTAN, "{rest: ['mu >= log(m*g/P)/beta'], equilibrium: ['mu = log(m*g/P)/beta']}", "equivalent"),
-        (CAPSTAN, "{rest: ['mu >= log(P/(m*g))/beta'], equilibrium: ['mu = log(P/(m*g))/beta']}", "wrong"),
+        (GIVEN, "{rest: ['mu >= log(m*g/P)/beta'], equilibrium: ['mu = log(m*g/P)/beta']}", "equivalent"),
+        (GIVEN, "{rest: ['mu >= log(P/(m*g))/beta'], equilibrium: ['mu = log(P/(m*g))/beta']}", "wrong"),
         (CAPSTAN, "{rest: ['P <= m*g*exp(mu*beta)'], equilibrium: ['P = m*g*exp(mu*beta)', 'T = m*g']}", "wrong"),
         (STRING, "{rest: ['W <= P*exp(mu*beta)'], equilibrium: ['W = P*exp(mu*beta)', 'y = L']}", "equivalent"),
         (STRING, "{rest: ['mu >= log(W/P)/beta'], equilibrium: ['mu = log(W/P)/beta', 'y = L']}", "equivalent"),
