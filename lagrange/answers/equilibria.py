@@ -318,7 +318,7 @@ def _judged(
 
     def rewritten(e: sp.Expr) -> list[sp.Expr]:
         stated = without_displacements(_with_roots_named(configuration.rewritten(e), configuration), configuration)
-        return [_without_logarithm(part).xreplace(dict(values)) for part in stated]
+        return [part.xreplace(dict(values)) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
     comparison = EquilibriumComparison(equilibrium, values, systems)
@@ -434,20 +434,6 @@ def _at_equilibrium(
     except (NotAlgebraicError, DivisionByZeroError):
         return []
     return [] if value.free_symbols or value.has(sp.zoo, sp.nan, sp.oo) else [value]
-
-
-def _without_logarithm(e: sp.Expr) -> sp.Expr:
-    """μ − log(m/M)/β as e^(μ β) − m/M: what a logarithm of something positive is equal to, solved for its argument."""
-    logarithms = {f for f in e.atoms(sp.log) if f.args[0].is_positive and f.args[0].free_symbols}
-    if len(logarithms) != 1:
-        return e
-    [f] = logarithms
-    letter = sp.Dummy()
-    in_letter = sp.expand(e.xreplace({f: letter}))
-    slope, rest = in_letter.coeff(letter, 1), in_letter.coeff(letter, 0)
-    if slope == 0 or letter in slope.free_symbols or sp.expand(in_letter - slope * letter - rest) != 0:
-        return e
-    return sp.exp(sp.expand(-rest / slope)) - f.args[0]
 
 
 def _widened(e: sp.Expr) -> sp.Expr:

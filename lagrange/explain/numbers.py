@@ -48,7 +48,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
-    angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+    angles: Angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
               if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     for step in steps:
         view = positions.get((step.rule, step.title))
@@ -159,9 +159,7 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
-def _in_numbers(
-    equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()
-) -> Equation | None:
+def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()) -> Equation | None:
     """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
 
     bare  sides of equations in which a number hides a unit: only that of the left side is known
@@ -193,7 +191,8 @@ def _in_numbers(
 def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
     """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
     left, right = equation.sides
-    assert isinstance(left, sp.Expr) and isinstance(right, sp.Expr)
+    assert isinstance(left, sp.Expr)
+    assert isinstance(right, sp.Expr)
     found = bound_with(left, right, values)
     if found is None:
         return None

@@ -259,7 +259,7 @@ def _angles(asked: Asked) -> Iterator[Math]:
 
 
 def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
-    """θ = 48.19° for cos θ = 2/3, with values put in; None where the branch gives no angle by its cosine or the like."""
+    """θ = 48.19° for cos θ = 2/3, with values put in; None where it gives no angle by its cosine or the like."""
     from lagrange.values.quantities import NotRealError, rounded, with_unit
 
     if not b.lhs.is_Function:
@@ -279,6 +279,8 @@ def _where(b: AnswerBranch) -> tuple[Part, ...]:
 
 
 def _how(asked: Asked) -> tuple[Part, ...]:
+    if asked.how is How.NUMERICAL and asked.integrand is not None:
+        return ("No elementary function was found for it. In numbers it is",)
     if asked.how is How.NUMERICAL:
         return ("Integrating the equations of motion numerically gives, for the first time that this holds,",)
     if asked.route is Route.SOLUTION and not asked.solutions:
@@ -329,6 +331,8 @@ def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
 
 def _unanswered(asked: Asked) -> tuple[Part, ...]:
     """What is known, and what is missing."""
+    if asked.integrand is not None:
+        return ("No elementary function was found for it; with values for all parameters it is found in numbers.",)
     why: tuple[Part, ...] = ("The integrals that are known do not determine this in closed form.",)
     if not asked.integrals:
         why = ("No integral of the motion with a known value was found that would determine this.",)

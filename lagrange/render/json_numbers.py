@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from lagrange.core.symbols import t
+
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.damped_modes import DampedModes
@@ -113,7 +115,8 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
         return unknown
     [branch] = left
     if asked.how is not None and asked.how.value == "numerical":
-        return unknown | {"number": float(branch.rhs), "unit": values.unit_of(asked.question.quantity) or None}
+        unit = "s" if asked.question.quantity == t and values.units else values.unit_of(asked.question.quantity)
+        return unknown | {"number": float(branch.rhs), "unit": unit or None}
     if asked.question.by is not None:
         return unknown | quantity(branch.rhs, values, write)
     of_angle = branch.lhs != asked.question.quantity
@@ -140,7 +143,7 @@ def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write
 
 
 def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | None, write: Write) -> dict[str, Any]:
-    """`in_numbers`: what each condition of rest says with the values, `P >= 5.767`; of several cases, in their order."""
+    """`in_numbers`: what each condition of rest says with the values, `P >= 5.767`; of several cases in order."""
     if values is None or not values.numbers or not cases:
         return {}
     from lagrange.values.bounds import bound_with

@@ -38,19 +38,20 @@ def bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
     difference = right - left
     if not difference.free_symbols & values.numbers.keys():
         return None
-    sides = [values.quantity(e) for e in (left, right)]
+    below, above = (values.quantity(e) for e in (left, right))
     in_numbers = values.put_in(difference)
     if in_numbers.has(sp.zoo, sp.nan, sp.oo):
         return None
     try:
         if not in_numbers.free_symbols:
-            return None if None in sides else Bound(sides[0], "≤", sides[1], holds=bool(real_value(in_numbers) >= 0))
+            holds = bool(real_value(in_numbers) >= 0)
+            return None if below is None or above is None else Bound(below, "≤", above, holds=holds)
         solved = _solved(difference, in_numbers, values)
     except NotRealError:
         return None
-    if solved is not None or None in sides:
+    if solved is not None or below is None or above is None:
         return solved
-    return Bound(sides[0], "≤", sides[1])
+    return Bound(below, "≤", above)
 
 
 def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound | None:

@@ -289,7 +289,7 @@ def _inverse(matrix: Sequence[Sequence[float]]) -> list[list[float]] | None:
     size = len(matrix)
     rows = [[*map(float, row), *(float(n == k) for k in range(size))] for n, row in enumerate(matrix)]
     for n in range(size):
-        best = max(range(n, size), key=lambda k: abs(rows[k][n]))  # noqa: B023
+        best = max(range(n, size), key=lambda k: abs(rows[k][n]))
         if rows[best][n] == 0:
             return None
         rows[n], rows[best] = rows[best], rows[n]

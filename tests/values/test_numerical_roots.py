@@ -65,3 +65,17 @@ def test_signs_at_a_root() -> None:
     assert sign_at(x - 1, [x], root) == 1
     assert sign_at(x - 2, [x], root) == -1
     assert sign_at(x**3 - 2, [x], root) is None
+
+
+def test_three_unknowns() -> None:
+    """By hand: a + b = 1 − c and a b = c in a² + b² + c² = 3 give c² − 2c − 1 = 0, and a, b are real for c = 1 − √2."""
+    p, q, r = sp.symbols("p q r", real=True)
+    found = real_roots([p**2 + q**2 + r**2 - 3, p * q - r, p + q + r - 1], [p, q, r], [(-3, 3)] * 3)
+    c = 1 - math.sqrt(2)
+    root = math.sqrt((1 - c) ** 2 - 4 * c)
+    ends = sorted(((1 - c) - sign * root) / 2 for sign in (1, -1))
+    assert found.complete
+    assert [[float(v) for v in x.values] for x in found.roots] == [
+        pytest.approx([ends[0], ends[1], c]),
+        pytest.approx([ends[1], ends[0], c]),
+    ]

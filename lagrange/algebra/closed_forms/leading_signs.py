@@ -40,6 +40,7 @@ def with_whole_contents(e: sp.Expr) -> sp.Expr:
         base, exponent = f.as_base_exp()
         if base.is_Add and exponent.is_Integer:
             content, rest = base.primitive()
-            number, f = number * content**exponent, rest**exponent
+            if content.is_Integer:  # not that of decimals, 0.3 x + 9.81
+                number, f = number * content**exponent, rest**exponent
         factors.append(f)
     return e if number == 1 or len(factors) < 2 else sp.Mul(number, *factors)

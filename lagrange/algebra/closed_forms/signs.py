@@ -168,7 +168,7 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
 
 
 def always_holds(c: SignCondition) -> bool:
-    """Whether a condition holds for all values of what occurs in it: 2/3 |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b for a ≥ b."""
+    """Whether a condition always holds: 2/3 |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b for a ≥ b."""
     if c.relation in ("≤", "<"):
         return always_holds(SignCondition(c.rhs, {"≤": "≥", "<": ">"}[c.relation], c.lhs))
     if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):

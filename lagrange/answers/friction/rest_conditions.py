@@ -125,9 +125,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         return rest.configuration.rewritten(e).xreplace(numbers)
 
     given = [
-        part
-        for s in stated
-        for part in _without_modulus(_multiplied_out(_Stated(s.text, valued(s.slack), s.equation)))
+        part for s in stated for part in _without_modulus(_multiplied_out(_Stated(s.text, valued(s.slack), s.equation)))
     ]
     cases = [
         [
@@ -163,7 +161,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
 
 
 def _multiplied_out(s: _Stated) -> _Stated:
-    """P ≤ W (tan α + μ)/(1 − μ tan α) as (1 − μ tan α) P ≤ W (tan α + μ): books mean it where the divisor is positive."""
+    """P ≤ W (tan α + μ)/(1 − μ tan α) as (1 − μ tan α) P ≤ W (tan α + μ): it is meant for a positive divisor."""
     slack = sp.expand_trig(s.slack) if s.slack.has(sp.atan) else s.slack
     divisors = {p.base for p in slack.atoms(sp.Pow) if p.exp == -1 and p.base.is_Add}  # as they are written
     open_ = [f for f in divisors if Signs(_symbols(f)).of(f) is None]

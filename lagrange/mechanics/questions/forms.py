@@ -118,4 +118,3 @@ def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
 
 def _between(c: SignCondition) -> sp.Expr:
     return sp.expand(c.lhs - c.rhs)
-

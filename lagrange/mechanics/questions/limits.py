@@ -36,3 +36,9 @@ LONGEST_MULTIPLIED_OUT = 60
 MOST_SIGNS = 2048
 # Functions of one coordinate whose zeros are remembered.
 MOST_FUNCTIONS = 128
+
+NODE_DIGITS = 40
+"""Digits to which an integrand is evaluated: near a place of rest it is 1/√ of a difference that cancels."""
+
+ACCURATE = 1e-8
+"""The relative error up to which a time integrated in numbers counts."""

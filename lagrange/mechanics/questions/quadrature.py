@@ -7,15 +7,17 @@ limit there. None means not in the table.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
+import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.forms.antiderivatives import antiderivative
-from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
+from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
 
 
 def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way: int) -> sp.Expr | None:
@@ -39,6 +41,55 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
                 return shortest_form(factored_quotient(values[0] - values[1]))
         except DivisionByZeroError:
             continue
+    return _through_half_angle(q, speed**2, start, end)
+
+
+def number_between(
+    q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]
+) -> sp.Float | None:
+    """The same time in numbers, where all parameters have values; None where one is missing, or it is not accurate.
+
+    A motion that begins or ends at rest has a singularity 1/√x there, which this rule (tanh-sinh) integrates.
+    """
+    share = sp.Dummy("u", positive=True)  # of the way, from 0 to 1: precise near the start, where the root vanishes
+    way = end - start
+    e = (way / speed).xreplace({q: start + way * share}).xreplace(dict(values))
+    if not e.free_symbols <= {share}:
+        return None
+
+    def integrand(x: mpmath.mpf) -> mpmath.mpf:
+        value = e.xreplace({share: sp.Float(str(x), NODE_DIGITS)}).evalf(NODE_DIGITS)
+        if not value.is_Float:
+            raise ValueError
+        return mpmath.mpf(str(value))
+
+    with mpmath.workdps(NODE_DIGITS // 2):
+        try:
+            found, error = mpmath.quad(integrand, [0, 1], error=True, maxdegree=6)
+        except (ValueError, ZeroDivisionError):
+            return None
+        return sp.Float(str(found), 6) if error < abs(found) * ACCURATE else None
+
+
+def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
+    """∫ dq/√f with S = sin(q/2) or cos(q/2) as variable, where it is ∫ dS/√(B (S_0² − S²)) = acos(S/S_0)/√B.
+
+    So on a cycloid, where S is proportional to the arc: the time to its lowest point is the same from everywhere.
+    """
+    letter = sp.Dummy(positive=True)
+    for function, cosine in ((sp.sin, 1 - 2 * letter**2), (sp.cos, 2 * letter**2 - 1)):
+        in_letter = sp.expand_trig(square).xreplace({sp.cos(q): cosine})
+        if q in in_letter.free_symbols:
+            continue
+        places = [sp.sin(x / 2) if function is sp.sin else sp.cos(x / 2) for x in (start, end)]
+        rate = sp.cancel(sp.together(in_letter * (1 - letter**2) / 4))  # (dS/dt)²
+        if not rate.is_polynomial(letter) or sp.degree(rate, letter) != 2 or rate.coeff(letter, 1) != 0:
+            continue
+        stiffness = sp.factor(-sp.expand(rate).coeff(letter, 2))
+        energy = sp.expand(rate).coeff(letter, 0)
+        if is_zero(energy - stiffness * places[0] ** 2) is not True or sign_of(stiffness) != 1:
+            continue  # from rest, so that S = S_0 cos(√B t), whatever the sign of S_0
+        return shortest_form(sp.acos(sp.cancel(places[1] / places[0])) / sp.sqrt(stiffness))
     return None
 
 

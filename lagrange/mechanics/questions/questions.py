@@ -39,7 +39,7 @@ from lagrange.mechanics.questions.forms import (
     without_roots_below,
 )
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
-from lagrange.mechanics.questions.quadrature import time_between
+from lagrange.mechanics.questions.quadrature import number_between, time_between
 from lagrange.mechanics.questions.reach import Path
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -143,12 +143,11 @@ class _Search:
         self.used = tuple(self._used())
         parameters = {p.symbol for p in setting.problem.parameters} | {*setting.problem.unknowns}
         of_system: set[sp.Symbol] = set().union(*(e.free_symbols for e in setting.known.accelerations.values()))
-        # Of l ω_0 it is ω_0 that is asked for, which the system itself does not have.
+        # Of l ω_0 it is ω_0 that is asked for, which the system itself does not have:
         of_quantity = sorted(question.quantity.free_symbols & parameters, key=lambda s: (s in of_system, s.name))
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
-        slots = self.configuration.slots.coordinates
-        occurring = [q for q in slots if any(q in e.free_symbols for e in (self.quantity, *self.when))]
+        occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
         rather_not = {*_mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = dependent(self.configuration, rather_not, question.by)
 
@@ -180,16 +179,15 @@ class _Search:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
         mentioned = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
-            raise ProblemError(
-                slip_has_ended(self.question, "is about a motion that does not begin: friction holds it at rest")
-            )
+            what = "is about a motion that does not begin: friction holds it at rest"
+            raise ProblemError(slip_has_ended(self.question, what))
         if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
         if self._is_about_time and not self._is_at_start:
             asked = self._in_time() or self._by_quadrature()
             if asked is not None:
-                return asked
+                return asked if asked.answered else self._in_numbers() or asked
         elif not self.question.when and self.question.by is None and (constant := self._constant()) is not None:
             return constant
         if self.question.by != t and t not in self.quantity.free_symbols:
@@ -309,9 +307,8 @@ class _Search:
         if self._is_at_start:
             begins = while_it_begins(self.setting, self.rule, self._beginning.sign)
             if begins is None:
-                raise ProblemError(
-                    slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it")
-                )
+                what = "asks for slip that does not begin: friction prevents it"
+                raise ProblemError(slip_has_ended(self.question, what))
             branches = [replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *begins)))) for b in branches]
         if self.setting.stated_slips:
             branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
@@ -333,10 +330,9 @@ class _Search:
             known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
             start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
             beginning = replace(self._beginning, initial=start)
-            places = [n for n, s in enumerate(b.states) if beginning.is_initial(s)]
-            is_possible = not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1)
-            if places and is_possible:
-                found.append(b.at([b.states[n] for n in places]))
+            states = [s for s in b.states if beginning.is_initial(s)]
+            if states and not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1):
+                found.append(b.at(states))
         return found
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
@@ -584,12 +580,16 @@ class _Search:
             return None
         conditions = found.branches[0].conditions
         speed = next((v for b in found.branches for v in b.values if sign_of_value(v) in (way, None)), None)
-        taken = None if speed is None else time_between(q, speed, initial[q], end, way)
-        if speed is None or taken is None:
+        if speed is None:
             return None
+        integrand = (q, under_one_root(speed), initial[q], end)
+        asked = replace(self._asked(Route.QUADRATURE, None, used), integrand=integrand)
+        if (taken := time_between(q, speed, initial[q], end, way)) is None:
+            number = number_between(q, speed, initial[q], end, self.setting.values)
+            branches = () if number is None else (AnswerBranch(t, number, (number,)),)
+            return replace(asked, branches=branches, how=None if number is None else How.NUMERICAL, verified=None)
         branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
-        asked = self._asked(Route.QUADRATURE, How.EXACT, used)
-        return replace(asked, branches=(_shown(branch),), integrand=(q, under_one_root(speed), initial[q], end))
+        return replace(asked, branches=(_shown(branch),), how=How.EXACT)
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:

@@ -9,12 +9,14 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import (
     SignCondition,
+    always_holds,
     between_minus_one_and_one,
     different_from_zero,
     more_than_zero,
     not_negative,
     sign_of,
 )
+from lagrange.core.symbols import Bounded
 
 a, b, c = sp.symbols("a b c", positive=True)
 x, y = sp.symbols("x y", real=True)
@@ -93,3 +95,27 @@ def test_where_an_arc_cosine_exists(value: sp.Expr) -> None:
             bool(RELATIONS[k.relation](k.lhs.xreplace(p), k.rhs.xreplace(p))) for k in conditions
         )
         assert holds == (abs(value.xreplace(p).evalf(30)) <= 1)
+
+
+ALPHA = Bounded("alpha", sp.S.Zero, sp.pi / 2, (True, True))
+
+
+@pytest.mark.parametrize(
+    ("e", "sign"),
+    [
+        (1 - sp.Rational(2, 3) * sp.Abs(sp.cos(x)), 1),
+        (2 * sp.sin(x) ** 2 * sp.cos(y) - 3, -1),
+        (1 - 2 * sp.Abs(sp.sin(x)), None),
+        (sp.sqrt(9 - 4 * sp.sin(ALPHA) ** 2) / 3 - sp.cos(ALPHA), 1),  # squared, 5 sin² α > 0
+    ],
+)
+def test_sines_and_cosines_are_at_most_one(e: sp.Expr, sign: int | None) -> None:
+    assert sign_of(e) == sign
+
+
+def test_conditions_that_always_hold() -> None:
+    two_thirds = sp.Rational(2, 3) * sp.Abs(sp.cos(x))
+    assert always_holds(SignCondition(two_thirds, "≤", sp.S.One))
+    assert always_holds(SignCondition(sp.exp(a), "≥", sp.S.One))
+    assert not always_holds(SignCondition(2 * two_thirds, "≤", sp.S.One))
+    assert not always_holds(SignCondition(a, "≥", b))

@@ -312,3 +312,9 @@ def test_seeded_surfaces_repeat() -> None:
     first, second = (Surface(fields=Fields(7)).point().value(x * cos(theta)) for _ in range(2))
     assert first == second
     assert first != Surface(fields=process_fields()).point().value(x * cos(theta))
+
+
+def test_a_symbol_that_is_not_negative_keeps_its_sign() -> None:
+    """√(v⁴ + 8 v²) = v √(v² + 8) for v ≥ 0, and not for every real v."""
+    for v, same in ((sp.Symbol("v", nonnegative=True), True), (sp.Symbol("v", real=True), False)):
+        assert is_zero(sp.sqrt(v**4 + 8 * v**2) - v * sp.sqrt(v**2 + 8)) is same

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.verdicts import Verdict
+from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Source
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 from lagrange.problem.stated_answers import read_answers
 from tests.support.paths import PROBLEMS
 from tests.support.shared import loaded, reported
+
+Read = Callable[[str], Problem]
 
 CASES = [
     ("leaving-a-sphere", "leaves", "acos(2/3)", Verdict.EQUIVALENT),
@@ -62,3 +69,77 @@ def test_what_is_said_of_a_wrong_value(name: str, question: str, answer: str, sa
     [judged] = Examiner(loaded(path), reported(path).solution).check_answers(stated).others
     [part] = judged.equations
     assert (part.verdict, part.diagnosis) == (Verdict.WRONG, said)
+
+
+LADDER = """title: Ladder against a smooth wall
+axes: {{i: right, j: up}}
+parameters: {{m: positive, l: positive, g: positive, alpha: {alpha}}}
+coordinates: {{x: middle, y: height, theta: {{range: {range}}}}}
+bodies: {{ladder: {{mass: m, inertia: m*l^2/3, position: x*i + y*j, angle: -theta}}}}
+constraints:
+  floor: {{equation: "y = l*sin(theta)", reaction: N}}
+  wall: {{equation: "x = l*cos(theta)", reaction: W}}
+gravity: -g*j
+generalized_coordinates: {{angle: {{coordinates: [theta], substitute: {{x: l*cos(theta), y: l*sin(theta)}}}}}}
+initial: {{theta: alpha, theta': 0}}
+ask: {{leaves: {{quantity: theta, when: W = 0}}}}
+"""
+
+
+def verdict(problem: Problem, solution: Solution, answers: str) -> AnswerVerdict:
+    stated = read_answers(Source("answers", f"ask: {answers}"), problem)
+    [judged] = Examiner(problem, solution).check_answers(stated).others
+    return judged
+
+
+@pytest.mark.parametrize(
+    ("alpha", "within"),
+    [("acute", "[0, 90 deg]"), ("acute", "[-180 deg, 180 deg]"), ("real", "[0.1, 1.5]")],
+)
+def test_an_angle_in_a_range_is_judged_by_its_sine(problem: Read, alpha: str, within: str) -> None:
+    """The other angle with this sine is out of the range, or comes later: it is no value of the answer."""
+    posed = problem(LADDER.format(alpha=alpha, range=within))
+    solution = solve(posed, complete=False)
+    assert verdict(posed, solution, "{leaves: sin(theta) = 2/3*sin(alpha)}").verdict is Verdict.EQUIVALENT
+    assert verdict(posed, solution, "{leaves: sin(theta) = 3/4*sin(alpha)}").verdict is Verdict.WRONG
+
+
+WIRE = """title: Bead on a parabola
+axes: {i: right, j: up}
+parameters: [m, a, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {wire: {equation: y = a*x^2, reaction: N}}
+gravity: -g*j
+initial: {x: 1/a, x': 0}
+ask: {bottom: {quantity: N, when: x = 0}, anywhere: {quantity: N, by: x}}
+"""
+
+
+def test_the_name_of_a_reaction_may_be_the_multiplier_where_its_share_depends_on_the_position(problem: Read) -> None:
+    """N = 5 m g/(1 + 4 a² x²)^(3/2), and λ = N/√(1 + 4 a² x²)."""
+    posed = problem(WIRE)
+    solution = solve(posed, complete=False)
+    multiplier = "5*m*g/(1 + 4*a^2*x^2)^2"
+    for right in ("N = 5*m*g/(1 + 4*a^2*x^2)^(3/2)", multiplier, f"lambda_wire = {multiplier}", f"-{multiplier}"):
+        assert verdict(posed, solution, f'{{anywhere: "{right}"}}').verdict is Verdict.EQUIVALENT
+    for wrong in ("5*m*g/(1 + 4*a^2*x^2)", f"lambda_wire = 2*{multiplier}"):
+        assert verdict(posed, solution, f'{{anywhere: "{wrong}"}}').verdict is Verdict.WRONG
+    both = verdict(posed, solution, f'{{bottom: 5*m*g, anywhere: "-{multiplier}"}}')
+    assert [part.verdict for part in both.equations] == [Verdict.EQUIVALENT, Verdict.WRONG]  # one meaning in an answer
+
+
+ROD = """title: Rod on a hinge
+axes: {i: right, j: down}
+parameters: {m: positive, l: positive, g: positive, omega_0: nonnegative}
+coordinates: [theta]
+bodies: {rod: {mass: m, inertia: m*l^2/12, position: l/2*sin(theta)*i + l/2*cos(theta)*j, angle: -theta}}
+gravity: g*j
+initial: {theta: 0, theta': omega_0}
+ask: {least: {quantity: l*omega_0, when: [theta = pi/2, theta' = 0]}}
+"""
+
+
+def test_of_a_product_the_initial_speed_is_asked_for(problem: Read) -> None:
+    posed = problem(ROD)
+    assert verdict(posed, solve(posed), "{least: sqrt(3*g*l)}").verdict is Verdict.EQUIVALENT

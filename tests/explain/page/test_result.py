@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from lagrange.document.derivation import Detail, Display, Rule, Step
-from lagrange.explain.report import Report
+from lagrange.explain.report import Report, report
+from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from tests.support.shared import reported
 
@@ -49,3 +52,25 @@ def test_brief_pages_say_what_is_stable(name: str) -> None:
 
 def test_stability_of_the_linear_equations_alone_is_called_so() -> None:
     assert "stable to first order where P <" in box(reported("ziegler-column", complete=False))
+
+
+LADDER = """title: Ladder
+axes: {i: right, j: up}
+parameters: {m: {value: 3 kg}, l: {value: 2 m}, g: {value: 9.81 m/s^2}, alpha: {assume: acute, value: 70 deg}}
+coordinates: {x: middle, y: height, theta: {range: [0, 90 deg]}}
+bodies: {ladder: {mass: m, inertia: m*l^2/3, position: x*i + y*j, angle: -theta}}
+constraints:
+  floor: {equation: "y = l*sin(theta)", reaction: N}
+  wall: {equation: "x = l*cos(theta)", reaction: W}
+gravity: -g*j
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*cos(theta), y: l*sin(theta)}}}
+initial: {theta: alpha, theta': 0}
+ask: {leaves: {quantity: theta, when: W = 0}, floor: {quantity: N, by: theta}}
+"""
+
+
+def test_numbers_in_the_box_are_numbers_and_an_angle_has_its_degrees(problem: Callable[[str], Problem]) -> None:
+    """asin(2/3 sin 70°) = 38.79°; N as a function of θ is no number."""
+    told = box(report(problem(LADDER), complete=False))
+    assert "that is sin θ ≈ 0.6265, θ ≈ 38.79°" in told
+    assert told.count("that is") == 1

@@ -31,6 +31,7 @@ forces:
   drum: {belt: mu, angle: beta, tight: T, slack: P}
 find: [equilibrium, impending]
 """
+GIVEN = CAPSTAN.replace("[m, g, mu, beta]", "[m, g, P, mu, beta]").replace("[T, P]", "[T]")
 STRING = """title: Weight on a string that passes over a rough drum
 parameters: [W, P, L, mu, beta]
 coordinates: [y]
@@ -107,6 +108,8 @@ def test_a_block_held_over_a_drum_is_a_linear_program() -> None:
             "{rest: ['P >= m*g*exp(-mu*beta)'], equilibrium: ['P = m*g*exp(-mu*beta)', 'T = m*g']}",
             "equivalent",
         ),
+        (GIVEN, "{rest: ['mu >= log(m*g/P)/beta'], equilibrium: ['mu = log(m*g/P)/beta']}", "equivalent"),
+        (GIVEN, "{rest: ['mu >= log(P/(m*g))/beta'], equilibrium: ['mu = log(P/(m*g))/beta']}", "wrong"),
         (CAPSTAN, "{rest: ['P <= m*g*exp(mu*beta)'], equilibrium: ['P = m*g*exp(mu*beta)', 'T = m*g']}", "wrong"),
         (STRING, "{rest: ['W <= P*exp(mu*beta)'], equilibrium: ['W = P*exp(mu*beta)', 'y = L']}", "equivalent"),
         (STRING, "{rest: ['mu >= log(W/P)/beta'], equilibrium: ['mu = log(W/P)/beta', 'y = L']}", "equivalent"),
@@ -134,6 +137,7 @@ def test_what_is_written(problem: Read) -> None:
         ("tight: T", "tight: Z", "unknown-symbol"),
         ("belt: mu", "belt: y", "coordinate-here"),
         ("angle: beta", "angle: T", "force-here"),
+        ("belt: mu", "belt: T", "not-constant"),
     ],
 )
 def test_what_is_refused(problem: Read, old: str, new: str, code: str) -> None:

@@ -94,6 +94,18 @@ forces:
   rub_2: {friction: mu_2, static: mu_2, constraint: floor, on: bottom}
 find: equilibrium
 """
+HELD = """title: Block held on an incline by a horizontal force; books mean their limits where the divisors are positive
+parameters: {W: positive, alpha: acute, mu: positive}
+unknowns: [P]
+coordinates: [x, y]
+particles: {B: {position: x*i + y*j}}
+constraints: {plane: {equation: y >= x*tan(alpha), reaction: N}}
+forces:
+  weight: {on: B, vector: -W*j}
+  push: {on: B, vector: P*i}
+  rub: {friction: mu, static: mu, constraint: plane, on: B}
+find: equilibrium
+"""
 INCLINE = """title: Block on an incline, pushed horizontally
 parameters: [m, g, P, alpha, mu, mu_s]
 coordinates: [x, y]
@@ -231,6 +243,9 @@ def test_how_they_are_written(problem: Read, text: str, conditions: list[str]) -
         (COLLAR, "a*mu > h", "wrong"),
         (STACKED, "[F <= mu_1*m*g]", "incomplete"),
         (STACKED, "[F <= mu_1*m*g, F <= mu_2*(m + M)*g]", "equivalent"),
+        (HELD, "[P <= W*(tan(alpha) + mu)/(1 - mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
+        (HELD, "[P <= W*tan(alpha + atan(mu)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
+        (HELD, "[P <= W*(tan(alpha) + mu)/(1 - 2*mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "wrong"),
     ],
 )
 def test_answers(problem: Read, text: str, stated: str, verdict: str) -> None:
@@ -459,3 +474,15 @@ answers: {rest: ["s <= mu*L*tan(theta)"]}
 def test_named_points_of_a_body_are_no_particles(problem: Read) -> None:
     written = in_json.as_object(report(problem(MAN)))
     assert [a["verdict"] for a in written["answers"]] == ["equivalent"]
+
+
+def test_conditions_in_numbers_stay_inequalities(problem: Read) -> None:
+    """W tan(α ± arctan μ) with 100 N, 20° and 0.3."""
+    values = "{W: {value: 100 N}, alpha: {assume: acute, value: 20 deg}, mu: {value: 0.3}}"
+    told = report(problem(HELD.replace("{W: positive, alpha: acute, mu: positive}", values)), complete=False)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "P ≥ 5.767 N" in page
+    assert "P ≤ 74.54 N" in page
+    low, high = in_json.as_object(told)["rest"]["in_numbers"]
+    assert (low["number"], low["unit"]) == (pytest.approx(5.767287), "N")
+    assert high["condition"].startswith("P <= 74.5356")

@@ -1,0 +1,27 @@
+"""The time between two places as an integral, by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.symbols import Bounded
+from lagrange.mechanics.questions.quadrature import time_between
+
+g, l = sp.symbols("g l", positive=True)
+theta = sp.Symbol("theta", real=True)
+start = Bounded("theta_0", sp.S.Zero, sp.pi)
+
+
+def test_on_a_cycloid_the_time_does_not_depend_on_the_start() -> None:
+    speed = -sp.sqrt(g * (sp.cos(theta) - sp.cos(start)) / (l * (1 + sp.cos(theta))))
+    taken = time_between(theta, speed, start, sp.S.Zero, -1)
+    assert taken is not None
+    assert is_zero(taken - sp.pi * sp.sqrt(l / g)) is True
+    half = time_between(theta, speed, start, sp.pi / 3, -1)  # t = 2 √(l/g) acos(sin(θ/2)/sin(θ_0/2))
+    assert half is not None
+    expected = 2 * math.acos(math.sin(math.pi / 6) / math.sin(1))
+    assert float(half.xreplace({g: sp.S.One, l: sp.S.One, start: sp.Integer(2)})) == pytest.approx(expected)

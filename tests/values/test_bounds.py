@@ -1,0 +1,62 @@
+"""Inequalities in numbers, against the same worked out in floating point."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+
+from lagrange.core.units import NO_DIMENSION, unit_of
+from lagrange.values.bounds import bound_with
+from lagrange.values.quantities import Quantity, Values
+
+W, mu, P = sp.symbols("W mu P", positive=True)
+alpha, theta = sp.symbols("alpha theta", real=True)
+NEWTON = unit_of("N")
+assert NEWTON is not None
+NUMBERS = {W: sp.Integer(100), mu: sp.Rational(3, 10), alpha: sp.pi / 9}
+VALUES = Values(NUMBERS, frozenset(NUMBERS), {W: NEWTON.dimension, mu: NO_DIMENSION, alpha: NO_DIMENSION})
+UP = math.radians(20) + math.atan(0.3)
+DOWN = math.radians(20) - math.atan(0.3)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "wanted", "relation", "number", "unit"),
+    [
+        (W * (sp.tan(alpha) - mu) / (1 + mu * sp.tan(alpha)), P, P, "≥", 100 * math.tan(DOWN), "N"),
+        ((1 - mu * sp.tan(alpha)) * P, W * (sp.tan(alpha) + mu), P, "≤", 100 * math.tan(UP), "N"),
+        (sp.S.One, mu * (mu + 2 * sp.tan(theta)), sp.tan(theta), "≥", (1 - 0.09) / 0.6, ""),
+        (mu, sp.cos(theta), sp.cos(theta), "≥", 0.3, ""),
+    ],
+)
+def test_what_is_left_is_bounded(
+    left: sp.Expr, right: sp.Expr, wanted: sp.Expr, relation: str, number: float, unit: str
+) -> None:
+    found = bound_with(left, right, VALUES)
+    assert found is not None
+    assert (found.left, found.relation, found.bound.unit) == (wanted, relation, unit)
+    assert found.bound.number == pytest.approx(number)
+
+
+def test_the_angle_itself_is_bounded_in_the_sense_of_its_function() -> None:
+    rising, falling = (bound_with(mu, f(theta), VALUES) for f in (sp.tan, sp.cos))
+    assert rising is not None
+    assert falling is not None
+    assert rising.angle is not None
+    assert falling.angle is not None
+    assert (rising.angle[1], float(rising.angle[2])) == ("≥", pytest.approx(math.atan(0.3)))
+    assert (falling.angle[1], float(falling.angle[2])) == ("≤", pytest.approx(math.acos(0.3)))
+
+
+def test_an_inequality_in_which_nothing_is_left_holds_or_not() -> None:
+    holds = [bound_with(sp.tan(alpha), factor * mu, VALUES) for factor in (1, 2)]
+    assert [b is not None and b.holds for b in holds] == [False, True]
+
+
+def test_an_inequality_in_two_quantities_keeps_its_sides() -> None:
+    found = bound_with(mu * P, W * sp.cos(theta), VALUES)
+    assert found is not None
+    assert isinstance(found.left, Quantity)
+    assert (found.relation, found.bound.formula) == ("≤", 100 * sp.cos(theta))
+    assert bound_with(P, 2 * P * sp.cos(theta), VALUES) is None  # no value occurs
