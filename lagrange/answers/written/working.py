@@ -67,6 +67,9 @@ _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
 _LONGEST_NAME = 60
 """Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
+_INDEX = re.compile(r"[_^]\{[^{}]*\}")
+_NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
+"""What does not occur in a side that is a name alone: a quick test before the side is read."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _RATE_OF = re.compile(
@@ -417,7 +420,7 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
-        if len(side.text.strip()) > _LONGEST_NAME:
+        if len(side.text.strip()) > _LONGEST_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
             return "", ""
         try:
             texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
