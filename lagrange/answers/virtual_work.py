@@ -37,4 +37,3 @@ def _conditions(fragment: Fragment, solution: Solution) -> Fragment:
             reading = replace(fragment.reading, components=conditions, sides=())
             return replace(fragment, reading=reading)
     return fragment
-

@@ -272,9 +272,11 @@ def test_a_reference_given_outright() -> None:
     assert grade(grader, "x'' = -(k/m) x").right == 1
 
 
-def test_a_problem_without_equations_is_refused_before_anything_is_graded() -> None:
-    with pytest.raises(ProblemError, match="no motion"):
-        prepared("ex05")
+def test_a_problem_without_equations_of_motion_is_graded_by_its_constraints() -> None:
+    grader = prepared("ex05")
+    assert grade(grader, "x' sin(theta) = y' cos(theta)\n2 DOF, nonholonomic").verdict is Verdict.EQUIVALENT
+    assert grade(grader, "x' sin(theta) = y' cos(theta)\n2 DOF, holonomic").verdict is Verdict.WRONG
+    assert grade(grader, "theta'' = 0").verdict is Verdict.WRONG
 
 
 @pytest.mark.parametrize(

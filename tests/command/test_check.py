@@ -165,9 +165,12 @@ def test_nothing_to_compare() -> None:
     result = run("check", "oscillator.yaml")
     assert (result.exit_code, result.stdout) == (2, "")
     assert "there is no equation to check" in result.stderr
-    result = run("check", SKATE, "-e", "x = 0")
+    result = run("check", "ballistic-pendulum", "-e", "theta'' = 0")
     assert (result.exit_code, result.stdout) == (2, "")
     assert "asks for no motion" in result.stderr
+    result = run("check", SKATE, "-e", "x = 0")
+    assert (result.exit_code, result.stderr) == (1, "")
+    assert "the constraints do not require it" in result.stdout
 
 
 def test_a_reference_given_outright(here: Path) -> None:

@@ -139,7 +139,6 @@ def test_the_pages_do_not_tell_the_answer(answers: Path) -> None:
         ([PENDULUM], "Missing argument"),
         ([PENDULUM, "nowhere"], "nowhere cannot be read"),
         ([PENDULUM, "empty"], "there is no submission in empty"),
-        (["ex05", "answers"], "asks for no motion"),
         ([PENDULUM, "answers", "--jobs", "0"], "--jobs"),
         ([PENDULUM, "answers", "--timeout", "0"], "--timeout"),
         ([PENDULUM, "answers", "--timeout", "nan"], "--timeout"),

@@ -14,12 +14,26 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.problem.model import Answers
 
 _FREEDOM = (
-    r"(?:\bD\.?O\.?F\.?s?\b|\bdof\b|degrees?[- ]of[- ]freedom|Freiheitsgrade?n?|degrés?\s+de\s+liberté|grados?\s+de\s+libertad)"
+    r"(?:\bD\.?O\.?F\.?s?\b|\bdof\b|degrees?[- ]of[- ]freedom"
+    r"|Freiheitsgrade?n?|degrés?\s+de\s+liberté|grados?\s+de\s+libertad)"
 )
 _WORDS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "single": 1, "zero": 0, "no": 0}
-_WORDS |= {"ein": 1, "einen": 1, "zwei": 2, "drei": 3, "vier": 4, "fünf": 5, "sechs": 6, "deux": 2, "trois": 3, "cinq": 5}
+_WORDS |= {
+    "ein": 1,
+    "einen": 1,
+    "zwei": 2,
+    "drei": 3,
+    "vier": 4,
+    "fünf": 5,
+    "sechs": 6,
+    "deux": 2,
+    "trois": 3,
+    "cinq": 5,
+}
 _COUNT = rf"(?:[0-9]{{1,2}}|\b(?:{'|'.join(_WORDS)})\b)"
-_BEFORE = re.compile(rf"(?<![\^\w.{{])(?P<count>{_COUNT})[ \t]*(?:\$|\\\))?\s*(?:(?:independent|Stück)\s+)?{_FREEDOM}", re.IGNORECASE)
+_BEFORE = re.compile(
+    rf"(?<![\^\w.{{])(?P<count>{_COUNT})[ \t]*(?:\$|\\\))?\s*(?:(?:independent|Stück)\s+)?{_FREEDOM}", re.IGNORECASE
+)
 _AFTER = re.compile(
     rf"{_FREEDOM}\W{{0,4}}\s*(?:\([^()]{{0,20}}\)\s*)?(?:[:=]|is|are|ist|sind|beträgt|est)?\s*"
     rf"(?P<sum>[^\n.;,]{{0,60}}?=\s*)?(?:\$|\\\()?\s*(?:f\s*=\s*)?(?P<count>{_COUNT}(?:\s*[-−–+]\s*[0-9]{{1,2}})*)(?P<result>\s*=\s*[0-9]{{1,2}})?(?![0-9.])",

@@ -19,7 +19,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
-from lagrange.core.symbols import base, prime
+from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.comparison import Standing, compare
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
@@ -42,6 +42,14 @@ def verdict_on(working: Working, reference: Reference, check: Check, *, moving: 
     if verdict.verdict is Verdict.WRONG and moving:
         equations, verdict, more = _without_asides(equations, verdict, working, reference, check)
         notes += more
+    if (
+        verdict.verdict is Verdict.WRONG
+        and moving
+        and all(_states_the_motion(equations[n], reference) for n in _wrong(verdict))
+    ):
+        judged = [replace(e, diagnosis=_SOLVED) if e.verdict is Verdict.WRONG else e for e in verdict.equations]
+        judged = [replace(e, verdict=Verdict.UNDECIDED) if e.verdict is Verdict.WRONG else e for e in judged]
+        verdict = replace(verdict, verdict=Verdict.UNDECIDED, equations=tuple(judged), diagnosis=_SOLVED)
     if verdict.verdict is Verdict.WRONG:
         verdict = check(equations, True)
     return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), equations, working)
@@ -116,6 +124,21 @@ def _all_approximate(kept: Sequence[Fragment], equations: Sequence[Fragment], wo
 
 def _note(equation: Fragment, message: str) -> Diagnostic:
     return Diagnostic("not-judged", f"`{equation.text}` {message}", equation.whole, level=Severity.NOTE)
+
+
+_SOLVED = "it states the motion itself, x = f(t), which is not compared with the equations of motion"
+
+
+def _states_the_motion(equation: Fragment, reference: Reference) -> bool:
+    """Whether an equation gives one coordinate as a function of the time."""
+    if not isinstance(equation, GivenEquation) or len(equation.reading.components) != 1:
+        return False
+    (e,) = equation.reading.components
+    sides = [s for s in equation.reading.sides if s in reference.scope.slots.coordinates]
+    if len(sides) != 1 or t not in e.free_symbols:
+        return False
+    others = e.free_symbols - {sides[0], t}
+    return sp.diff(e, sides[0]).is_number and all(base(s) == s for s in others)
 
 
 def _has_acceleration(equation: Fragment) -> bool:

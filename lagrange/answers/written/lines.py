@@ -52,8 +52,9 @@ then so thus hence therefore and we get obtain obtained have find gives give the
 where with let set define eom finally which yields yield using since because from newton newtons also now again
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
 die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
-est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here now let's its your my
-follows follow it i.e e.g eq eqn or energy kinetic potential lagrangian euler lagrange linear linearised linearized
+est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
+its your my follows follow it i.e e.g eq eqn or
+ energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
 constraint constraints rolling condition relation at ode odes differential second order system be case gleichung
 bewegungsgleichung mit und dann fuer für folgt damit somit wobei
@@ -209,8 +210,12 @@ def _begins_equation(text: str) -> bool:
     """Whether the next equation has its left side in the text: `, b = c`, and not `   = c` or `  + d = e`."""
     following = text.lstrip(" \t,")
     sides = _EQUALS.split(following, maxsplit=1)
-    return len(sides) == 2 and bool(sides[0].strip()) and following[:1] not in "+*/−·)=" and following[:2] != "- " and (
-        following[:1] != "(" or text.lstrip()[:1] == ","
+    return (
+        len(sides) == 2
+        and bool(sides[0].strip())
+        and following[:1] not in "+*/−·)="
+        and following[:2] != "- "
+        and (following[:1] != "(" or text.lstrip()[:1] == ",")
     )
 
 
@@ -298,9 +303,7 @@ def _after_words(text: str, start: int, end: int) -> int:
             at += 1
         elif leading := _LEADING.match(text, at, end):
             at = leading.end()
-        elif (word := _WORD.match(text, at, end)) and (
-            words > 0 or _is_word(word[0], read, text, word.end(), end)
-        ):
+        elif (word := _WORD.match(text, at, end)) and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
             at, words, read = word.end(), words - 1, read + 1
         elif read and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
             at = article.end()

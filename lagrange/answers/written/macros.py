@@ -1,15 +1,16 @@
 r"""The abbreviations of a LaTeX document, `\newcommand{\tdd}{\ddot\theta}`, written out in its equations.
 
-`\newcommand`, `\renewcommand`, `\providecommand`, `\def` without patterns and `\DeclareMathOperator` are known, with up to
-three arguments. A definition may use those before it. Nothing is expanded twice, and no text grows beyond what an
+`\newcommand`, `\renewcommand`, `\providecommand`, `\def` without patterns and `\DeclareMathOperator` are known, with up
+to three arguments. A definition may use those before it. Nothing is expanded twice, and no text grows beyond what an
 equation may have, so that the work is bounded.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
@@ -91,6 +92,11 @@ def _edits(text: str, macros: Mapping[str, Macro]) -> Iterator[Edit]:
                 given.append(single[0])
                 at = single.end()
         if len(given) == macro.arguments:
-            body = re.sub(r"#([1-3])", lambda m, g=tuple(given): g[int(m[1]) - 1] if int(m[1]) <= len(g) else m[0], macro.body)
-            raised = text[:match.start()].rstrip()[-1:] in ("^", "_") or text[at:].lstrip()[:1] in ("^", "_")
+            body = re.sub(r"#([1-3])", partial(_argument, given), macro.body)
+            raised = text[: match.start()].rstrip()[-1:] in ("^", "_") or text[at:].lstrip()[:1] in ("^", "_")
             yield match.start(), at, f"{{{body}}}" if raised else f"{body} "
+
+
+def _argument(given: Sequence[str], match: re.Match[str]) -> str:
+    number = int(match[1])
+    return given[number - 1] if number <= len(given) else match[0]

@@ -55,7 +55,9 @@ def with_named_matrices(texts: Sequence[str], sets: Sequence[Sequence[str]]) -> 
     for text in texts:
         if _DEFINITION.match(text):
             made.append(None)
-        elif any(m["bold"] or m["bold2"] or (m["name"] or m["name2"]) in (*columns, "q") for m in _DERIVED.finditer(text)):
+        elif any(
+            m["bold"] or m["bold2"] or (m["name"] or m["name2"]) in (*columns, "q") for m in _DERIVED.finditer(text)
+        ):
             made.append(_written_out(text, defined, columns, fitting[0] if fitting else []))
             used = True
         else:
@@ -87,7 +89,9 @@ def _written_out(text: str, defined: Mapping[str, str], columns: Mapping[str, li
     text = re.sub(r"\([^()=]{0,10}\\dot[^()=]{0,20}\)|\((?:\\mathbf\s*\{?)?q\}?\)", "", text)
     text = _DERIVED.sub(derived, text)
     for name, value in defined.items():
-        token = rf"(?:{_BOLD}\s*(?:\{{\s*{re.escape(name)}\s*\}}|{re.escape(name)})|(?<![A-Za-z\\{{_]){re.escape(name)})(?![A-Za-z_])"
+        escaped = re.escape(name)
+        bold_name = rf"{_BOLD}\s*(?:\{{\s*{escaped}\s*\}}|{escaped})"
+        token = rf"(?:{bold_name}|(?<![A-Za-z\\{{_]){escaped})(?![A-Za-z_])"
         text = _outside(text, token, value)
     bold = [n for n in re.findall(rf"{_BOLD}\s*\{{?\s*({_NAME})\s*\}}?", _MATRIX.sub("", text)) if n not in defined]
     if bold and own and len({*bold}) == 1:

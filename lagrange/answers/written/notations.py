@@ -19,6 +19,7 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
+from lagrange.answers.written.latex_groups import over_as_fraction, power_groups
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -65,7 +66,9 @@ _INDEXED = re.compile(
 )
 _INVERSE = re.compile(r"(?<![A-Za-z])(sin|cos|tan)\s*(?:\^\s*[({]\s*[-−]\s*1\s*[)}]|⁻¹)")
 _DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
-_MATLAB = re.compile(rf"(?<![A-Za-z0-9_])diff\s*\(\s*(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*(?:,\s*(?P<order>[1-4])\s*)?\)")
+_MATLAB = re.compile(
+    rf"(?<![A-Za-z0-9_])diff\s*\(\s*(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*(?:,\s*(?P<order>[1-4])\s*)?\)"
+)
 _TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
 _DOLLAR = re.compile(r"\$\s*([1-4])")
 _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
@@ -78,7 +81,9 @@ _CALLED = re.compile(
 )
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
-_SPOKEN = re.compile(rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s+(?P<dots>double[- ]?dot|dot\s+dot|dot)(?![A-Za-z0-9_]|\s*\()")
+_SPOKEN = re.compile(
+    rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s+(?P<dots>double[- ]?dot|dot\s+dot|dot)(?![A-Za-z0-9_]|\s*\()"
+)
 _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
 _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
 _EXPONENTIAL = re.compile(
@@ -457,7 +462,6 @@ _L_SIGNS = re.compile(r":=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overs
 _L_CANCEL = re.compile(r"\\(?:cancel|bcancel|xcancel|sout|not)\s*(?=\{)")
 _L_BRACE = re.compile(r"\\(under|over)(?:brace|bracket|line|set)\s*(?=\{)")
 _L_DV = re.compile(r"\\(?P<kind>dv|odv|derivative|pdv|pderivative|fdv)\*?\s*(?:\[\s*(?P<order>[1-4])\s*\])?\s*(?=\{)")
-_L_OVER = re.compile(r"\\over(?![A-Za-z])")
 _L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
 _L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
 _L_PARTIAL = re.compile(
@@ -468,7 +472,6 @@ _L_ALONG = re.compile(
     r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*\\dot\s*(?P<f>\{\s*\\?[A-Za-z]+\s*\}|\s[A-Za-z]|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
-_L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
@@ -497,11 +500,11 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     for _ in range(4):  # nested, the outer first
         if not draft.apply(_physics(draft.text)):
             break
-    draft.apply(_over(draft.text))
+    draft.apply(over_as_fraction(draft.text))
     draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     draft.apply(_of_argument_in_latex(draft.text, scope))
-    draft.apply(_power_groups(draft.text))
+    draft.apply(power_groups(draft.text))
     return draft.finished(latex=True)
 
 
@@ -577,28 +580,3 @@ def _physics(text: str) -> list[Edit]:
         edits.append((match.start(), at, rf"\frac{{{sign}{power} {above}}}{{{sign}{below}{power}}}"))
         done = at
     return edits
-
-
-def _over(text: str) -> Iterator[Edit]:
-    r"""`{a \over b}` as \frac{a}{b}."""
-    if "\\over" not in text:
-        return
-    ends = closings(text)
-    opened = sorted((start, end) for start, end in ends.items() if text[start] == "{")
-    for match in _L_OVER.finditer(text):
-        around = [(s, e) for s, e in opened if s < match.start() < e] if len(opened) <= 200 else []
-        if around:
-            start, _ = around[-1]
-            yield start, start + 1, r"\frac{"
-            yield match.start(), match.end(), "}{"
-
-
-def _power_groups(text: str) -> Iterator[Edit]:
-    """`x^(1/2)` as x^{1/2}."""
-    ends: dict[int, int] | None = None
-    for match in _L_POWER_GROUP.finditer(text):
-        ends = closings(text) if ends is None else ends
-        at = match.end() - 1
-        if at in ends:
-            yield at, at + 1, "{"
-            yield ends[at], ends[at] + 1, "}"

@@ -32,7 +32,9 @@ _SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
-_PLACE = re.compile(r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])")
+_PLACE = re.compile(
+    r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])"
+)
 _OF_COORDINATE = re.compile(
     r"[\s$&]*(?P<name>\\?[^\W\d_](?:\w{0,12}|_\{\w{1,12}\}))\s*(?P<bracket>(?:\\left)?\(\s*(?P<argument>\\?\w{1,12})\s*(?:\\right)?\))"
     r"\s*&?=(?!=)"
@@ -49,7 +51,12 @@ def other_names(
     for match in _ABBREVIATION.finditer(whole):
         name, long = match[1] + match[2], _SHORT[match[1]] + match[2]
         value = scope.scalar(scope.spelling(long))
-        if value is not None and str(value) not in reference.letters and scope.role(name) is Role.UNDECLARED and not _defined(name, texts):
+        if (
+            value is not None
+            and str(value) not in reference.letters
+            and scope.role(name) is Role.UNDECLARED
+            and not _defined(name, texts)
+        ):
             scalars[name] = value
     if "a_" in whole or "v_" in whole:
         for q in scope.slots.coordinates:

@@ -15,7 +15,7 @@ import sympy as sp
 
 from lagrange.answers.references import Reference
 from lagrange.core.units import NO_DIMENSION
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.mechanics.dynamics.newton import short_reactions
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
@@ -65,3 +65,9 @@ def _is_force(value: sp.Expr, units: Mapping[sp.Symbol, str]) -> bool | None:
     angles = {q for w in value.atoms(sp.sin, sp.cos, sp.tan) for q in w.args[0].free_symbols if q not in known}
     stated = dimension(value, known | dict.fromkeys(angles, NO_DIMENSION))
     return None if stated is None else stated == dimension_of_unit("N")
+
+
+def spelled_out(text: str) -> str:
+    """θ₁ as theta_1."""
+    text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
+    return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)

@@ -30,7 +30,9 @@ _HEADER = re.compile(
     rf"|(?P<name>{_IDENT})\s*=\s*@\s*\((?P<anonymous>[^()]*)\)"
     rf"|{_IDENT}\s*=\s*lambda\s+(?P<lambda>[\w\s,]{{1,60}}):)\s*"
 )
-_RATES = re.compile(rf"\s*(?:d(?P<state>{_IDENT}?)(?:_?dt)?|(?P<dot>{_IDENT}?)_?dot)\s*(?:[(\[]\s*[0-9]\s*[)\]]\s*)?\.?=(?!=)")
+_RATES = re.compile(
+    rf"\s*(?:d(?P<state>{_IDENT}?)(?:_?dt)?|(?P<dot>{_IDENT}?)_?dot)\s*(?:[(\[]\s*[0-9]\s*[)\]]\s*)?\.?=(?!=)"
+)
 _DECLARES = re.compile(
     r"\s*(?:import|from|using|global|clear|clc|close|syms|syms?\b|persistent|export|restart|with\s*\(|@\w+|assert|print|plot|end\b"
     r"|nothing\b|else\b|%%)|[^=]*=\s*(?:\w{1,10}\.)?(?:symbols|Function|dynamicsymbols|zeros|zeros_like|empty|empty_like|similar"
@@ -48,7 +50,9 @@ _NAMED_IN_COMMENT = re.compile(
 _LIST_IN_COMMENT = re.compile(rf"(?<!\w)(?P<name>{_IDENT})\s*=\s*\[(?P<names>[\w\s,;'\u0307]{{1,80}})\]")
 _WORD = re.compile(rf"(?<![\w.'])(?:(?:np|numpy|math|sp|sympy)\.)?(?P<name>{_IDENT})")
 _CALLS = re.compile(r"(?:np\.|numpy\.|jnp\.|sp\.)?(?:array|asarray|SA|SVector|vstack|hstack|concatenate)\s*(?=[\[(])")
-_SOLVE = re.compile(r"(?:np\.|numpy\.|scipy\.|sp\.)?linalg\.solve\s*\((?P<inside>.*)\)\s*\Z|(?:\w+\.)*inv\s*\((?P<inverse>[^()]*)\)\s*[*@]\s*(?P<by>.*)\Z")
+_SOLVE = re.compile(
+    r"(?:np\.|numpy\.|scipy\.|sp\.)?linalg\.solve\s*\((?P<inside>.*)\)\s*\Z|(?:\w+\.)*inv\s*\((?P<inverse>[^()]*)\)\s*[*@]\s*(?P<by>.*)\Z"
+)
 _SINCOS = re.compile(r"\s*sincos\s*\((?P<of>.*)\)\s*\Z")
 _CONTINUED = re.compile(r"\.\.\.[ \t]*\n|\\[ \t]*\n")
 _COMMA, _SEMICOLON = re.compile(","), re.compile(";|\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import TypeVar
 
@@ -46,16 +46,22 @@ def _errors(reading: Reading) -> int:
     return len(reading.error.diagnostics) if reading.error else 0
 
 
-def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
-    """The text in the notations in which it may be, each tried after the one before it."""
+def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:
+    """The text in the notations in which it may be, each made and tried only if the one before it cannot be read."""
     if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
-        return [fragment]
-    if is_latex(fragment):
-        kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
-        return [rewritten_latex(fragment, scope), *kept, fragment]
-    in_language = rewritten(fragment, scope)
-    braces = [rewritten_latex(in_language, scope)] if re.search(r"[_^]\{", fragment.text) else []
-    return [*([fragment] if in_language is not fragment else []), in_language, *braces]
+        yield fragment
+    elif is_latex(fragment):
+        yield rewritten_latex(fragment, scope)
+        if "cancel" in fragment.text:
+            yield rewritten_latex(fragment, scope, keep_cancelled=True)
+        yield fragment
+    else:
+        yield fragment
+        in_language = rewritten(fragment, scope)
+        if in_language is not fragment:
+            yield in_language
+        if re.search(r"[_^]\{", fragment.text):
+            yield rewritten_latex(in_language, scope)
 
 
 def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:

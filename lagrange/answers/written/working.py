@@ -24,12 +24,12 @@ from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
-from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names
+from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK, SUBSCRIPTS
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -67,6 +67,9 @@ _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
 _LONGEST_NAME = 60
 """Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
+_INDEX = re.compile(r"[_^]\{[^{}]*\}")
+_NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
+"""What does not occur in a side that is a name alone: a quick test before the side is read."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _RATE_OF = re.compile(
@@ -239,7 +242,7 @@ class _Sorting:
         for line in plain:
             line.fragment = without_arguments(line.fragment, self.scope)
         self._use_other_names(plain)
-        self.texts = [_spelled_out(line.fragment.text) for line in plain]
+        self.texts = [spelled_out(line.fragment.text) for line in plain]
         self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
@@ -417,7 +420,7 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
-        if len(side.text.strip()) > _LONGEST_NAME:
+        if len(side.text.strip()) > _LONGEST_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
             return "", ""
         try:
             texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
@@ -497,7 +500,11 @@ class _Sorting:
         for line in lines:
             for name in _undeclared(line):
                 occurring.setdefault(name, []).append(line)
-        names = [n for n, where in occurring.items() if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)]
+        names = [
+            n
+            for n, where in occurring.items()
+            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)
+        ]
         if not names or len(names) > 6:
             return
         symbols = {n: sp.Symbol(n, real=True) for n in names}
@@ -524,12 +531,6 @@ class _Sorting:
 
 def _is_name(text: str) -> bool:
     return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
-
-
-def _spelled_out(text: str) -> str:
-    """θ₁ as theta_1."""
-    text = re.sub(f"[{''.join(SUBSCRIPTS)}]+", lambda m: "_" + "".join(SUBSCRIPTS[c] for c in m[0]), text)
-    return "".join(f" {GREEK[c]}" if c in GREEK else c for c in text)
 
 
 def _plain(text: str) -> str:
