@@ -104,7 +104,9 @@ def _linear(found: LinearMotion) -> Step:
         if len(block.coordinates) > 1:
             body += _matrices(block)
         body.append(prose("The linear equations, the letters standing for small changes:" if n == 1 else "and"))
-        body.append(display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF))
+        body.append(
+            display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF)
+        )
         if block.exponents:
             body.append(
                 prose("with solutions ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), " for ",

@@ -91,13 +91,17 @@ def _remainder(
     forces = solution(about.reals, normal, loads) if normal else []
     if forces is None:
         return None
-    rest = [
-        b - sum(a * f for a, f in zip(line, forces, strict=True)) for b, line in zip(balance, transposed, strict=True)
-    ] if normal else balance
+    rest = (
+        [b - sum(a * f for a, f in zip(line, forces, strict=True)) for b, line in zip(balance, transposed, strict=True)]
+        if normal
+        else balance
+    )
     return max(map(abs, rest))
 
 
-def _lagrange(configuration: Configuration, about: Expansions, rates: Sequence[Any], accelerations: Sequence[Any]) -> list[Any]:
+def _lagrange(
+    configuration: Configuration, about: Expansions, rates: Sequence[Any], accelerations: Sequence[Any]
+) -> list[Any]:
     """The left sides of Lagrange's equations, shape (n,), at the state with these accelerations."""
     slots, n = configuration.slots, about.size
     kinetic = about.jet(kinetic_energy(configuration), 2, moving=True)

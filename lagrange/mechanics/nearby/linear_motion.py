@@ -34,7 +34,15 @@ from lagrange.core.records import record
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, RoundedReals
-from lagrange.mechanics.nearby.limits import CLEARLY_ZERO, HIGHEST_DEGREE, LARGEST_DENOMINATOR, MOST_LETTERS, MOST_ROOT_STEPS, SHOWN_DIGITS, SPARE_VALUES
+from lagrange.mechanics.nearby.limits import (
+    CLEARLY_ZERO,
+    HIGHEST_DEGREE,
+    LARGEST_DENOMINATOR,
+    MOST_LETTERS,
+    MOST_ROOT_STEPS,
+    SHOWN_DIGITS,
+    SPARE_VALUES,
+)
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
 from lagrange.problem.model import Problem
@@ -157,7 +165,8 @@ def reduced_at(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr]
         raise not_steady()
     stiffness = [
         [
-            linear.stiffness[k][l] - sum(m * linear.slope[r][k][l] for m, r in zip(multipliers, about.used, strict=True))
+            linear.stiffness[k][l]
+            - sum(m * linear.slope[r][k][l] for m, r in zip(multipliers, about.used, strict=True))
             for l in range(size)
         ]
         for k in range(size)
@@ -291,7 +300,9 @@ def _rounded(x: Any) -> sp.Expr:
     return sp.Float(x, SHOWN_DIGITS)
 
 
-def _in_blocks(configuration: Configuration, letters: tuple[sp.Symbol, ...], samples: Sequence[Reduced]) -> LinearMotion:
+def _in_blocks(
+    configuration: Configuration, letters: tuple[sp.Symbol, ...], samples: Sequence[Reduced]
+) -> LinearMotion:
     slots = configuration.slots
     fit = _Fit(letters)
     independent, placed = samples[0].about.independent, samples[0].about.placed
@@ -305,7 +316,9 @@ def _in_blocks(configuration: Configuration, letters: tuple[sp.Symbol, ...], sam
     stiffness = polynomials([s.stiffness for s in samples])
     others = [k for k, q in enumerate(placed) if q not in independent]
     if any(row[k] != 0 for row in stiffness for k in others):
-        raise NotCoveredError("linear equations about a motion that depend on more coordinates than there are degrees of freedom")
+        raise NotCoveredError(
+            "linear equations about a motion that depend on more coordinates than there are degrees of freedom"
+        )
     at = [placed.index(q) for q in independent]
     stiffness = [[row[k] for k in at] for row in stiffness]
     size = len(independent)
