@@ -74,7 +74,7 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
     if answers.rest:
         yield _rest(solution, answers.rest)
     if answers.frequencies or answers.decay:
-        from lagrange.answers.frequencies import check_oscillations
+        from lagrange.answers.questions.frequencies import check_oscillations
 
         linearizations = [v.linearization for v in solution.views if v.linearization is not None]
         yield from check_oscillations(answers, linearizations, reference_of_solution(solution))

@@ -10,8 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Rule, Step, Table
-from lagrange.explain.constraints import explain_freedom
-from lagrange.explain.constraints import explain_classification
+from lagrange.explain.constraints import explain_classification, explain_freedom
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion

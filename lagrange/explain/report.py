@@ -18,7 +18,6 @@ from lagrange.core.symbols import velocity_before
 from lagrange.document.derivation import Derivation, MadeWhenRead, Step
 from lagrange.document.notation import Notation
 from lagrange.explain.checks import explain_checks
-from lagrange.explain.conservation import explain_conserved
 from lagrange.explain.constraints import (
     explain_classification,
     explain_constraints,
@@ -27,6 +26,7 @@ from lagrange.explain.constraints import (
     explain_integrability,
 )
 from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.energy.conservation import explain_conserved
 from lagrange.explain.illustrations import illustrated
 from lagrange.explain.motion import (
     explain_choice,
@@ -56,7 +56,7 @@ from lagrange.problem.model import Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
-    from lagrange.explain.energies import LagrangeExposition
+    from lagrange.explain.energy.energies import LagrangeExposition
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
@@ -350,7 +350,7 @@ def _forced(view: InCoordinates) -> Step | None:
 
 def _in_momenta(view: InCoordinates, solution: Solution) -> Iterator[Step]:
     if view.hamiltonian is not None:
-        from lagrange.explain.hamilton import explain_hamiltonian
+        from lagrange.explain.energy.hamilton import explain_hamiltonian
 
         yield explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
     if view.steady is not None:
@@ -376,7 +376,7 @@ def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
         yield explain_newton(law.newton, dynamics.friction_forces, solution.own.configuration, freedom)
         yield explain_works(solution.works, solution.own.configuration)
     if dynamics.friction_forces and isinstance(written, LagrangeMotion):
-        from lagrange.explain.energies import explain_friction_first
+        from lagrange.explain.energy.energies import explain_friction_first
 
         yield explain_friction_first(_exposition(solution, law, written))
     if dynamics.friction_forces:
@@ -411,8 +411,8 @@ def _speeds(form: QuasiVelocityForm | None, solution: Solution) -> Step | None:
 
 def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
     """T, V and Q_k, Lagrange's equations, and the equations without multipliers."""
-    from lagrange.explain.energies import explain_energies
-    from lagrange.explain.lagrange import explain_lagrange, explain_lagrange_motion
+    from lagrange.explain.energy.energies import explain_energies
+    from lagrange.explain.energy.lagrange import explain_lagrange, explain_lagrange_motion
 
     if solution.law is not None:
         exposition = _exposition(solution, solution.law, written)
@@ -423,7 +423,7 @@ def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
 
 def _exposition(solution: Solution, law: NewtonLaw, written: LagrangeMotion) -> LagrangeExposition:
     """What the explanation of Lagrange's method needs in one set of coordinates."""
-    from lagrange.explain.energies import LagrangeExposition
+    from lagrange.explain.energy.energies import LagrangeExposition
 
     finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
     friction_forces = solution.own.dynamics.friction_forces if solution.own.dynamics is not None else ()

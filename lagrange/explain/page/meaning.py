@@ -11,7 +11,7 @@ import sympy as sp
 from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
-from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
+from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised

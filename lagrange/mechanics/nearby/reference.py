@@ -16,7 +16,6 @@ from lagrange.algebra.exact.linear_algebra import row_reduced, solution
 from lagrange.algebra.exact.points_needed import REAL_DIGITS, ZERO_DIGITS
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, Numbers
 

@@ -8,7 +8,7 @@ from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, 
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.displacements import conditions
-from lagrange.explain.energies import LagrangeExposition
+from lagrange.explain.energy.energies import LagrangeExposition
 from lagrange.explain.motion import final_equations, scaling, title_of_equations
 from lagrange.explain.newton import nature
 from lagrange.explain.words import capital, constraints_called, in_brackets, plural

@@ -1,0 +1,1 @@
+"""The words of the energies: T and V, Lagrange's and Hamilton's equations, conserved quantities."""
