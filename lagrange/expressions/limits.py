@@ -51,7 +51,7 @@ MAX_LAYERS = 70
 """Nodes on a path from the root to a leaf: SymPy and the stages recurse over them. A text nests to `MAX_NESTING`;
 abbreviations of abbreviations go further. In use: 11."""
 
-MAX_TERMS = 1_000_000
+MAX_TERMS = 100_000_000
 """Terms when an expression, or a part of it, is multiplied out, as the derivation does. In use: 34."""
 
 MAX_BITS = 4_400
