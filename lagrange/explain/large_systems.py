@@ -10,8 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Rule, Step, Table
-from lagrange.explain.constraints import explain_freedom
-from lagrange.explain.constraints import explain_classification
+from lagrange.explain.constraints import explain_classification, explain_freedom
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
@@ -107,7 +106,9 @@ def _linear(found: LinearMotion) -> Step:
         if len(block.coordinates) > 1:
             body += _matrices(block)
         body.append(prose("The linear equations, the letters standing for small changes:" if n == 1 else "and"))
-        body.append(display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF))
+        body.append(
+            display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF)
+        )
         if block.exponents:
             body.append(
                 prose("Their solutions grow or decay as ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), ", with ",
@@ -120,7 +121,9 @@ def _shorter(block: LinearBlock) -> LinearBlock:
     """The block with numbers of six digits."""
 
     def short(rows: tuple[tuple[sp.Expr, ...], ...]) -> tuple[tuple[sp.Expr, ...], ...]:
-        return tuple(tuple(e.xreplace({f: sp.Float(f, DIGITS) for f in e.atoms(sp.Float)}) for e in row) for row in rows)
+        return tuple(
+            tuple(e.xreplace({f: sp.Float(f, DIGITS) for f in e.atoms(sp.Float)}) for e in row) for row in rows
+        )
 
     return replace(block, mass=short(block.mass), damping=short(block.damping), stiffness=short(block.stiffness))
 

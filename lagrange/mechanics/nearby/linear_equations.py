@@ -49,9 +49,13 @@ class FirstOrder:
 def first_order(configuration: Configuration, about: Expansions, velocities: Sequence[Any]) -> FirstOrder:
     """The equations without reactions, and the constraints, to first order about a state. Raises NotCoveredError."""
     if configuration.is_outright or configuration.velocity_part != 0 or configuration.slots.prescribed:
-        raise NotCoveredError("linear equations in numbers where forces or motions depend on time or on potentials of velocities")
+        raise NotCoveredError(
+            "linear equations in numbers where forces or motions depend on time or on potentials of velocities"
+        )
     n, zero = about.size, about.reals.number(0)
-    total = _Sum([[zero] * n for _ in range(n)], [[zero] * n for _ in range(n)], [[zero] * n for _ in range(n)], [zero] * n)
+    total = _Sum(
+        [[zero] * n for _ in range(n)], [[zero] * n for _ in range(n)], [[zero] * n for _ in range(n)], [zero] * n
+    )
     for p in configuration.points:
         if p.mass != 0:
             place = about.vector(p.position, 3)
@@ -102,10 +106,7 @@ def _turning(rotation: Rotation, about: Expansions) -> list[list[Jet]]:
     """ω_k, shape (n, 3), along the axes of the body: ω_k·e_1 = ∂_k e_2·e_3, and so on."""
     e = [[about.jet(c, 3) for c in axis.fixed().components] for axis in rotation.axes]
     d = about.ring.derivative
-    return [
-        [about.dot([d(c, k) for c in e[i - 2]], e[i - 1]) for i in range(3)]
-        for k in range(about.size)
-    ]
+    return [[about.dot([d(c, k) for c in e[i - 2]], e[i - 1]) for i in range(3)] for k in range(about.size)]
 
 
 def _add_inertia(

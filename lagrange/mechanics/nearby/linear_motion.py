@@ -34,7 +34,15 @@ from lagrange.core.records import record
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, RoundedReals
-from lagrange.mechanics.nearby.limits import CLEARLY_ZERO, HIGHEST_DEGREE, LARGEST_DENOMINATOR, MOST_LETTERS, MOST_ROOT_STEPS, SHOWN_DIGITS, SPARE_VALUES
+from lagrange.mechanics.nearby.limits import (
+    CLEARLY_ZERO,
+    HIGHEST_DEGREE,
+    LARGEST_DENOMINATOR,
+    MOST_LETTERS,
+    MOST_ROOT_STEPS,
+    SHOWN_DIGITS,
+    SPARE_VALUES,
+)
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
 from lagrange.problem.model import Problem
@@ -91,12 +99,14 @@ class LinearMotion:
     letters    the parameters without values
     blocks     of the independent coordinates
     ignorable  the other coordinates: they follow from these, and do not act on them
+    bound      those among them that the finite relations determine
     """
 
     state: Mapping[sp.Symbol, sp.Expr]
     letters: tuple[sp.Symbol, ...]
     blocks: tuple[LinearBlock, ...]
     ignorable: tuple[sp.Symbol, ...]
+    bound: tuple[sp.Symbol, ...]
 
 
 @record
@@ -128,11 +138,12 @@ def linear_motion(problem: Problem, configuration: Configuration) -> LinearMotio
         raise ProblemError(
             Diagnostic(
                 "values-needed",
-                f"linear equations in numbers need the values of all parameters but {MOST_LETTERS}, and {names} have none",
+                f"linear equations in numbers need the values of all parameters but {MOST_LETTERS}; {names} have none",
                 help="give values in the file, or with `--set`",
             )
         )
-    samples = [reduced_at(configuration, stated, {**given, **dict(zip(letters, point))}) for point in _places(letters)]
+    places = (dict(zip(letters, place, strict=True)) for place in _places(letters))
+    samples = [reduced_at(configuration, stated, given | place) for place in places]
     first = samples[0]
     if any((s.about.independent, s.about.placed) != (first.about.independent, first.about.placed) for s in samples):
         raise NotCoveredError("a motion whose independent coordinates change with a parameter")
@@ -151,13 +162,14 @@ def reduced_at(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr]
     a = [linear.rows[r] for r in about.used]
     b = [linear.changes[r] for r in about.used]
     dependent = [k for k in range(size) if k not in independent]
-    _check_steady(expansions, linear, about, rates)
+    _check_steady(linear, about)
     multipliers = _solved(expansions, [[row[k] for row in a] for k in range(size)], linear.balance)
     if multipliers is None:
         raise not_steady()
     stiffness = [
         [
-            linear.stiffness[k][l] - sum(m * linear.slope[r][k][l] for m, r in zip(multipliers, about.used, strict=True))
+            linear.stiffness[k][l]
+            - sum(m * linear.slope[r][k][l] for m, r in zip(multipliers, about.used, strict=True))
             for l in range(size)
         ]
         for k in range(size)
@@ -189,7 +201,7 @@ def not_steady() -> ProblemError:
     )
 
 
-def _check_steady(about: Expansions, linear: FirstOrder, state: Reference, rates: Sequence[Any]) -> None:
+def _check_steady(linear: FirstOrder, state: Reference) -> None:
     """The constraints must hold with velocities that stay as they are."""
     if any(abs(linear.misfit[r]) > CLEARLY_ZERO for r in state.used):
         raise not_steady()
@@ -291,7 +303,9 @@ def _rounded(x: Any) -> sp.Expr:
     return sp.Float(x, SHOWN_DIGITS)
 
 
-def _in_blocks(configuration: Configuration, letters: tuple[sp.Symbol, ...], samples: Sequence[Reduced]) -> LinearMotion:
+def _in_blocks(
+    configuration: Configuration, letters: tuple[sp.Symbol, ...], samples: Sequence[Reduced]
+) -> LinearMotion:
     slots = configuration.slots
     fit = _Fit(letters)
     independent, placed = samples[0].about.independent, samples[0].about.placed
@@ -305,7 +319,9 @@ def _in_blocks(configuration: Configuration, letters: tuple[sp.Symbol, ...], sam
     stiffness = polynomials([s.stiffness for s in samples])
     others = [k for k, q in enumerate(placed) if q not in independent]
     if any(row[k] != 0 for row in stiffness for k in others):
-        raise NotCoveredError("linear equations about a motion that depend on more coordinates than there are degrees of freedom")
+        raise NotCoveredError(
+            "linear equations about a motion that depend on more coordinates than there are degrees of freedom"
+        )
     at = [placed.index(q) for q in independent]
     stiffness = [[row[k] for k in at] for row in stiffness]
     size = len(independent)
@@ -316,7 +332,8 @@ def _in_blocks(configuration: Configuration, letters: tuple[sp.Symbol, ...], sam
     values = zip(*(s.state for s in samples), strict=True)
     state = dict(zip((*slots.coordinates, *slots.velocities), map(_state(fit), values), strict=True))
     used = {slots.coordinates[k] for k in independent}
-    return LinearMotion(state, letters, tuple(blocks), tuple(q for q in slots.coordinates if q not in used))
+    bound = tuple(q for k, q in enumerate(slots.coordinates) if k not in placed)
+    return LinearMotion(state, letters, tuple(blocks), tuple(q for q in slots.coordinates if q not in used), bound)
 
 
 def _state(fit: _Fit) -> Any:

@@ -16,7 +16,6 @@ from lagrange.algebra.exact.linear_algebra import row_reduced, solution
 from lagrange.algebra.exact.points_needed import REAL_DIGITS, ZERO_DIGITS
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, Numbers
 
@@ -39,13 +38,21 @@ class Reference:
     used: tuple[int, ...]
 
 
-def reference(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr], parameters: Numbers) -> Reference:
-    """The state that `initial` and the constraints determine. Raises ProblemError where they do not."""
+def reference(
+    configuration: Configuration,
+    stated: Mapping[sp.Symbol, sp.Expr],
+    parameters: Numbers,
+    start: Mapping[sp.Symbol, sp.Expr] | None = None,
+) -> Reference:
+    """The state that `initial` and the constraints determine. Raises ProblemError where they do not.
+
+    start  where the iteration begins, for coordinates that are not stated; 0 by default
+    """
     slots = configuration.slots
     size = len(slots.coordinates)
     values: dict[sp.Symbol, sp.Expr] = dict(parameters)
     for s in (*slots.coordinates, *slots.velocities):
-        values[s] = stated.get(s, sp.S.Zero).xreplace(parameters)
+        values[s] = stated.get(s, (start or {}).get(s, sp.S.Zero)).xreplace(parameters)
     loose = [k for k, q in enumerate(slots.coordinates) if q not in stated]
     gradients = _placed(configuration, values, loose)
     about = Expansions(slots, values)
