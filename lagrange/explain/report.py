@@ -179,7 +179,7 @@ def _explained(
 
 def _of_large(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Step]:
     """The steps for a system in which nothing is eliminated."""
-    from lagrange.explain.large_systems import large_system_steps
+    from lagrange.explain.rest.large_systems import large_system_steps
 
     yield explain_statement(solution.problem, solution.own.configuration)
     yield from large_system_steps(solution, names_of(solution.problem))

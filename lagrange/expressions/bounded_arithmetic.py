@@ -40,8 +40,10 @@ from lagrange.expressions.limits import (
     MAX_NESTED_EXPONENT,
     MAX_SIZE,
     MAX_TERMS,
+    MAX_TERMS_OF_PRODUCTS,
     MAX_WORK,
     MAX_WORK_OF_FILE,
+    SMALL_POWER,
 )
 
 _NUMBERS = mpmath.MPContext()
@@ -326,8 +328,9 @@ class BoundedArithmetic:
         if size.size > MAX_SIZE:
             message = f"written out, this has more than {MAX_SIZE:,} parts"
             raise TooExpensiveError("expression-too-large", message, "write it shorter")
-        if size.widest > MAX_TERMS:
-            message = f"multiplied out, this has more than {MAX_TERMS:,} terms"
+        most = MAX_TERMS if size.power > SMALL_POWER else MAX_TERMS_OF_PRODUCTS
+        if size.widest > most:
+            message = f"multiplied out, this has more than {most:,} terms"
             raise TooExpensiveError("expression-too-large", message, "use lower powers or fewer factors")
         if size.is_constant and not value.is_Rational:
             self._check_constant(value)

@@ -51,8 +51,13 @@ MAX_LAYERS = 70
 """Nodes on a path from the root to a leaf: SymPy and the stages recurse over them. A text nests to `MAX_NESTING`;
 abbreviations of abbreviations go further. In use: 11."""
 
-MAX_TERMS = 1_000_000
+MAX_TERMS = 20_000
 """Terms when an expression, or a part of it, is multiplied out, as the derivation does. In use: 34."""
+
+SMALL_POWER = 2
+MAX_TERMS_OF_PRODUCTS = 100_000_000
+"""The same with numeric powers, nested ones multiplied, up to this one: rotations one after the other, of which the
+front wheel of a bicycle has five, and which the derivation leaves as they are."""
 
 MAX_BITS = 4_400
 """Bits of an integer: 30 digits to the power 40, the largest that the limits above admit, has 3,987. In use: 6."""

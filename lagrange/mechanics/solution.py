@@ -44,6 +44,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_value
+from lagrange.mechanics.large_systems import stages_of_large
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Belt, Find, Friction, Problem
@@ -117,12 +118,9 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = blank = _kinematics(problem, choice, begin)
     except (GivenUpError, MemoryError) as stop:
         raise GaveUpError(running, reason(stop)) from None
+    stages = _stages(problem, blank, complete, method, begin)
     if not blank.own.elimination.is_closed:
-        from lagrange.mechanics.large_systems import stages_of_large
-
         stages = stages_of_large(wanted, begin)
-    else:
-        stages = _stages(problem, blank, complete, method, begin)
     try:
         for stage in stages:
             solution = stage(solution)

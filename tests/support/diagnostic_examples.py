@@ -320,6 +320,11 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         problem("constraints: {a: sin(x) = 1}")),
     "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
         problem("constraints: {a: x = 0, b: \"x' = y\"}")),
+    "no-reference-motion": ("Where equations are linear in numbers, `initial` says about which motion.", None),
+    "not-steady": ("Equations are linear about a steady motion or a state of rest.", None),
+    "undetermined-motion": ("As many velocities as there are degrees of freedom give a steady motion.", None),
+    "initial-off-constraints": ("A steady motion satisfies the constraints; leave out what follows from the rest.", None),
+    "values-needed": ("Linear equations in numbers need values.", None),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
         PARTICLE + "unknowns: [F]\nforces: {push: {on: P, vector: F*i}}\nfind: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(

@@ -60,7 +60,7 @@ MOST_BY_DETERMINANTS = 2
 # when multiplied out [42]; (x + y + z)^20 has 231 (commit 7900170).
 LARGEST_CLEANED = 600
 MOST_CLEANED_TERMS = 60
-# Angles that an expression may always have, and waves, as a product of rotations, of one that has more: the vectors of a
-# bicycle's front wheel have 352, and took seconds each.
+# Angles that an expression may always have, and waves, as a product of rotations, of one that has more [40]: the
+# vectors of a bicycle's front wheel have 352, and took seconds each.
 FEW_ANGLES = 3
 MOST_CLEANED_WAVES = 40

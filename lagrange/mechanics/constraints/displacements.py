@@ -51,7 +51,7 @@ class Elimination:
     drift        shape (number dependent,): dq_D = solution · dq_I + drift dt
     pivots       the factors of the minor divided by, without constants: must not vanish
     unused       indices of redundant rows
-    is_closed    whether it is written out; otherwise solution, drift and pivots are empty, because they would fill pages
+    is_closed    whether it is written out; otherwise solution, drift and pivots are empty: they would fill pages
     """
 
     independent: tuple[int, ...]

@@ -1,12 +1,12 @@
 """The linear equations about a motion, by another route: Lagrange's, at a state nearby, in numbers.
 
 From the steady state the independent coordinates and velocities are moved by ε times drawn numbers, the others follow
-from the constraints as they are, not to first order, and so do the accelerations, from the linear equations. There
+from the constraints as they are, not to first order; the accelerations follow from the linear equations. There
 
     Σ ∂²T/∂q_k'∂q_j' q_j'' + Σ ∂²T/∂q_k'∂q_j q_j' − ∂T/∂q_k − Q_k = Σ λ a_k
 
-must hold but for ε². T is the kinetic energy of the system as the file gives it; neither the accelerations of points nor
-the elimination that led to the linear equations is used.
+must hold up to ε². T is the kinetic energy of the system as the file gives it; neither the accelerations of points
+nor the elimination that led to the linear equations is used.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def check_linear_motion(problem: Problem, configuration: Configuration, found: L
     velocity = dict(zip(slots.coordinates, slots.velocities, strict=True))
     tiny = sp.Rational(1, 10**CHECKED_DISTANCE)
     state = {s: e.xreplace(numbers) for s, e in found.state.items()}
-    stated = {i.symbol: state[i.symbol] for i in problem.initial}
+    stated = {i.symbol: state[i.symbol] for i in problem.initial if i.symbol not in found.bound}
     accelerations: dict[sp.Symbol, sp.Expr] = {}
     for block in found.blocks:
         size = len(block.coordinates)
@@ -53,7 +53,7 @@ def check_linear_motion(problem: Problem, configuration: Configuration, found: L
         pull = -(damping * sp.Matrix(moved[size:]) + stiffness * sp.Matrix(moved[:size]))
         accelerations |= dict(zip(block.coordinates, mass.LUsolve(pull), strict=True))
     try:
-        near = reference(configuration, stated, numbers)
+        near = reference(configuration, stated, numbers, state)
     except ProblemError:
         return [Check(NAME, None, "no state nearby was found")]
     about = Expansions(slots, near.values)
@@ -66,7 +66,7 @@ def _remainder(
     configuration: Configuration, about: Expansions, used: Sequence[int], given: Sequence[sp.Expr | None]
 ) -> Any | None:
     """What Lagrange's equations leave over after the reactions that fit best, with given accelerations."""
-    slots, n = configuration.slots, about.size
+    slots, _n = configuration.slots, about.size
     rates = [about.number(v) for v in slots.velocities]
     rows = [configuration.rows[k] for k in used]
     coefficients = [[about.value(a) for a in row.coefficients] for row in rows]

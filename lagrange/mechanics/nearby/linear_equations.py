@@ -64,7 +64,9 @@ def first_order(configuration: Configuration, about: Expansions, velocities: Seq
     turnings = {r.name: _turning(r, about) for r in configuration.rotations}
     for r in configuration.rotations:
         if r.has_inertia:
-            moments = [about.number(moment) for moment in r.inertia]
+            if not r.inertia.is_principal:
+                raise NotCoveredError("linear equations in numbers where a body has products of inertia")
+            moments = [about.number(moment) for moment in r.inertia.moments]
             _add_inertia(total, about, turnings[r.name], moments, velocities)
             _add_gyroscopic(total, about, turnings[r.name], moments, velocities)
     for k, jet in enumerate(_forces(configuration, about, turnings)):

@@ -99,12 +99,14 @@ class LinearMotion:
     letters    the parameters without values
     blocks     of the independent coordinates
     ignorable  the other coordinates: they follow from these, and do not act on them
+    bound      those among them that the finite relations determine
     """
 
     state: Mapping[sp.Symbol, sp.Expr]
     letters: tuple[sp.Symbol, ...]
     blocks: tuple[LinearBlock, ...]
     ignorable: tuple[sp.Symbol, ...]
+    bound: tuple[sp.Symbol, ...]
 
 
 @record
@@ -136,11 +138,12 @@ def linear_motion(problem: Problem, configuration: Configuration) -> LinearMotio
         raise ProblemError(
             Diagnostic(
                 "values-needed",
-                f"linear equations in numbers need the values of all parameters but {MOST_LETTERS}, and {names} have none",
+                f"linear equations in numbers need the values of all parameters but {MOST_LETTERS}; {names} have none",
                 help="give values in the file, or with `--set`",
             )
         )
-    samples = [reduced_at(configuration, stated, {**given, **dict(zip(letters, point))}) for point in _places(letters)]
+    places = (dict(zip(letters, place, strict=True)) for place in _places(letters))
+    samples = [reduced_at(configuration, stated, given | place) for place in places]
     first = samples[0]
     if any((s.about.independent, s.about.placed) != (first.about.independent, first.about.placed) for s in samples):
         raise NotCoveredError("a motion whose independent coordinates change with a parameter")
@@ -159,7 +162,7 @@ def reduced_at(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr]
     a = [linear.rows[r] for r in about.used]
     b = [linear.changes[r] for r in about.used]
     dependent = [k for k in range(size) if k not in independent]
-    _check_steady(expansions, linear, about, rates)
+    _check_steady(linear, about)
     multipliers = _solved(expansions, [[row[k] for row in a] for k in range(size)], linear.balance)
     if multipliers is None:
         raise not_steady()
@@ -198,7 +201,7 @@ def not_steady() -> ProblemError:
     )
 
 
-def _check_steady(about: Expansions, linear: FirstOrder, state: Reference, rates: Sequence[Any]) -> None:
+def _check_steady(linear: FirstOrder, state: Reference) -> None:
     """The constraints must hold with velocities that stay as they are."""
     if any(abs(linear.misfit[r]) > CLEARLY_ZERO for r in state.used):
         raise not_steady()
@@ -329,7 +332,8 @@ def _in_blocks(
     values = zip(*(s.state for s in samples), strict=True)
     state = dict(zip((*slots.coordinates, *slots.velocities), map(_state(fit), values), strict=True))
     used = {slots.coordinates[k] for k in independent}
-    return LinearMotion(state, letters, tuple(blocks), tuple(q for q in slots.coordinates if q not in used))
+    bound = tuple(q for k, q in enumerate(slots.coordinates) if k not in placed)
+    return LinearMotion(state, letters, tuple(blocks), tuple(q for q in slots.coordinates if q not in used), bound)
 
 
 def _state(fit: _Fit) -> Any:

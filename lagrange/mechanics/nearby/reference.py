@@ -38,13 +38,21 @@ class Reference:
     used: tuple[int, ...]
 
 
-def reference(configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr], parameters: Numbers) -> Reference:
-    """The state that `initial` and the constraints determine. Raises ProblemError where they do not."""
+def reference(
+    configuration: Configuration,
+    stated: Mapping[sp.Symbol, sp.Expr],
+    parameters: Numbers,
+    start: Mapping[sp.Symbol, sp.Expr] | None = None,
+) -> Reference:
+    """The state that `initial` and the constraints determine. Raises ProblemError where they do not.
+
+    start  where the iteration begins, for coordinates that are not stated; 0 by default
+    """
     slots = configuration.slots
     size = len(slots.coordinates)
     values: dict[sp.Symbol, sp.Expr] = dict(parameters)
     for s in (*slots.coordinates, *slots.velocities):
-        values[s] = stated.get(s, sp.S.Zero).xreplace(parameters)
+        values[s] = stated.get(s, (start or {}).get(s, sp.S.Zero)).xreplace(parameters)
     loose = [k for k, q in enumerate(slots.coordinates) if q not in stated]
     gradients = _placed(configuration, values, loose)
     about = Expansions(slots, values)

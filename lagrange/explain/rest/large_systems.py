@@ -20,6 +20,9 @@ from lagrange.mechanics.results import Solution
 LONGEST = 30
 """Operations of a constraint that is printed."""
 
+DIGITS = 6
+"""Of a number; JSON has all that are certain."""
+
 
 def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[Step]:
     """The steps before the checks."""
@@ -99,7 +102,7 @@ def _linear(found: LinearMotion) -> Step:
             prose(*listed(math(q) for q in found.ignorable), " follow from the other coordinates by the constraints, "
                   "and do not act on them.")
         )  # fmt: skip
-    for n, block in enumerate(found.blocks, start=1):
+    for n, block in enumerate(map(_shorter, found.blocks), start=1):
         if len(block.coordinates) > 1:
             body += _matrices(block)
         body.append(prose("The linear equations, the letters standing for small changes:" if n == 1 else "and"))
@@ -108,10 +111,30 @@ def _linear(found: LinearMotion) -> Step:
         )
         if block.exponents:
             body.append(
-                prose("with solutions ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), " for ",
-                      *listed(math(sp.Symbol("p"), e) for e in block.exponents), ".", detail=Detail.BRIEF)
+                prose("Their solutions grow or decay as ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), ", with ",
+                      math(sp.Symbol("p")), " one of ", *listed(_exponents(block)), ".", detail=Detail.BRIEF)
             )  # fmt: skip
     return Step(Rule.LINEARIZATION, "Linear equations about the steady motion", tuple(body))
+
+
+def _shorter(block: LinearBlock) -> LinearBlock:
+    """The block with numbers of six digits."""
+
+    def short(rows: tuple[tuple[sp.Expr, ...], ...]) -> tuple[tuple[sp.Expr, ...], ...]:
+        return tuple(
+            tuple(e.xreplace({f: sp.Float(f, DIGITS) for f in e.atoms(sp.Float)}) for e in row) for row in rows
+        )
+
+    return replace(block, mass=short(block.mass), damping=short(block.damping), stiffness=short(block.stiffness))
+
+
+def _exponents(block: LinearBlock) -> Iterator[str]:
+    """`-0.7753 ± 4.465i`, and real ones."""
+    for p in block.exponents:
+        real, imaginary = (float(x) for x in p.as_real_imag())
+        if imaginary >= 0:
+            text = f"{real:.{DIGITS}g}" + (f" ± {imaginary:.{DIGITS}g}i" if imaginary else "")
+            yield text.replace("-", "\u2212")
 
 
 def _matrices(block: LinearBlock) -> Sequence[Block]:

@@ -1,0 +1,190 @@
+"""Linear equations about a motion in numbers: the published bicycle, and systems whose equations are known by hand."""
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
+from lagrange.mechanics.constraints.constraints import constraint_row
+from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
+from lagrange.mechanics.nearby.checks import check_linear_motion
+from lagrange.mechanics.nearby.linear_motion import LinearMotion, linear_motion
+from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
+from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
+from tests.support.shared import loaded
+
+# Meijaard, Papadopoulos, Ruina and Schwab (2007), section 4: M q'' + v C1 q' + (g K0 + v² K2) q = 0, q = (lean, steer).
+M = (80.81722, 2.31941332208709), (2.31941332208709, 0.29784188199686)
+C1 = (0, 33.86641391492494), (-0.85035641456978, 1.68540397397560)
+K0 = (-80.95, -2.59951685249872), (-2.59951685249872, -0.80329488458618)
+K2 = (0, 76.59734589573222), (0, 2.65431523794604)
+AT_5 = (
+    -14.07838969279822,
+    -0.32286642900409,
+    -0.77534188219585 - 4.46486771378823j,
+    -0.77534188219585 + 4.46486771378823j,
+)
+
+
+def configuration_of(problem: Problem) -> Configuration:
+    system = ConstrainedSystem(problem.slots, tuple(constraint_row(c, problem.slots) for c in problem.constraints))
+    return file_configuration(problem, system)
+
+
+@cache
+def bicycle() -> tuple[Problem, Configuration, LinearMotion]:
+    problem = loaded("large/whipple-bicycle")
+    configuration = configuration_of(problem)
+    return problem, configuration, linear_motion(problem, configuration)
+
+
+def coefficients(table, letter: sp.Symbol, power: int) -> list[list[float]]:
+    return [[float(sp.Poly(e, letter).coeff_monomial(letter**power)) for e in row] for row in table]
+
+
+def test_the_published_bicycle() -> None:
+    *_, found = bicycle()
+    [alone, block] = found.blocks
+    v = found.letters[0]
+    assert [q.name for q in block.coordinates] == ["phi", "delta"]
+    assert [q.name for q in alone.coordinates] == ["x"]
+    for table, power, published, scale in (
+        (block.mass, 0, M, 1),
+        (block.damping, 1, C1, 1),
+        (block.stiffness, 0, K0, 9.81),
+        (block.stiffness, 2, K2, 1),
+    ):
+        for row, expected in zip(coefficients(table, v, power), published, strict=True):
+            assert row == pytest.approx([scale * e for e in expected], rel=5e-14, abs=1e-13)
+    assert not any(c for k in (0, 2) for row in coefficients(block.damping, v, k) for c in row)
+    assert not any(c for row in coefficients(block.stiffness, v, 1) for c in row)
+
+
+def test_the_published_exponents_at_five_metres_a_second() -> None:
+    *_, found = bicycle()
+    five = {found.letters[0]: sp.Integer(5)}
+
+    def at(table):
+        return tuple(tuple(e.xreplace(five) for e in row) for row in table)
+
+    b = found.blocks[1]
+    numbers = replace(b, mass=at(b.mass), damping=at(b.damping), stiffness=at(b.stiffness))
+    exponents = sorted((complex(p) for p in numbers.exponents), key=lambda p: (p.real, p.imag))
+    assert exponents == pytest.approx(sorted(AT_5, key=lambda p: (p.real, p.imag)), rel=1e-11)
+
+
+def test_lagranges_equations_agree_and_a_slip_is_found() -> None:
+    problem, configuration, found = bicycle()
+    [check] = check_linear_motion(problem, configuration, found)
+    assert check.passed
+    [alone, block] = found.blocks
+    for name in ("mass", "damping", "stiffness"):
+        table = [list(row) for row in getattr(block, name)]
+        table[1][1] *= sp.Rational(1000001, 1000000)
+        wrong = replace(found, blocks=(alone, replace(block, **{name: tuple(map(tuple, table))})))
+        assert not check_linear_motion(problem, configuration, wrong)[0].passed
+
+
+def test_the_equations_of_the_bicycle_in_abbreviations() -> None:
+    problem, configuration, _ = bicycle()
+    found = long_equations(problem, configuration)
+    [check] = check_long_equations(found, configuration)
+    assert check.passed
+    wrong = replace(found, whole=(*found.whole[:-1], found.whole[-1] + problem.slots.accelerations[0]))
+    assert not check_long_equations(wrong, configuration)[0].passed
+    z = next(iter(found.definitions))
+    # Written out again, an equation is what it was before, whatever the abbreviations are.
+    whole = found.left[-2]
+    for name, e in reversed(found.definitions.items()):
+        whole = whole.xreplace({name: e})
+    assert z.name == "Z_1"
+    assert is_zero(whole - found.whole[-2]) is True
+
+
+def problem_of(tmp_path, text: str) -> tuple[Problem, Configuration]:
+    path = tmp_path / "p.yaml"
+    path.write_text(text)
+    problem = load(path)
+    return problem, configuration_of(problem)
+
+
+DISC = """
+title: A disc that rolls straight ahead
+parameters: {m: {value: 3}, R: {value: 1/2}, g: {value: 10}, v: positive}
+coordinates: [x, y, phi, theta, psi]
+bodies:
+  disc:
+    mass: m
+    inertia: [m*R^2/4, m*R^2/4, m*R^2/2]
+    position: x*i + y*j + R*sin(theta)*k
+    orientation: {axes: 313, angles: [phi, theta, psi]}
+constraints:
+  rolling: r_disc' + cross(omega_disc, -R*n2_disc) = 0
+gravity: -g*k
+initial: {phi: 0, theta: pi/2, phi': 0, theta': 0, x: 0, y: 0, psi: 0, psi': v/R}
+"""
+
+
+def test_a_rolling_disc_is_stable_from_the_known_speed_on(tmp_path) -> None:
+    found = linear_motion(*problem_of(tmp_path, DISC))
+    [block] = [b for b in found.blocks if len(b.coordinates) > 1]
+    p, v = sp.symbols("p v")
+    tables = [sp.Matrix(t).xreplace({found.letters[0]: v}) for t in (block.mass, block.damping, block.stiffness)]
+    polynomial = sp.Poly((tables[0] * p**2 + tables[1] * p + tables[2]).det(), p)
+    # p² + (12/5) (v/R)² − (4/5) g/R: stable where (v/R)² > g/(3R), Routh
+    wobble = polynomial.coeff_monomial(p**2) / polynomial.coeff_monomial(p**4)
+    assert sp.expand(wobble - (sp.Rational(48, 5) * v**2 - 16)) == 0
+
+
+PENDULUM = """
+title: A pendulum in dependent coordinates, with a spring and a damper
+parameters: {m: {value: 2}, l: {value: 3}, g: {value: 10}, s: {value: 5}, c: {value: 7}}
+axes: {i: right, j: down}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {rod: x^2 + y^2 = l^2}
+gravity: g*j
+forces: {spring: {potential: s*x^2/2}, drag: {on: P, vector: -c*r_P'}}
+initial: {x: 0, y: l, x': 0}
+"""
+
+
+def test_the_reaction_has_its_share_in_the_stiffness(tmp_path) -> None:
+    problem, configuration = problem_of(tmp_path, PENDULUM)
+    found = linear_motion(problem, configuration)
+    [block] = found.blocks
+    assert (block.mass, block.damping) == (((2,),), ((7,),))
+    assert block.stiffness == ((sp.Rational(35, 3),),)  # s + m g/l
+    assert check_linear_motion(problem, configuration, found)[0].passed
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "code"),
+    [
+        ("x: 0, y: l, x': 0", "x: l, y: 0, y': 0", "not-steady"),
+        ("x: 0, y: l, x': 0", "x: 0, y: 2*l, x': 0", "initial-off-constraints"),
+        ("initial: {x: 0, y: l, x': 0}", "", "no-reference-motion"),
+        ("m: {value: 2}, l: {value: 3}, g: {value: 10}", "m: positive, l: positive, g: positive", "values-needed"),
+    ],
+)
+def test_what_is_refused(tmp_path, old: str, new: str, code: str) -> None:
+    with pytest.raises(ProblemError) as error:
+        linear_motion(*problem_of(tmp_path, PENDULUM.replace(old, new)))
+    assert error.value.diagnostics[0].code == code
+
+
+def test_what_is_no_polynomial_in_a_letter_is_refused(tmp_path) -> None:
+    with pytest.raises(NotCoveredError):
+        linear_motion(*problem_of(tmp_path, PENDULUM.replace("l: {value: 3}", "l: positive")))
+
+
+def test_velocities_that_nothing_determines(tmp_path) -> None:
+    text = DISC.replace("phi': 0, theta': 0, ", "")
+    with pytest.raises(ProblemError) as error:
+        linear_motion(*problem_of(tmp_path, text))
+    assert error.value.diagnostics[0].code == "undetermined-motion"
