@@ -81,7 +81,7 @@ class Wanted:
 
 def not_negative(slack: sp.Expr, wanted: Wanted, signs: Signs) -> list[RestCondition]:
     """slack ≥ 0, as it is written; nothing if it always holds."""
-    reduced = _without_signed_factors(shortest(slack), signs)
+    reduced = _without_signed_factors(shortest(_without_moduli(slack)), signs)
     if reduced is None or signs.of(reduced) in (0, 1):
         return []
     for group in (wanted.forces, wanted.coefficients, wanted.loads):

@@ -103,7 +103,7 @@ constraints: {plane: {equation: y >= x*tan(alpha), reaction: N}}
 forces:
   weight: {on: B, vector: -W*j}
   push: {on: B, vector: P*i}
-  rub: {friction: mu, static: mu, constraint: plane, on: B}
+  rub: {friction: mu, static: mu, constraint: plane, on: B, slip: cos(alpha)*i + sin(alpha)*j}
 find: equilibrium
 """
 INCLINE = """title: Block on an incline, pushed horizontally
