@@ -324,7 +324,7 @@ class Examiner:
             return self._checked(answer)
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
-        from lagrange.answers.virtual_work import with_conditions
+        from lagrange.answers.questions.virtual_work import with_conditions
         from lagrange.answers.written.lines import conditions_of, separated
         from lagrange.answers.written.working import Working, understood
 
