@@ -11,18 +11,18 @@ from dataclasses import replace
 
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.mechanics.results import Solution
-from lagrange.problem.model import Find
+from lagrange.problem.model import Find, Problem
 
 COVERED = {Find.CONSTRAINTS, Find.MOTION, Find.LINEARIZATION, Find.STEADY}
 
 
-def stages_of_large(
-    wanted: frozenset[Find], on_stage: Callable[[str], None]
-) -> Iterator[Callable[[Solution], Solution]]:
+def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterator[Callable[[Solution], Solution]]:
     """The stages after the constraints, as the file asks for them. Raises NotCoveredError."""
-    missing = sorted(f.value for f in wanted - COVERED)
+    wanted = frozenset(problem.find)
+    beside = (("ask", problem.questions), ("speeds", problem.speeds), ("generalized_coordinates", problem.choices))
+    missing = [*(f"find: {f.value}" for f in sorted(wanted - COVERED)), *(key for key, given in beside if given)]
     if missing:
-        raise NotCoveredError(f"`find: {missing[0]}` for a system whose displacements are too long to be solved for")
+        raise NotCoveredError(f"`{missing[0]}` for a system whose displacements are too long to be solved for")
     if Find.MOTION in wanted:
         yield lambda s: _with_long_equations(s, on_stage)
     if {Find.LINEARIZATION, Find.STEADY} & wanted:

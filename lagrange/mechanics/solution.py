@@ -101,7 +101,6 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     if problem.lagrangian is not None:
         method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
     asks_of_motion = problem.questions and problem.impact is None and not _asks_at_rest(problem)
-    wanted = frozenset(problem.find)
     needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {
         *problem.find
     } or asks_of_motion
@@ -120,7 +119,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         raise GaveUpError(running, reason(stop)) from None
     stages = _stages(problem, blank, complete, method, begin)
     if not blank.own.elimination.is_closed:
-        stages = stages_of_large(wanted, begin)
+        stages = stages_of_large(problem, begin)
     try:
         for stage in stages:
             solution = stage(solution)

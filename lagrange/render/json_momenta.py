@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
+    from lagrange.mechanics.nearby.stable_range import StableRange
     from lagrange.mechanics.results import InCoordinates, Solution
 
 Write = Callable[[Any], str]
@@ -78,6 +79,11 @@ def long_equations(found: LongEquations, write: Write) -> dict[str, Any]:
     return {"definitions": {z.name: write(e) for z, e in found.definitions.items()}, "equations": lines}
 
 
+def _range(r: StableRange) -> dict[str, Any]:
+    """`letter` between `low` and `high`, which is null where there is no end."""
+    return {"letter": r.letter.name, "low": float(r.low), "high": None if r.high is sp.oo else float(r.high)}
+
+
 def linear_motion(found: LinearMotion, write: Write) -> dict[str, Any]:
     """`about`: the steady motion; `blocks` of coordinates that are coupled, with the tables of ξ'', ξ', ξ."""
 
@@ -95,6 +101,7 @@ def linear_motion(found: LinearMotion, write: Write) -> dict[str, Any]:
                 "equations": [f"{write(e)} = 0" for e in b.equations],
             }
             | ({"exponents": [str(p) for p in b.exponents]} if b.exponents else {})
+            | ({"stable_for": [_range(r) for r in b.stable_ranges]} if b.stable_ranges is not None else {})
             for b in found.blocks
         ],
         "ignorable": [q.name for q in found.ignorable],

@@ -24,12 +24,16 @@ SHIPPED = {p.stem: p for p in sorted(PROBLEMS.glob("*/*.yaml"))}
 
 
 def asking(question: str) -> list[str]:
-    """The shipped problems that ask for `motion`, `equilibrium` or `constraints`.
+    """The shipped problems that ask for `motion`, `equilibrium` or `constraints`, in formulas.
+
+    Those of `large/` are not among them: their equations stand in abbreviations (tests/mechanics/nearby).
 
     Read from the YAML alone, since tests are collected by this, and loading every problem would take seconds in every
     process; `command/test_files.py` compares it with what the loader understands.
     """
-    return [e.name.rpartition("/")[2] for e in containing(()) if question in e.asked]
+    return [
+        e.name.rpartition("/")[2] for e in containing(()) if question in e.asked and not e.name.startswith("large/")
+    ]
 
 
 def file_of(name: str | Path) -> Path:

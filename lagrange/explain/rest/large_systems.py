@@ -9,12 +9,13 @@ import sympy as sp
 
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Matrices, Rule, Step, Table
+from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Rule, Step, Table
 from lagrange.explain.constraints import explain_classification, explain_freedom
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
 from lagrange.mechanics.nearby.long_equations import LongEquations
+from lagrange.mechanics.nearby.stable_range import StableRange
 from lagrange.mechanics.results import Solution
 
 LONGEST = 30
@@ -102,19 +103,43 @@ def _linear(found: LinearMotion) -> Step:
             prose(*listed(math(q) for q in found.ignorable), " follow from the other coordinates by the constraints, "
                   "and do not act on them.")
         )  # fmt: skip
-    for n, block in enumerate(map(_shorter, found.blocks), start=1):
+    for n, whole in enumerate(found.blocks, start=1):
+        block = _shorter(whole)
         if len(block.coordinates) > 1:
             body += _matrices(block)
         body.append(prose("The linear equations, the letters standing for small changes:" if n == 1 else "and"))
         body.append(
             display(*(_line(e, block, n, k) for k, e in enumerate(block.equations)), boxed=True, detail=Detail.BRIEF)
         )
-        if block.exponents:
+        if whole.exponents:
             body.append(
                 prose("Their solutions grow or decay as ", math(sp.exp(sp.Symbol("p") * sp.Symbol("t"))), ", with ",
-                      math(sp.Symbol("p")), " one of ", *listed(_exponents(block)), ".", detail=Detail.BRIEF)
+                      math(sp.Symbol("p")), " one of ", *listed(_exponents(whole)), ".", detail=Detail.BRIEF)
             )  # fmt: skip
+        if whole.stable_ranges is not None:
+            body.append(_stability(whole.stable_ranges))
     return Step(Rule.LINEARIZATION, "Linear equations about the steady motion", tuple(body))
+
+
+def _stability(ranges: Sequence[StableRange]) -> Block:
+    """For which values of the parameter the solutions decay, and what happens at the ends."""
+    if not ranges:
+        return prose("For no value of the parameter do all their solutions decay.", detail=Detail.BRIEF)
+    parts: list[Part] = ["All their solutions decay if "]
+    for n, r in enumerate(ranges):
+        inside = [r.letter, _short(r.high)] if r.low == 0 else [_short(r.low), r.letter, _short(r.high)]
+        parts += [" or if " if n else "", math(*(x for x in inside if x is not sp.oo), relation="<")]
+    parts.append(" (in units of SI).")
+    for r in ranges:
+        for end in (r.low, r.high):
+            if end not in (0, sp.oo):
+                grows = "an oscillation grows" if end in r.oscillating else "the deviation grows without oscillating"
+                parts += [" Beyond ", math(r.letter, _short(end)), f" {grows}."]
+    return prose(*parts, detail=Detail.BRIEF)
+
+
+def _short(x: sp.Expr) -> sp.Expr:
+    return x if x is sp.oo else sp.Float(x, DIGITS)
 
 
 def _shorter(block: LinearBlock) -> LinearBlock:

@@ -19,3 +19,5 @@ ROUNDED_TO_ZERO = 1e-55
 MOST_ROOT_STEPS = 200
 # The denominator of a fraction that is written as one.
 LARGEST_DENOMINATOR = 100
+# Imaginary part of a root, beside its size, below which it is real: of roots with 28 digits.
+CLEARLY_REAL = 1e-18

@@ -45,10 +45,10 @@ from lagrange.mechanics.nearby.limits import (
 )
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.mechanics.nearby.stable_range import Entries, StableRange, stable_ranges
 from lagrange.problem.model import Problem
 
 Table = list[list[Any]]
-Entries = tuple[tuple[sp.Expr, ...], ...]
 
 
 @record
@@ -89,6 +89,11 @@ class LinearBlock:
         except NoConvergence:  # roots that are several at one place
             return ()
         return tuple(sp.N(r, SHOWN_DIGITS - 1, chop=True) for r in roots)
+
+    @cached_property
+    def stable_ranges(self) -> tuple[StableRange, ...] | None:
+        """Where a parameter has no value: those of its positive values for which every solution decays."""
+        return stable_ranges(self.mass, self.damping, self.stiffness)
 
 
 @record
