@@ -62,5 +62,5 @@ LARGEST_CLEANED = 600
 MOST_CLEANED_TERMS = 60
 # Angles that an expression may always have, and waves, as a product of rotations, of one that has more [40]: the
 # vectors of a bicycle's front wheel have 352, and took seconds each.
-FEW_ANGLES = 3
+FEW_ANGLES = 4
 MOST_CLEANED_WAVES = 40
