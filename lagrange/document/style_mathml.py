@@ -19,7 +19,7 @@ from lagrange.document.names import BREAK, END, GREEK, START, Piece, Precedence,
 from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 THIN = '<mspace width="0.17em"/>'
-_TIMES = "<mo>\u2062</mo>"
+TIMES = "<mo>\u2062</mo>"
 _APPLY = "<mo>\u2061</mo>"
 _DOTS = ("", "˙", "¨", "⃛")
 _TAGS = re.compile(r"<[^>]*>")
@@ -42,7 +42,7 @@ class MathML(Unicode):
     plus = '<mo form="infix">+</mo>'
     minus = '<mo form="infix">−</mo>'
     sign = '<mo form="prefix">−</mo>'
-    times = _TIMES
+    times = TIMES
     between_numbers = "<mo>·</mo>"
     stacked = True
     constants: ClassVar[Mapping[str, str]] = {
@@ -90,8 +90,8 @@ class MathML(Unicode):
         first = plain(after.code)
         apart = Precedence.APPLICATION in (before.level, after.level) or _WORD.match(first) or _WORD.match(before.code)
         if apart or first.startswith(_SET_OFF):
-            return _TIMES + THIN
-        return _TIMES
+            return TIMES + THIN
+        return TIMES
 
     def applied(self, function: str, argument: str, raised: bool) -> Piece:
         """`sin θ`, `sin² θ`."""

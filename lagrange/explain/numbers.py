@@ -294,7 +294,7 @@ def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[in
 
 
 def _decays(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> list[Block]:
-    """The damped modes: δ, ω, and for few coordinates amplitude and phase of each."""
+    """The damped modes: σ, ω, and for few coordinates amplitude and phase of each."""
     linear = view.linearization
     listed_ = [(p, d) for p in found.positions for d in p.decays]
     if linear is None or not listed_:

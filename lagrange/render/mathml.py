@@ -21,12 +21,13 @@ from lagrange.core.records import record
 from lagrange.document.derivation import Mathematics
 from lagrange.document.math_writer import TEXT, Notation, Writer
 from lagrange.document.names import BREAK, END, START, plain
-from lagrange.document.style_mathml import MathML, RunningMathML, WideMathML
+from lagrange.document.style_mathml import TIMES, MathML, RunningMathML, WideMathML
 from lagrange.render.limits import DESK_ROW, PHONE_LEFT_SIDE, PHONE_PIECE
 
 MATHML, WIDE_MATHML, RUNNING_MATHML = MathML(), WideMathML(), RunningMathML()
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 _OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
+_OPENED = re.compile(r"<\w[^>]*(?<!/)>")
 _SMALLER = {"msub", "msup", "msubsup"}
 
 
@@ -124,7 +125,7 @@ def _elements(code: str, style: str) -> str:
     """A marked sum as formulas in a row: one for each term; a box of several for a term that is too wide."""
     terms = []
     for term in _parts(code):
-        pieces = list(_cut(term))
+        pieces = [p for piece in _cut(term) for p in _at_factors(piece)]
         formulas = "<wbr>".join(f"<math{style}>{piece}</math>" for piece in pieces)
         terms.append(f'<span class="term">{formulas}</span>' if len(pieces) > 1 else formulas)
     return "<wbr>".join(terms)
@@ -138,6 +139,24 @@ def _cut(code: str) -> Iterator[str]:
     else:
         for part in parts:
             yield from _cut(part)
+
+
+def _at_factors(piece: str) -> Iterator[str]:
+    """The pieces of a product without signs that is too wide for a phone: cut between its factors."""
+    if width(piece) <= PHONE_PIECE:
+        yield piece
+        return
+    room, part, factor = PHONE_PIECE, "", ""
+    for text in piece.split(TIMES):
+        factor = f"{factor}{TIMES}{text}" if factor else text
+        if len(_OPENED.findall(factor)) != factor.count("</"):
+            continue  # inside a fraction or a root
+        size = width(factor)
+        if part and size > room:
+            yield part
+            room, part = PHONE_PIECE, ""
+        part, room, factor = f"{part}{TIMES}{factor}" if part else factor, room - size, ""
+    yield part
 
 
 def _parts(code: str) -> list[str]:

@@ -295,13 +295,13 @@ def _one_damped(
     """Of one coordinate: its own frequency, the damping ratio, the decay rate; the three cases."""
     omega = linearization.omega
     own, ratio = sp.Symbol(f"{omega.name}_0", real=True), sp.Symbol("zeta", real=True)
-    delta = linearization.decay
+    sigma = linearization.decay
     yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio),
-                ", the decay rate ", math(delta), ":")  # fmt: skip
+                ", the decay rate ", math(sigma), ":")  # fmt: skip
     lines = [
         Equation((own**2, damped.own), label=label_of(linearization, "own", n)),
         Equation((ratio, damped.rate / own), label=label_of(linearization, "ratio", n)),
-        Equation((delta, damped.rate), label=label_of(linearization, "decay", n)),
+        Equation((sigma, damped.rate), label=label_of(linearization, "decay", n)),
         Equation((omega**2, own**2 * (1 - ratio**2), damped.square), label=label_of(linearization, "omega", n)),
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
@@ -309,12 +309,12 @@ def _one_damped(
     mode = s.decaying.modes[0] if s.decaying is not None and len(s.decaying.modes) == 1 else None
     condition = mode.condition if mode is not None else None
     where: tuple[Part, ...] = (", that is, ", *sign_conditions([condition]), ",") if condition is not None else (",",)
-    exponent = ("exp(−", math(delta), " ", math(TIME), ")")
-    root = sp.sqrt(delta**2 - own**2)
+    exponent = ("exp(−", math(sigma), " ", math(TIME), ")")
+    root = sp.sqrt(sigma**2 - own**2)
     yield prose(
         "If ", less, *where, " it oscillates with the frequency ", math(omega), " and decays as ", *exponent, ". If ",
-        math(ratio, sp.S.One), ", the damping is critical: both exponents are ", math(-delta), ". If ", more,
-        ", it does not oscillate: two motions decay with the rates ", math(delta), " ± ", math(root), ".",
+        math(ratio, sp.S.One), ", the damping is critical: both exponents are ", math(-sigma), ". If ", more,
+        ", it does not oscillate: two motions decay with the rates ", math(sigma), " ± ", math(root), ".",
     )  # fmt: skip
 
 
@@ -323,12 +323,12 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
     if not found.modes:
         yield prose("This equation has no roots in closed form, or only long ones.")
         return
-    p, delta, omega = s.unknown, linearization.decay, linearization.omega
+    p, sigma, omega = s.unknown, linearization.decay, linearization.omega
     pairs = any(m.oscillates is not False for m in found.modes)
-    lead: tuple[Part, ...] = ("In each mode the motion decays as exp(−", math(delta), " ", math(TIME), ")")
+    lead: tuple[Part, ...] = ("In each mode the motion decays as exp(−", math(sigma), " ", math(TIME), ")")
     if found.proportional:
         lead = ("The damping is proportional, and the modes are those of the undamped system. ", *lead)
-    roots = (" = −", math(delta), " ± i ", math(omega))
+    roots = (" = −", math(sigma), " ± i ", math(omega))
     wave = (" while it oscillates with the frequency ", math(omega), ", with ", math(p), *roots) if pairs else ()
     yield prose(*lead, *wave, ":")
     lines: list[Equation] = []
@@ -336,7 +336,7 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
     several = len(rates) > 1
     for k, (m, rate) in enumerate(rates, start=1):
         shape = _damped_shape(m, s, linearization)
-        name = sp.Symbol(f"{delta.name}_{k}", real=True) if several else delta
+        name = sp.Symbol(f"{sigma.name}_{k}", real=True) if several else sigma
         oscillates = m.square is not None and m.oscillates is not False
         critical: tuple[Part, ...] = ("twice",) if m.is_critical else ()
         lines.append(
@@ -352,7 +352,7 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
     if any(m.condition is not None for m in found.modes):
         root = sp.Pow(-(omega**2), sp.S.Half, evaluate=False)
         yield prose("Where ", math(omega**2, ZERO, relation="<"), " for a mode, it does not oscillate but decays with "
-                    "the two rates ", math(delta), " ± ", math(root), ".")  # fmt: skip
+                    "the two rates ", math(sigma), " ± ", math(root), ".")  # fmt: skip
     if found.left:
         yield prose("The other roots are those of")
         yield display(*(Equation((f, ZERO)) for f, _ in found.left if f.count_ops() <= LONGEST))

@@ -1,14 +1,14 @@
 """Damped normal modes: the exponents p of M ξ'' + D ξ' + K ξ = 0 as decay rates and frequencies.
 
-A pair of conjugate exponents p = −δ ± iω is one mode, ξ = a e^{−δt} cos ωt. Each belongs to a factor of second degree,
+A pair of conjugate exponents p = −σ ± iω is one mode, ξ = a e^{−σt} cos ωt. Each belongs to a factor of second degree,
 
-    p² + 2δ p + ω₀² ,      ω² = ω₀² − δ² ,
+    p² + 2σ p + ω₀² ,      ω² = ω₀² − σ² ,
 
-and for ω² ≤ 0 the motion does not oscillate: two real exponents p = −δ ± √(δ² − ω₀²), one of them twice at the critical
-damping δ = ω₀. A factor of first degree is a single real exponent p = −δ.
+and for ω² ≤ 0 the motion does not oscillate: two real exponents p = −σ ± √(σ² − ω₀²), one of them twice at the critical
+damping σ = ω₀. A factor of first degree is a single real exponent p = −σ.
 
-Damping is proportional where the modes a of the undamped system satisfy D a = 2δ M a: then they are the modes of the
-damped one as well, all parts in phase, with δ = aᵀ D a / (2 aᵀ M a) (Rayleigh; Caughey 1960). This is decided exactly,
+Damping is proportional where the modes a of the undamped system satisfy D a = 2σ M a: then they are the modes of the
+damped one as well, all parts in phase, with σ = aᵀ D a / (2 aᵀ M a) (Rayleigh; Caughey 1960). This is decided exactly,
 mode by mode. Otherwise the characteristic polynomial is factored; the parts of a mode then have different phases, and
 shapes are given in numbers (`in_numbers`). Reference: Meirovitch, Fundamentals of Vibrations, § 7.15.
 """
@@ -39,8 +39,8 @@ ZERO = sp.S.Zero
 class DampedMode:
     """One factor of the characteristic polynomial.
 
-    rate          δ
-    square        ω² = ω₀² − δ², negative where the motion does not oscillate; None for a single real exponent
+    rate          σ
+    square        ω² = ω₀² − σ², negative where the motion does not oscillate; None for a single real exponent
     own           ω₀²; None for a single real exponent
     multiplicity  of the factor
     condition     where it oscillates, if that depends on the parameters: c < 2 √(k m)
@@ -69,7 +69,7 @@ class DampedMode:
 
     @property
     def decays(self) -> tuple[sp.Expr, ...]:
-        """The rates of decay: δ of what oscillates, or may; one or two where nothing does."""
+        """The rates of decay: σ of what oscillates, or may; one or two where nothing does."""
         if self.square is None or self.square == 0 or self.oscillates is not False:
             return (self.rate,)
         root = sp.sqrt(sp.factor(-self.square))
@@ -136,7 +136,7 @@ def _where_it_oscillates(m: sp.Expr, d: sp.Expr, k: sp.Expr, square: sp.Expr) ->
 
 
 def _proportional(mass: Matrix, damping: Matrix, stiffness: Matrix) -> tuple[DampedMode, ...] | None:
-    """The modes of the undamped system, where D a = 2δ M a for each of them; None where not, or not in closed form."""
+    """The modes of the undamped system, where D a = 2σ M a for each of them; None where not, or not in closed form."""
     size = len(mass)
     if any(is_zero(x[i][j] - x[j][i]) is not True for x in (mass, stiffness) for i in range(size) for j in range(i)):
         return None
@@ -170,7 +170,7 @@ def _times(matrix: Matrix, a: Iterable[sp.Expr]) -> list[sp.Expr]:
 
 
 def all_exponents_hold(found: DampedModes, matrices: tuple[Matrix, Matrix, Matrix]) -> bool | None:
-    """Whether det(K + p D + p² M) = det M Π (p² + 2δ p + ω₀²) Π (p + δ) Π (what is left): the second route."""
+    """Whether det(K + p D + p² M) = det M Π (p² + 2σ p + ω₀²) Π (p + σ) Π (what is left): the second route."""
     mass, damping, stiffness = (sp.Matrix(x) for x in matrices)
     p = sp.Dummy("p", real=True)
     product: sp.Expr = mass.det(method="berkowitz")
@@ -187,7 +187,7 @@ def all_exponents_hold(found: DampedModes, matrices: tuple[Matrix, Matrix, Matri
 
 @record
 class Exponent:
-    """A mode in numbers: δ, ω (0: no oscillation), amplitudes and phases; those of the largest part are 1 and 0."""
+    """A mode in numbers: σ, ω (0: no oscillation), amplitudes and phases; those of the largest part are 1 and 0."""
 
     rate: mpmath.mpf
     frequency: mpmath.mpf

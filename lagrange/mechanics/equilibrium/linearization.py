@@ -67,7 +67,7 @@ DELTA = sp.Symbol("delta", real=True)
 
 @record
 class DampedOscillation:
-    """One coordinate with damping, ξ'' + 2δ ξ' + ω₀² ξ = 0: ω₀², δ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
+    """One coordinate with damping, ξ'' + 2σ ξ' + ω₀² ξ = 0: ω₀², σ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
 
     own: sp.Expr
     rate: sp.Expr
@@ -132,7 +132,7 @@ class Linearization:
     displacements ξ, one for each coordinate
     omega         the letter for a frequency
     exponent      the letter p
-    decay         the letter δ for a decay rate
+    decay         the letter σ for a decay rate
     driven        whether positions contain time, which cancels
     at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
     copies        for each branch the earlier one with the same linear equations, but for the signs of some ξ; or None
@@ -198,8 +198,8 @@ def letters_of(taken: frozenset[str]) -> tuple[sp.Symbol, sp.Symbol]:
 
 
 def decay_letter(taken: frozenset[str]) -> sp.Symbol:
-    """The letter for a decay rate, δ."""
-    return sp.Symbol(_letter(("delta", "sigma", "kappa", "alpha"), taken), real=True)
+    """The letter for a decay rate, σ: δ is the sign of a virtual displacement."""
+    return sp.Symbol(_letter(("sigma", "kappa", "gamma", "alpha"), taken), real=True)
 
 
 def _letter(letters: Sequence[str], taken: frozenset[str]) -> str:

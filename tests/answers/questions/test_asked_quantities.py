@@ -57,8 +57,13 @@ def test_the_verdict_on_an_answer_to_a_question(name: str, question: str, answer
     [
         ("weight-let-go-on-a-spring", "lowest", "x_max = m*g/k", "it is half as large as it should be"),
         ("weight-let-go-on-a-spring", "time", "2*pi*sqrt(m/k)", "it is twice as large as it should be"),
-        ("over-the-top", "at_the_side", "sqrt(v^2 + 2*g*l)", "this is the answer for g with the opposite sign"),
-        ("over-the-top", "at_the_side", "sqrt(v^2 - g*l)", "this is the answer for g half as large"),
+        ("over-the-top", "at_the_side", "sqrt(v^2 + 2*g*l)", "the potential energy has the wrong sign in the energy"),
+        (
+            "over-the-top",
+            "at_the_side",
+            "sqrt(v^2 - g*l)",
+            "the kinetic energy is twice as large as it should be, or the change of the potential energy half as large",
+        ),
         ("escape-from-a-planet", "escape_speed", "sqrt(K/R)", "a factor sqrt(2) is missing"),
         ("escape-from-a-planet", "escape_speed", "K*R", ""),
     ],
