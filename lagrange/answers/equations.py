@@ -394,8 +394,10 @@ def _is_settled(explanations: Mapping[int, Explanation], attempt: _Attempt) -> b
 
     Where coordinates are free, other ways of measuring one are among the models that have been tried.
     """
+    if explanations is _NONE:
+        return False
     models = attempt.candidate.models
-    if explanations is not _NONE and models.mechanics is not None and models.is_free:
+    if models.mechanics is not None and models.is_free:
         return not any(e.whole and e.name in _as_by_a_convention() for e in explanations.values())
     if not explanations:
         return False

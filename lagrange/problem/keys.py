@@ -188,8 +188,8 @@ PARTICLE = Form(
     (
         Key("mass", "expression", "Its mass, m or m_0 - q*t; without one it is a massless point."),
         Key("position", "vector", "Where it is.", required=True, example="x*i + y*j"),
-        Key("leaves", EXCHANGE, "Where its mass decreases: with what velocity mass leaves it."),
-        Key("gains", EXCHANGE, "Where its mass increases: with what velocity mass joins it."),
+        Key("leaves", "exchange", "Where its mass decreases: with what velocity mass leaves it."),
+        Key("gains", "exchange", "Where its mass increases: with what velocity mass joins it."),
         _SHAPE,
     ),
 )
@@ -578,6 +578,7 @@ PARTS: dict[str, Kind] = {
     "parameter": or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
     "coordinate": AnyOf(("text", COORDINATE)),
     "frame": or_nothing(FRAME),
+    "exchange": EXCHANGE,
     "particle": PARTICLE,
     "body": BODY,
     "constraint": CONSTRAINT,

@@ -499,7 +499,7 @@ def motion(dynamics: Motion, write: Write) -> dict[str, Any]:
 
 
 def _nonzero(excluded: Sequence[sp.Expr], write: Write) -> list[str]:
-    return [f"{write(e)} ≠ 0" for e in excluded]
+    return [f"{write(e)} != 0" for e in excluded]
 
 
 def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:

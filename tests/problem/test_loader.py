@@ -130,7 +130,7 @@ MISTAKES: dict[str, list[tuple[str, int, int]]] = {
     HEAD + "frame: {type: polar, coordinates: [theta, phi]}": [("unknown-coordinate", 4, 43)],
     # particles and bodies
     HEAD + "particles: {P: {mass: m}}": [("missing-key", 4, 13)],
-    HEAD + "particles: {P: {mass: x, position: 0}}": [("not-constant", 4, 23)],
+    HEAD + "particles: {P: {mass: x, position: 0}}": [("variable-mass", 4, 23)],
     HEAD + "particles: {P: {mass: -m, position: 0}}": [("negative", 4, 23)],
     HEAD + "particles: {P: {mass: , position: 0}}": [("empty-value", 4, 17)],
     HEAD + "particles: {P: {mass: m, position: x}}": [("scalar-for-vector", 4, 36)],

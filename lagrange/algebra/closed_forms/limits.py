@@ -45,3 +45,5 @@ SCANNED = 60
 MOST_CONDITIONS = 8
 HIGHEST_CONDITION_DEGREE = 12
 MOST_COMBINED = 4
+# The degree of a rational function of t that is taken apart: a rocket's mass is of the first.
+HIGHEST_RATIONAL_DEGREE = 12

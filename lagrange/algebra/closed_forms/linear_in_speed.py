@@ -12,12 +12,10 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.limits import HIGHEST_RATIONAL_DEGREE
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.symbols import prime, t
-
-HIGHEST_DEGREE = 12
-"""Of a rational function of t that is taken apart."""
 
 
 def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
@@ -47,7 +45,7 @@ def _since_start(e: sp.Expr) -> sp.Expr | None:
         return sp.S.Zero
     if e.is_rational_function(t):
         e = sp.cancel(e)
-        if max(sp.degree(part, t) for part in sp.fraction(e)) > HIGHEST_DEGREE:
+        if max(sp.degree(part, t) for part in sp.fraction(e)) > HIGHEST_RATIONAL_DEGREE:
             return None
         e = sp.apart(e, t)
     else:

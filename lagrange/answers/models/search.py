@@ -344,7 +344,8 @@ class _Search:
         slots = self.models.system.configuration.slots
         moving = {*slots.coordinates, *slots.prescribed, t}
         more = sorted((s for s in self.equations[n].free_symbols - own if base(s) not in moving), key=str)
-        if not more or any(s in self.states[0].unknowns for s in more):
+        accelerated = self.equations[n].free_symbols & {*slots.accelerations}
+        if not more or not accelerated or any(s in self.states[0].unknowns for s in more):
             return None
         names = ", ".join(map(str, more))
         said = f"it depends on {names}, and the motion does not"

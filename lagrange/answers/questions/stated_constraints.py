@@ -9,6 +9,7 @@ displacements as the constraints do. A relation f = const, and one with dq or dt
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -23,12 +24,14 @@ from lagrange.answers.verdicts import (
     Verdict,
 )
 from lagrange.answers.written.in_words import is_about_freedom
-from lagrange.answers.written.working import Working
 from lagrange.core.symbols import CONSTANT, base, differential, prime, symbols_in, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import Standing, System, agreed_in_motion, compare
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Answers
+
+if TYPE_CHECKING:
+    from lagrange.answers.written.working import Working
 
 _NOT_REQUIRED = "the constraints do not require it"
 _IDENTITY = "it is an identity"

@@ -24,7 +24,7 @@ def _conditions(fragment: Fragment, solution: Solution) -> Fragment:
     if not isinstance(fragment, GivenEquation):
         return fragment
     components = fragment.reading.components
-    for view in solution.views:
+    for view in (v for v in solution.views if not v.configuration.rows):  # where the displacements are independent
         coordinates = (*view.configuration.slots.coordinates, *view.configuration.expressed)
         displaced = displaced_coordinates(components, coordinates)
         if not displaced:

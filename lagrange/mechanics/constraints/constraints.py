@@ -202,7 +202,8 @@ def analysis(
     solved_form: FiniteForm | None = None
     if row.finite is None and pairs.exact is not True:
         integrable = is_integrable(form, slots, surface.constraints)
-        frobenius = _frobenius(row, independent.geometric, surface, slots)
+        if not any(map(is_many_waves, form)):  # the components of such a form would fill pages
+            frobenius = _frobenius(row, independent.geometric, surface, slots)
         from lagrange.algebra.forms.restrictions import finite_form
 
         solved_form = finite_form(form, surface, slots) if integrable is not False else None
@@ -291,9 +292,7 @@ def _is_integrable(system: ConstrainedSystem) -> bool | None:
 
 
 def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots) -> tuple[FrobeniusComponent, ...]:
-    """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold; none of what would fill pages."""
-    if any(map(is_many_waves, row.form)):
-        return ()
+    """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold."""
     variables = (*slots.coordinates, t)
     form: ExteriorForm = {
         tuple(variables.index(v) for v in c.variables): c.coefficient

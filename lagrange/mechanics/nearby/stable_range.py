@@ -34,7 +34,7 @@ class StableRange:
 
 def stable_ranges(*tables: Entries) -> tuple[StableRange, ...] | None:
     """The positive values of the only letter in M, D, K for which every solution decays; None where that is open."""
-    rational = [sp.Matrix(t).applyfunc(lambda e: sp.nsimplify(e, rational=True)) for t in tables]
+    rational = [sp.Matrix(t).applyfunc(_exact) for t in tables]
     letters = {s for t in rational for s in t.free_symbols}
     if len(letters) != 1:
         return None
@@ -54,6 +54,11 @@ def stable_ranges(*tables: Entries) -> tuple[StableRange, ...] | None:
     except NoConvergence:
         return None
     return tuple(StableRange(letter, *f, tuple(x for x in f if ends.get(x))) for f in found)
+
+
+def _exact(e: sp.Expr) -> sp.Expr:
+    """With fractions for decimals."""
+    return e.xreplace({x: sp.Rational(x) for x in e.atoms(sp.Float)})
 
 
 def _last_but_one(a: list[sp.Expr]) -> sp.Expr:
