@@ -59,16 +59,19 @@ class Formulas:
         flat = [self.wide.marked(side) for side in sides]
         if sum(map(width, codes)) > DESK_ROW:
             return self._written(flat, relation, displayed, first)
-        desk = self._written(codes, relation, displayed, first)
         if codes == flat or all(width(piece) <= PHONE_PIECE for code in codes for piece in _cut(code)):
-            return desk
+            return self._written(codes, relation, displayed, first)
+        desk = self._written(codes, relation, displayed, first, whole_products=True)
         phone = self._written(flat, relation, displayed, first)
         return f'<span class="desk">{desk}</span><span class="phone">{phone}</span>'
 
-    def _written(self, codes: Sequence[str], relation: str, displayed: bool, first: int) -> str:
+    def _written(
+        self, codes: Sequence[str], relation: str, displayed: bool, first: int, whole_products: bool = False
+    ) -> str:
         sign = self.writer.style.relation(relation)
         style = ' displaystyle="true"' if displayed else ""
-        return "<wbr>".join(_elements((sign if n else "") + code, style) for n, code in enumerate(codes) if n >= first)
+        sides = ((sign if n else "") + code for n, code in enumerate(codes) if n >= first)
+        return "<wbr>".join(_elements(side, style, whole_products) for side in sides)
 
     def matrix(self, name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> str | None:
         """M = (a b; c d); None if it is too wide for a line."""
@@ -121,11 +124,13 @@ def _letter(character: str) -> float:
     return 0.8 if character.isupper() or character in "mwMW" else 0.3 if character in "ijl,.|" else 0.55
 
 
-def _elements(code: str, style: str) -> str:
+def _elements(code: str, style: str, whole_products: bool) -> str:
     """A marked sum as formulas in a row: one for each term; a box of several for a term that is too wide."""
     terms = []
     for term in _parts(code):
-        pieces = [p for piece in _cut(term) for p in _at_factors(piece)]
+        pieces = list(_cut(term))
+        if not whole_products:
+            pieces = [p for piece in pieces for p in _at_factors(piece)]
         formulas = "<wbr>".join(f"<math{style}>{piece}</math>" for piece in pieces)
         terms.append(f'<span class="term">{formulas}</span>' if len(pieces) > 1 else formulas)
     return "<wbr>".join(terms)
