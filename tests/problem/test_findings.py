@@ -13,7 +13,7 @@ def test_all_mistakes_of_a_file_are_told_at_once_in_its_order() -> None:
 parameters: {m: positiv, g: }
 coordinates: [x, 2y]
 let: {a: sin(x}
-particles: {P: {mass: x, position: x}}
+particles: {P: {mass: x', position: x}}
 constraints: {rod: x > 0}
 gravity: g*z
 forces: {push: {on: Q, vector: g*i}}
@@ -26,7 +26,7 @@ answers: {degrees_of_freedom: one}
         ("bad-name", 3, 18),
         ("not-closed", 4, 13),
         ("not-constant", 5, 23),
-        ("scalar-for-vector", 5, 36),
+        ("scalar-for-vector", 5, 37),
         ("inequality", 6, 22),
         ("unknown-symbol", 7, 12),
         ("unknown-name", 8, 21),
