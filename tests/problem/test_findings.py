@@ -25,7 +25,7 @@ answers: {degrees_of_freedom: one}
         ("unknown-assumption", 2, 17),
         ("bad-name", 3, 18),
         ("not-closed", 4, 13),
-        ("not-constant", 5, 23),
+        ("not-allowed-here", 5, 23),
         ("scalar-for-vector", 5, 37),
         ("inequality", 6, 22),
         ("unknown-symbol", 7, 12),
