@@ -492,7 +492,7 @@ class _Search:
             yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
 
     def _matching(self, wanted: Any, arithmetic: Any, odd: bool) -> list[tuple[int, sp.Rational]]:
-        """The simple factors that are `wanted` but for a number, with that number: a usual one, unless it is `odd`."""
+        """The simple factors that are `wanted` up to a number, with that number: a usual one, unless it is `odd`."""
         if isinstance(self.states[0].point, FieldPoint) and not odd:
             # wanted = number · factor for a usual number: so the factor has one of these values.
             usual = ((arithmetic.reduce(wanted * self.states[0].point.number(n.q, n.p)), n) for n in _USUAL)

@@ -54,8 +54,8 @@ def _guard(r: Reaction, pressed: int) -> Guard:
         return Guard.PULLS
     if by is Keeper.SURFACE:
         return Guard.KEEPS_SIGN
-    told = r.given is not None and r.single is not None and r.row.finite is not None and by not in _EITHER_WAY
-    return Guard.TWO_SIDED if told else Guard.NONE
+    reported = r.given is not None and r.single is not None and r.row.finite is not None and by not in _EITHER_WAY
+    return Guard.TWO_SIDED if reported else Guard.NONE
 
 
 def coefficients_at_rest(problem: Problem) -> dict[sp.Symbol, sp.Expr]:

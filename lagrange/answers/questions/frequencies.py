@@ -179,21 +179,25 @@ def _is_complete(f: Linearization) -> bool:
     return f.complete and f.equilibrium.solution.verified is not None and known
 
 
-def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
-    """ω; it may be stated as `omega^2 = ...`, by the period `T = ...`, or by `f = ...`, the periods in a second."""
+def _one_value(fragment: Fragment, reference: Reference, what: str, cure: str) -> tuple[str, sp.Expr]:
+    """The name before the first `=`, if there is one, and the value."""
     stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
     if len(stated.sides) > 1:
-        message = "a frequency is one value"
-        help_ = "write `sqrt(k/m)`, or `omega = sqrt(k/m)`"
-        raise ProblemError(Diagnostic("unexpected-equation", message, fragment.whole, help=help_))
+        raise ProblemError(Diagnostic("unexpected-equation", f"{what} is one value", fragment.whole, help=cure))
     value = tried(stated.sides[0], stated.scope, lambda f: read_value(f, stated.scope, [], latex=True))
     if isinstance(value, Vector):
-        raise ProblemError(Diagnostic("vector-for-scalar", "a frequency is a number, not a vector", fragment.whole))
-    letter, squared = stated.label[:1], stated.label.endswith("^2")
+        raise ProblemError(Diagnostic("vector-for-scalar", f"{what} is a number, not a vector", fragment.whole))
+    return stated.label, value
+
+
+def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
+    """ω; it may be stated as `omega^2 = ...`, by the period `T = ...`, or by `f = ...`, the periods in a second."""
+    label, value = _one_value(fragment, reference, "a frequency", "write `sqrt(k/m)`, or `omega = sqrt(k/m)`")
+    letter, squared = label[:1], label.endswith("^2")
     value = sp.sqrt(value) if squared else value
     if letter in ("T", "τ") and value != 0:
         return 2 * sp.pi / value
-    return 2 * sp.pi * value if stated.label.removesuffix("^2") in ("f", "nu", "ν") else value
+    return 2 * sp.pi * value if label.removesuffix("^2") in ("f", "nu", "ν") else value
 
 
 def _of_list(
@@ -390,13 +394,6 @@ def _of_found(found: Sequence[int | None], place: _Exponents) -> Verdict:
 
 
 def _read_rate(fragment: Fragment, reference: Reference) -> sp.Expr:
-    """δ; it may be stated as `delta = ...`, or by the time constant `tau = ...`."""
-    stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
-    if len(stated.sides) > 1:
-        message = "a decay rate is one value"
-        help_ = "write `c/(2*m)`, or `delta = c/(2*m)`"
-        raise ProblemError(Diagnostic("unexpected-equation", message, fragment.whole, help=help_))
-    value = tried(stated.sides[0], stated.scope, lambda f: read_value(f, stated.scope, [], latex=True))
-    if isinstance(value, Vector):
-        raise ProblemError(Diagnostic("vector-for-scalar", "a decay rate is a number, not a vector", fragment.whole))
-    return 1 / value if stated.label in ("tau", "τ") and value != 0 else value
+    """σ; it may be stated as `sigma = ...`, or by the time constant `tau = ...`."""
+    label, value = _one_value(fragment, reference, "a decay rate", "write `c/(2*m)`, or `sigma = c/(2*m)`")
+    return 1 / value if label in ("tau", "τ") and value != 0 else value

@@ -12,7 +12,7 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.problem.model import Answers
 from tests.support.shared import loaded, solved
 
-# worked out by hand: what somebody gets who makes the mistake
+# worked out by hand: the value that the mistake leads to
 QUESTIONS = [
     ("loop-the-loop", "least_height", "2*R", "the velocity is taken as zero there"),
     ("loop-the-loop", "speed_at_the_top", "sqrt(2*g*h)", "the potential energy is missing"),
