@@ -87,6 +87,8 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
             return f"{at}: contact at {event.name} ends; the equations hold no longer"
         case EventKind.EXCHANGE:
             return f"{at}: mass no longer joins or leaves {event.name}; the equations hold no longer"
+        case EventKind.EMPTY:
+            return f"{at}: {event.name} has no mass left; the equations hold no longer"
         case EventKind.SLIP:
             return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
         case EventKind.AT_REST if event.time == 0:

@@ -64,6 +64,7 @@ class EventKind(StrEnum):
     REVERSED = "reversed"  # the force of a two-sided constraint changes its sign
     AT_REST = "at rest"  # slip in a plane ends
     EXCHANGE = "exchange"  # mass no longer joins a particle, or no longer leaves it
+    EMPTY = "empty"  # a particle that loses mass has none left
     SLIP = "slip"  # slip ends to have the sense for which the equations hold
     HELD = "held"  # slip ends, and friction keeps it from beginning again
     STOPPED = "stopped"  # the integration cannot go on
@@ -267,7 +268,7 @@ class _Run:
     @property
     def _longest(self) -> float:
         """The longest step: events are looked for once in each."""
-        watched = self.asked or self.states.contacts or self.states.exchanges or self.system.signs
+        watched = self.asked or self.states.contacts or self.states.exchanges or self.states.masses or self.system.signs
         return self.until / 50 if watched else math.inf
 
     def _projected(self, step: Step) -> State | None:
@@ -313,6 +314,7 @@ class _Run:
             least = ENDED_SLIP**2 * self._safely(function(e), 0.0, self.start.state)
             found.append(_Watch(EventKind.AT_REST, str(e), function(e - least), falling=True))
         found += [_Watch(EventKind.EXCHANGE, n, function(e), falling=True) for n, e in states.exchanges.items()]
+        found += [_Watch(EventKind.EMPTY, n, function(e), falling=True) for n, e in states.masses.items()]
         found += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
         return [*found, *reversed_, *(w for q in self.asked for w in self._watch_of(q))]
 

@@ -149,6 +149,7 @@ class StateEquations:
     reactions   forces of constraint by the names of the page, in state, parameters and multipliers
     contacts    the reactions that are watched
     exchanges   by name of a particle: the mass that joins or leaves per time, positive as long as the equations hold
+    masses      by name of a particle whose mass varies: its mass, positive as long as the equations hold
     slips       speeds of slip, positive in the sense for which the file has written its friction
     plane_slips of what slips in a plane, the squares of the speeds of slip
     signs       each open sign of a reaction, with the expression whose sign it is
@@ -167,6 +168,7 @@ class StateEquations:
     slips: tuple[sp.Expr, ...] = ()
     plane_slips: tuple[sp.Expr, ...] = ()
     exchanges: Mapping[str, sp.Expr] = field(default_factory=dict)
+    masses: Mapping[str, sp.Expr] = field(default_factory=dict)
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
     given: Mapping[str, sp.Expr] = field(default_factory=dict)
@@ -191,7 +193,7 @@ class StateEquations:
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters that occur, in the order of the file; then open signs and unknown forces."""
-        watched = (*(c.value for c in self.contacts), *self.exchanges.values())
+        watched = (*(c.value for c in self.contacts), *self.exchanges.values(), *self.masses.values())
         more = (*self.conserved.values(), *self.reactions.values(), *watched)
         used = _symbols((*self.expressions, *more, *([self.energy] if self.energy is not None else [])))
         declared = [p for p in self.problem.parameters if p.symbol in used]
@@ -242,6 +244,7 @@ class StateEquations:
             slips=tuple(map(put, self.slips)),
             plane_slips=tuple(map(put, self.plane_slips)),
             exchanges={n: put(x) for n, x in self.exchanges.items()},
+            masses={n: put(x) for n, x in self.masses.items()},
             signs={s: put(x) for s, x in self.signs.items()},
             given={**self.given, **given},
         )
@@ -327,6 +330,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         slips=tuple(map(here, dynamics.slips)),
         plane_slips=tuple(here(f.slip.dot(f.slip)) for f in dynamics.friction_forces if f.speed is None),
         exchanges={m.name: here(m.exchanged) for m in dynamics.shown.variable_masses if m.has_one_sense},
+        masses={m.name: here(m.mass) for m in dynamics.shown.variable_masses},
         signs={s: here(e) for s, e in dynamics.signs.items()},
         branches=view.signs,
     )

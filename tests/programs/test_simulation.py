@@ -298,3 +298,20 @@ def test_a_double_pendulum_is_followed_for_a_thousand_seconds_in_less_than_two()
     motion = simulated(made.states, made.start, 1000.0)
     assert time.process_time() - begun < 2.0
     assert motion.drift["energy"] < 1e-7
+
+
+def test_a_motion_ends_where_no_mass_is_left() -> None:
+    """Sand falls out with the velocity of the cart: x'' = g sin(alpha) says nothing of the mass, which ends at m_0/q."""
+    text = """
+title: Sand cart
+parameters: {m_0: {value: 400 kg}, q: {value: 5 kg/s}, g: {value: 9.81 m/s^2}}
+coordinates: [x]
+particles: {cart: {mass: m_0 - q*t, position: x*i, leaves: {relative: 0}}}
+gravity: g*i
+initial: {x: 0, x': 0}
+"""
+    made = made_of(lagrange.loads(text))
+    found = simulated(made.states, made.start, 100.0)
+    [event] = found.events
+    assert event.kind is EventKind.EMPTY
+    assert event.time == pytest.approx(80, abs=1e-6)
