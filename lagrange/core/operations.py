@@ -15,7 +15,7 @@ _REMEMBERED = 2048
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def operations(expression: sp.Expr) -> int:
+def count_operations(expression: sp.Expr) -> int:
     """The number of operations: 2 in a + b/c, 1 in x², 1 in −x, none in a symbol."""
     total = 0
     rest = [expression]
