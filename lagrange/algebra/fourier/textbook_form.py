@@ -416,6 +416,8 @@ def merged_products(parts: list[SplitProduct]) -> list[SplitProduct]:
 
 def textbook_form(expression: sp.Expr | Element, unknowns: Iterable[sp.Symbol] = (), merge: bool = False) -> sp.Expr:
     """The textbook form of one expression; for several, keep a `Textbook`."""
+    if isinstance(expression, sp.Symbol | sp.Rational):
+        return expression
     ring = expression.basis if isinstance(expression, Element) else FourierRing()
     assert isinstance(ring, FourierRing)
     return Textbook(ring, unknowns, merge).form(expression)
