@@ -431,6 +431,6 @@ def _shared() -> Textbook:
     """One for many expressions: most of the time goes into reading their parts, which are often the same."""
     kept = remembered()
     textbook: Textbook | None = kept.get(__name__)
-    if textbook is None or len(textbook.ring.generators) > MOST_SHARED_GENERATORS:
+    if textbook is None or not textbook.ring.is_plain or len(textbook.ring.generators) > MOST_SHARED_GENERATORS:
         textbook = kept[__name__] = Textbook(FourierRing())
     return textbook
