@@ -77,7 +77,7 @@ def _compared(instance: Any) -> list[Any]:
 
 
 @cache
-def _names_compared(cls: type) -> tuple[str, ...]:
+def _names_compared(cls: Any) -> tuple[str, ...]:
     return tuple(f.name for f in fields(cls) if f.compare)
 
 
