@@ -30,11 +30,15 @@ class GivenUpError(BaseException):
 
 
 class Allowance:
-    """The units that are left."""
+    """The units that are left.
+
+    remembered  what functions keep until the allowance ends: the work to be done then depends on nothing before it
+    """
 
     def __init__(self, units: float) -> None:
         self.units = units
         self.left = units
+        self.remembered: dict[str, Any] = {}
 
     def spend(self, units: float) -> None:
         """Takes units away. Raises GivenUpError where there are none left."""
@@ -90,6 +94,12 @@ def spend(units: float) -> None:
     allowance = _current.get()
     if allowance is not None:
         allowance.spend(units)
+
+
+def remembered() -> dict[str, Any]:
+    """What is kept until the current allowance ends; forgotten at once where there is none."""
+    allowance = _current.get()
+    return {} if allowance is None else allowance.remembered
 
 
 def _count_arithmetic() -> None:

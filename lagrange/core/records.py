@@ -2,15 +2,16 @@
 
 A record is a frozen dataclass, for `dataclasses.fields` and `replace` as well as for the type checker, and is compared
 field by field. `@dataclass(frozen=True)` compiles six methods for each class, and compiling those of two hundred
-classes is a tenth of what a short run takes beyond importing SymPy; here only `__init__` is compiled, and the other
-methods are shared.
+classes is a tenth of what a short run takes beyond importing SymPy. Here only `__init__` is compiled, when the first
+record of its class is made (a short run makes records of every third class), and the other methods are shared.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass, field, fields
-from functools import wraps
+from functools import cache, wraps
+from threading import RLock
 from typing import Any, TypeVar, dataclass_transform
 
 Made = TypeVar("Made")
@@ -19,13 +20,39 @@ Made = TypeVar("Made")
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(cls: type[Made]) -> type[Made]:
     """Make a class a record. Methods that the class defines itself are kept."""
-    made: Any = dataclass(eq=False, repr=False)(cls)
-    made.__init__ = _initializer(made.__init__)
-    made.__compared__ = tuple(f.name for f in fields(made) if f.compare)
+    made: Any = cls
     for name, method in _SHARED.items():
         if name not in vars(cls):
             setattr(made, name, method)
+    made.__dataclass_fields__ = _WhenFirstAsked(cls)
+
+    def first(self: Any, /, *values: Any, **named: Any) -> None:
+        fields(made)
+        made.__init__(self, *values, **named)
+
+    made.__init__ = first
     return cls
+
+
+class _WhenFirstAsked:
+    """The fields of a class, in place of what `dataclass` finds out when it is asked for first."""
+
+    def __init__(self, cls: type) -> None:
+        self.cls = cls
+
+    def __get__(self, _: object, __: type) -> dict[str, Any]:
+        made: Any = self.cls
+        with _ONE_AT_A_TIME:
+            if vars(made)["__dataclass_fields__"] is self:
+                del made.__init__, made.__dataclass_fields__
+                dataclass(eq=False, repr=False)(made)
+                made.__init__ = _initializer(made.__init__)
+        found: dict[str, Any] = made.__dataclass_fields__
+        return found
+
+
+_ONE_AT_A_TIME = RLock()
+"""Held while a class is completed, in which its bases are."""
 
 
 class _Open:
@@ -46,7 +73,12 @@ def _initializer(plain: Callable[..., None]) -> Callable[..., None]:
 
 def _compared(instance: Any) -> list[Any]:
     values = instance.__dict__
-    return [values[name] for name in instance.__compared__]
+    return [values[name] for name in _names_compared(type(instance))]
+
+
+@cache
+def _names_compared(cls: Any) -> tuple[str, ...]:
+    return tuple(f.name for f in fields(cls) if f.compare)
 
 
 def _equal(self: Any, other: object) -> bool:

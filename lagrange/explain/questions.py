@@ -262,7 +262,7 @@ def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits
     """θ = 48.19° for cos θ = 2/3, with values put in; None where it gives no angle by its cosine or the like."""
     from lagrange.values.quantities import NotRealError, rounded, with_unit
 
-    if not b.lhs.is_Function:
+    if not isinstance(b.lhs, sp.cos | sp.sin | sp.tan):
         return None
     angles = [v if values is None else values.put_in(v) for v in b.values]
     degrees = {abs(v) * 180 / sp.pi for v in angles if v.is_number}

@@ -296,7 +296,8 @@ def _constant(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     slots = view.configuration.slots
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *(prime(u) for u in slots.prescribed), t}
     equations = [e.expression for e in motion.final]
-    if motion.completing or view.configuration.rows or len(equations) != len(slots.accelerations) or len(equations) < 2:
+    equations += view.configuration.constrained.accelerated_constraints
+    if len(equations) != len(slots.accelerations) or len(equations) < 2:
         return {}
     if any(e.free_symbols & moving or e.atoms(Unspecified) for e in equations):
         return {}

@@ -8,12 +8,13 @@ never carries meaning alone.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from io import StringIO
+from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
-from rich.console import Console
 from rich.text import Text
 
 from lagrange.core.printable import printable
@@ -40,10 +41,14 @@ from lagrange.render.selection import ShownSteps, shown, written_out
 from lagrange.render.terminal_layout import Grid, Words, fill, matrix_lines, pad, side_by_side, table_lines
 from lagrange.render.walk import Emitter, block_lines
 
+if TYPE_CHECKING:
+    from rich.console import Console
+
 MARGIN = " "
 INDENT = "    "
 HEIGHT = 25  # lines, which nothing depends on; or rich would read LINES, and stumble over `LINES=²`
 COLUMNS = 3  # between a check and how it was done
+ASKS_FOR_COLOURS = frozenset({"FORCE_COLOR", "TTY_COMPATIBLE"})  # in a pipe too; rich knows what their values mean
 MARKS = {True: ("✓", "bold green"), False: ("✗", "bold red"), None: ("?", "bold magenta")}
 
 
@@ -55,6 +60,8 @@ def show(
     console: Console | None = None,
 ) -> None:
     """Print a derivation to standard output, or to another console."""
+    from rich.console import Console
+
     console = console or Console(width=width)
     page = Text("\n").join(lines(derivation, notation, width or console.width, detail))
     console.print(page, soft_wrap=True, highlight=False)
@@ -62,8 +69,12 @@ def show(
 
 def coloured(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> str:
     """The derivation for standard output: coloured where that is a terminal, and the environment allows colours."""
-    file = StringIO()
     on_terminal = sys.stdout is not None and sys.stdout.isatty()
+    if not on_terminal and ASKS_FOR_COLOURS.isdisjoint(os.environ):
+        return text(derivation, notation, width, detail)
+    from rich.console import Console
+
+    file = StringIO()
     console = Console(file=file, width=width, height=HEIGHT, force_terminal=on_terminal or None)
     show(derivation, notation, width, detail, console)
     return file.getvalue()

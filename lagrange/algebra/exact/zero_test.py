@@ -131,9 +131,12 @@ class Surface(Sampler):
         # Without points in a field there are real ones only: the same rank at all of them, or undecided.
         if not self.exact:
             return _common_rank(self.sampled(at, ZERO_REAL_POINTS))
-        # A minor that vanishes by chance lowers a rank; nothing raises it. So the largest is right.
-        ranks, branches = self.on_all_branches(nodes, at, lambda _: True)
-        if not branches.signs and not self.graph.marked(nodes) & OPAQUE:
+        # A minor that vanishes by chance lowers a rank; nothing raises it. So the largest is right, and where it cannot
+        # be larger no other point is needed.
+        marks = self.graph.marked(nodes)
+        largest = min(width, len(nodes) // width)
+        ranks, branches = self.on_all_branches(nodes, at, lambda rank: rank < largest or bool(marks))
+        if not branches.signs and not marks & OPAQUE:
             return max(ranks)
         real = _common_rank(self.sampled(at, ZERO_REAL_POINTS, real=True))
         return real if real in ranks else None

@@ -245,6 +245,11 @@ class Basis:
         self._powers: dict[tuple[int, int], Element] = {}
 
     @property
+    def is_plain(self) -> bool:
+        """Whether elements have one form, whatever was read before: no roots, reciprocals or halves of angles."""
+        return not self.related and all(step == UNIT for step in self.steps)
+
+    @property
     def zero(self) -> Element:
         """The element 0."""
         return Element(self, {})

@@ -110,6 +110,11 @@ def _fraction(value: sp.Expr, ring: FourierRing) -> tuple[Element, Element | Non
     return above, below if below and all(e > 0 for e in related) else None
 
 
+def is_quotient_of_sums(value: sp.Expr) -> bool:
+    """Whether there is a sum below its line."""
+    return value.is_Mul and any(f.is_Pow and f.base.is_Add and f.exp.is_negative for f in value.args)
+
+
 def _denominators(value: sp.Expr) -> list[sp.Expr]:
     """The sums that are divided by."""
     return [p.base for p in value.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add]

@@ -64,3 +64,6 @@ MOST_CLEANED_TERMS = 60
 # vectors of a bicycle's front wheel have 352, and took seconds each.
 FEW_ANGLES = 4
 MOST_CLEANED_WAVES = 40
+
+# Generators of a ring that many expressions share: a monomial is one number of as many digits.
+MOST_SHARED_GENERATORS = 40

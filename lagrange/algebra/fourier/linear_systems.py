@@ -193,7 +193,7 @@ def _by_determinants(
         determinant, numerators = a * d - b * c, [p * d - b * q, a * q - p * c]
     textbook = Textbook(ring)
     below = textbook.form(determinant)
-    if not below.is_nonzero and surface.is_zero(below) is not False:
+    if surface.is_zero(below) is not False and not below.is_nonzero:
         return None
     return [*([None] * size), *(_quotient(n, determinant, below, textbook) for n in numerators)]
 

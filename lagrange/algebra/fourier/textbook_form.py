@@ -26,7 +26,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.division import as_fraction, by_denominator, over_one_denominator
 from lagrange.algebra.fourier.elements import Basis, Element, Terms
-from lagrange.algebra.fourier.limits import LONGEST_FACTORED
+from lagrange.algebra.fourier.limits import LONGEST_FACTORED, MOST_SHARED_GENERATORS
 from lagrange.algebra.fourier.polynomials import (
     Polynomial,
     common,
@@ -58,6 +58,7 @@ from lagrange.algebra.fourier.terms import (
     number_apart,
     sum_of,
 )
+from lagrange.core.effort import remembered
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 
@@ -416,6 +417,20 @@ def merged_products(parts: list[SplitProduct]) -> list[SplitProduct]:
 
 def textbook_form(expression: sp.Expr | Element, unknowns: Iterable[sp.Symbol] = (), merge: bool = False) -> sp.Expr:
     """The textbook form of one expression; for several, keep a `Textbook`."""
-    ring = expression.basis if isinstance(expression, Element) else FourierRing()
-    assert isinstance(ring, FourierRing)
-    return Textbook(ring, unknowns, merge).form(expression)
+    if isinstance(expression, Element):
+        assert isinstance(expression.basis, FourierRing)
+        return Textbook(expression.basis, unknowns, merge).form(expression)
+    if isinstance(expression, sp.Symbol | sp.Rational):
+        return expression
+    if unknowns or merge:
+        return Textbook(FourierRing(), unknowns, merge).form(expression)
+    return _shared().form(expression)
+
+
+def _shared() -> Textbook:
+    """One for many expressions: most of the time goes into reading their parts, which are often the same."""
+    kept = remembered()
+    textbook: Textbook | None = kept.get(__name__)
+    if textbook is None or not textbook.ring.is_plain or len(textbook.ring.generators) > MOST_SHARED_GENERATORS:
+        textbook = kept[__name__] = Textbook(FourierRing())
+    return textbook

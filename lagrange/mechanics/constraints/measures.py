@@ -44,10 +44,15 @@ class Angle:
 
 def angles(configuration: Configuration, symbols: Sequence[sp.Symbol]) -> tuple[Angle, ...]:
     """What the given coordinates measure, as far as they are angles of lines between points; each once."""
+    written = [c for p in configuration.points[:MOST_POINTS] for c in p.position.fixed().components]
+    waves = [w for c in written for w in c.atoms(sp.sin, sp.cos)]
+    sought = [q for q in symbols if any(w.args[0] == q for w in waves)]
     found: dict[sp.Symbol, Angle] = {}
-    for start, end, d in _lines(configuration):
-        for angle in _angles_of(d, start, end, symbols):
+    for start, end, d in _lines(configuration) if sought else ():
+        for angle in _angles_of(d, start, end, sought):
             found.setdefault(angle.symbol, angle)
+        if len(found) == len(sought):
+            break
     return tuple(found[q] for q in symbols if q in found)
 
 

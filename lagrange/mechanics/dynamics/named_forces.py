@@ -27,6 +27,7 @@ these are positive.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from enum import StrEnum
 
 import sympy as sp
@@ -35,6 +36,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
+from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
@@ -90,13 +92,26 @@ def single_force(
     acts  the forces and moments for λ = 1; None if they are not known
     side  of a one-sided constraint: the force is positive where it pushes or pulls to that side
     """
-    if by not in SURFACES and row.finite is not None:
-        tension = _tension(row, by, acts, placed, configuration)
+    if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
+        tension = _tension(keeping, by, acts, placed, configuration)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
     if acts is None or placed is None or by is Keeper.GEAR:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
+
+
+def _kept(row: Row, configuration: Configuration) -> Row | None:
+    """A constraint on velocities that keeps a sum of coordinates, as the finite one: y' = R φ' as y = R φ."""
+    slots = configuration.slots
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+    if (
+        row.nonlinear is not None
+        or row.drift != 0
+        or any(not moving.isdisjoint(a.free_symbols) for a in row.coefficients)
+    ):
+        return None
+    return replace(row, finite=sp.Add(*(a * q for a, q in zip(row.coefficients, slots.coordinates, strict=True))))
 
 
 # -- forces along a unit vector ----------------------------------------------------------------------------------------

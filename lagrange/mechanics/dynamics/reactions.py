@@ -22,7 +22,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.algebra.fourier.fractions import as_one_quotient
+from lagrange.algebra.fourier.fractions import as_one_quotient, is_quotient_of_sums
 from lagrange.algebra.fourier.limits import MOST_CANCELLED
 from lagrange.algebra.fourier.linear_systems import (
     Decides,
@@ -165,6 +165,13 @@ class SolutionPlace:
             vanishes = False
         return sp.S.Zero if vanishes else self.show(value)
 
+    def scaled(self, value: sp.Expr, factor: sp.Expr) -> sp.Expr:
+        """A shown result times a factor, as it is written: a quotient times 2 l remains one."""
+        product = factor * value
+        finished = is_quotient_of_sums(value) and not factor.has(sp.Add, sp.Function)
+        kept = finished and not product.could_extract_minus_sign()
+        return product if kept else self.show(textbook_form(product))
+
 
 def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSystem:
     """The equations with the multipliers of `used`, for accelerations and multipliers."""
@@ -272,7 +279,7 @@ def reactions_at(
         configuration=configuration,
         multipliers=multipliers,
         sizes={
-            r.name: place.show(textbook_form(place.write(r.single.factor) * v))
+            r.name: place.scaled(v, place.write(r.single.factor))
             for r in determined
             if r.single is not None and (v := values[r.multiplier]) is not None
         },

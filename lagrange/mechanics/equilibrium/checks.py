@@ -106,6 +106,9 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
             yield Diagnostic("force-of-motion", message, f.span, help=help_)
 
 
+_AT_REST_ON_IT = "`find: linearization` finds where it rests relative to what moves; a parameter for t holds that still"
+
+
 def _moving(problem: Problem, configuration: Configuration) -> Iterable[Diagnostic]:
     """Constraints and positions that depend on time."""
     spans = {c.name: c.span for c in problem.constraints}
@@ -113,12 +116,11 @@ def _moving(problem: Problem, configuration: Configuration) -> Iterable[Diagnost
         parts = (*row.coefficients, row.drift, row.finite or sp.S.Zero)
         if row.drift != 0 or any(_has_time(p, problem) for p in parts):
             message = f"the constraint `{row.name}` moves"
-            help_ = "what moves by itself has no equilibrium: keep its time fixed as a parameter"
-            yield Diagnostic("moving-constraint", message, spans.get(row.name), help=help_)
+            yield Diagnostic("moving-constraint", message, spans.get(row.name), help=_AT_REST_ON_IT)
     for p in problem.masses:
         if any(_has_time(c, problem) for c in p.position.fixed().components):
             message = f"the position of `{p.name}` contains time"
-            yield Diagnostic("moving-constraint", message, p.span, help="keep its time fixed as a parameter")
+            yield Diagnostic("moving-constraint", message, p.span, help=_AT_REST_ON_IT)
 
 
 def _has_time(e: sp.Expr, problem: Problem) -> bool:

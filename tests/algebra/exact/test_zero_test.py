@@ -10,6 +10,7 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     Fields,
@@ -247,6 +248,22 @@ def test_rank_of_matrices() -> None:
     assert rank(sp.zeros(0, 3)) == 0
     assert rank([]) == 0
     assert rank([[x, y, z], [x**2, x * y, x * z]]) == 1
+
+
+def test_a_full_rank_needs_one_point() -> None:
+    """On a circle, whose points come from roots; a rank that is not full needs many."""
+    asked: list[int] = []
+
+    class Counted(Surface):
+        def point(self, number: int = 0) -> Point:
+            asked.append(number)
+            return super().point(number)
+
+    circle = Counted([x**2 + y**2 - 1], [x, y])
+    assert circle.rank([[x, y], [y, x]]) == 2
+    assert len(asked) == 1
+    assert circle.rank([[x, y], [2 * x, 2 * y]]) == 1
+    assert len(asked) > 10
 
 
 def test_rank_with_branches() -> None:

@@ -13,6 +13,7 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
+from lagrange.core.effort import allowed
 from lagrange.core.symbols import Slots, prime, t, variation
 from tests.support.chance import examples
 
@@ -482,3 +483,12 @@ def test_a_long_sum_is_left_in_one_piece() -> None:
     many = sp.symbols("c1:40", positive=True)
     expression = sp.Add(*(c**2 for c in many)) * X
     assert textbook_form(expression) == expression
+
+
+def test_what_was_read_before_does_not_show() -> None:
+    """Reciprocals are kept for no other expression: 1/(a − b) after 1/(b − a)."""
+    form = x / (a - b)
+    alone = textbook_form(form)
+    with allowed(10**6):
+        textbook_form(y / (b - a))
+        assert textbook_form(form) == alone

@@ -125,6 +125,7 @@ gravity: g*j
         ("equation: L = 2*b + a, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
         ("equation: L/2 - a/2 = b, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
         ("equation: 2*b = -a, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),  # displacements
+        ("equation: a' + 2*b' = 0, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
         ("equation: 2*a + 2*b = L, by: string", "g*j", "m1*m2*g/(m1 + m2)"),  # four parts of one string
     ],
 )
@@ -138,7 +139,7 @@ def test_the_tension_of_a_string_over_pulleys(problem: Read, constraint: str, gr
 
 def test_a_string_that_unrolls(problem: Read) -> None:
     """A yo-yo: T = m g J/(J + m R²), upward, on whichever side of the equation the length stands."""
-    for equation in ("y = R*theta", "R*theta = y"):
+    for equation in ("y = R*theta", "R*theta = y", "y' = R*theta'", "R*theta' = y'"):
         text = f"""title: Example
 parameters: [m, J, R, g]
 coordinates: [y, theta]

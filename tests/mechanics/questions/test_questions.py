@@ -282,6 +282,13 @@ def test_an_angle_is_given_in_degrees(problem: Read) -> None:
     assert "That is θ ≈ 48.19°." in terminal.text(found.derivation, found.notation, 80)
 
 
+def test_an_absolute_value_is_no_angle(problem: Read) -> None:
+    found = report(problem(SLOPE.replace('speed: {quantity: "x\'"', 'speed: {quantity: "abs(x\')"')))
+    page = terminal.text(found.derivation, found.notation, 80)
+    assert "|ẋ| ≈ 5.777 m/s" in page
+    assert "°" not in page[page.index("Question") :]
+
+
 def test_a_branch_that_the_values_exclude_has_no_number(problem: Read) -> None:
     """Into a buffer: k x²/2 − m g x (sin 25° − cos 25°/5) = m v²/2 has one positive root, which is the answer."""
     text = SLOPE[: SLOPE.index("initial")].replace("forces:\n", 'forces:\n  buffer: {potential: "k*(x - d)^2/2"}\n')
