@@ -370,8 +370,14 @@ def _unequal(p: PartialsComparison) -> tuple[Part, ...]:
     return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
-def explain_classification(classification: Classification, taken: Collection[str] = ()) -> Step:
-    """Holonomic or not, scleronomic or rheonomic, and why. `taken`: names that the problem uses."""
+def explain_classification(
+    classification: Classification, taken: Collection[str] = (), *, excluded: bool = True
+) -> Step:
+    """Holonomic or not, scleronomic or rheonomic, and why.
+
+    taken     names that the problem uses
+    excluded  whether to name the places where a form would vanish and which the constraints exclude
+    """
     constraints = classification.constraints
     words: list[Part]
     if classification.holonomic is None:
@@ -389,7 +395,7 @@ def explain_classification(classification: Classification, taken: Collection[str
         time_of(classification),
         *explain_one_sided(constraints),
         *explain_redundant(classification, form_letter(taken)),
-        *explain_losses(classification),
+        *explain_losses(classification, excluded=excluded),
     )
     return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences), paragraph(*sentences[:2])),))
 

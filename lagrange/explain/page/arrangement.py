@@ -17,6 +17,7 @@ from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
+from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.newton import explain_works
 from lagrange.explain.page.constraints import (
@@ -45,7 +46,9 @@ from lagrange.explain.page.kinematic import (
     explain_short_displacements,
     explain_short_forms,
     explain_short_integrability,
+    in_chosen_coordinates,
     with_short_forms,
+    without_division,
 )
 from lagrange.explain.page.laws import (
     explain_laws,
@@ -72,8 +75,9 @@ from lagrange.explain.page.motion import (
 from lagrange.explain.page.named import in_names
 from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
-from lagrange.explain.page.statics import said_once
-from lagrange.explain.page.surfaces import in_vectors, on_surface
+from lagrange.explain.page.statics import said_once, with_supports
+from lagrange.explain.page.vectors import links
+from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
@@ -117,10 +121,13 @@ def _arranged(
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
+    link = links.linked(solution)
     stated = in_names(solution, stated)
-    shortened = said_once(solution, _shortened(solution, steps))
+    shortened = with_supports(solution, said_once(solution, _shortened(solution, steps)))
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
+    if link is not None:
+        shortened, stated = links.in_vectors(link, shortened), ()
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
@@ -135,10 +142,11 @@ def _arranged(
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
     # Of the reaction of a surface the box would need the abbreviations of its step.
-    yield from explain_result(
-        solution, [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS], stated
-    )
-    yield from _with_meaning(solution, open_, stated)
+    solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
+    work = () if surface is None else work_of_surface(surface)
+    yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
+    for step in _with_meaning(solution, open_, stated):
+        yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
     yield from folded
 
 
@@ -227,11 +235,15 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
             yield explain_short_forms(short, solution.problem.slots)
         elif short is not None and step.rule is Rule.INTEGRABILITY:
-            yield _integrability_shortly(solution, explain_short_integrability(solution, short))
+            made = in_chosen_coordinates(solution, explain_short_integrability(solution, short))
+            yield _integrability_shortly(solution, made)
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
-            yield displacements_shortly(explain_short_displacements(solution))
+            yield without_division(solution, displacements_shortly(explain_short_displacements(solution)))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
+        elif step.rule is Rule.CLASSIFICATION:
+            names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            yield explain_classification(classification, names, excluded=False)
         elif step.rule is Rule.STATEMENT:
             system = explain_system(solution, step)
             yield without_momenta(system) if ends_with_speeds(solution) else system
@@ -242,7 +254,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif step.rule is Rule.DISPLACEMENTS and solution.impact is not None and own is None:
             continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
-            yield displacements_shortly(_of_forms(solution, step) if geometric or _are_same(solution) else step)
+            made = _of_forms(solution, step) if geometric or _are_same(solution) else step
+            yield without_division(solution, displacements_shortly(made))
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
@@ -293,7 +306,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
 
 def _integrability_shortly(solution: Solution, step: Step) -> Step:
     shortly = (together_shortly(solution.classification, b) for b in step.body if b.detail < Detail.FULL)
-    return replace(step, body=tuple(likewise_in_a_line([*shortly])))
+    return replace(step, body=tuple(likewise_in_a_line([b for b in shortly if b != prose()])))
 
 
 def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:

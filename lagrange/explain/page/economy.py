@@ -31,7 +31,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, in_words, plural
+from lagrange.explain.words import capital, in_words, joined, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 
@@ -277,21 +277,31 @@ def together_shortly(classification: Classification, block: Block) -> Block:
     flag = classification.flag
     if not block.parts[0].startswith("Taken together, the constraints may imply") or len(flag.ranks) < 2:
         return block
-    relations = in_words(flag.integrable_rank or 0, "finite relation") if flag.integrable_rank else "no finite relation"
+    several = sum(c.integrable is True for c in classification.constraints)
+    if several == flag.integrable_rank == len(classification.constraints) - 1 and _rest_is_finite(classification):
+        return prose()  # the only form that is not integrable has been tested where the others hold
     letter, rate = (p for p in block.parts if isinstance(p, Math))
     first, *rest = flag.ranks
-    numbers = ["none" if n == 0 else str(n) for n in rest]
-    remain = plural(rest[0] or 1, "remains", "remain")
-    course = f"of {first} forms {numbers[0]} {remain}"
-    course += "".join(f", then {n}" for n in numbers[1:])
-    course += "" if rest[-1] == 0 else ", and no fewer"
-    return paragraph(
-        prose(f"Taken together, the constraints imply {relations} between the coordinates."),
-        prose(
-            "To see it keep only the combinations ", letter, " of the forms for which ", rate, " vanishes in any two "
-            f"displacements that satisfy all the constraints, and repeat this: {course} (Frobenius' theorem).",
-        ),
+    counts = ["none" if n == 0 else str(n) for n in rest] + ["all"] * (rest[-1] != 0)
+    course = joined([counts[0], *(f"of these in turn {n}" for n in counts[1:])])
+    return prose(
+        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)}, by Frobenius' "
+        "theorem for several forms: of the combinations ", letter, f" of the {first} forms those with ",
+        math(rate.sides[0], sp.S.Zero), f" in any two displacements that satisfy all constraints are {course}.",
     )  # fmt: skip
+
+
+def _rest_is_finite(classification: Classification) -> bool:
+    return all(c.row.finite is not None for c in classification.constraints if c.integrable)
+
+
+def _relations(together: int, single: int) -> str:
+    """What the constraints imply together, beside the relations that single ones are."""
+    if together == 0:
+        return "no finite relation"
+    if together == single:
+        return "no finite relation beyond " + plural(single, "that one", "those")
+    return f"{in_words(together, 'finite relation')} between the coordinates"
 
 
 def likewise_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
