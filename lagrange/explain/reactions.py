@@ -121,6 +121,10 @@ def _signs(motion: Motion) -> list[Block]:
     return blocks
 
 
+BY_SURFACE, BY_CURVE = "A surface", "A guide"
+"""What keeps a particle or body on one of its sides, in space and in a plane."""
+
+
 def explain_bounds(newton: Newton) -> list[Block]:
     """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
     blocks: list[Block] = []
@@ -163,9 +167,10 @@ def explain_bounds(newton: Newton) -> list[Block]:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
         held = {the(name) if r.on_body else "the particle" for r in normal for name in r.acts_on}
+        curve = any(len(r.row.coefficients) == 2 and r.constraint.by is None for r in normal)
         where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
         blocks.append(
-            prose("A surface that can only push stays in contact as long as ", *forces, keep,
+            prose(f"{BY_CURVE if curve else BY_SURFACE} that can only push stays in contact as long as ", *forces, keep,
                   f": the reaction must point to the side {where}.")
         )  # fmt: skip
     return blocks

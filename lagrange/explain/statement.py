@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -18,6 +18,7 @@ from lagrange.explain.bodies import (
     explain_rotation,
     moments_on,
     triads_of_bodies,
+    turns_about_axis,
     unit_vectors,
 )
 from lagrange.explain.page.texts import set_text
@@ -25,7 +26,7 @@ from lagrange.explain.words import are, capital, constraints_called, load_called
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
-from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
+from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
 
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
@@ -162,11 +163,13 @@ def _frame(problem: Problem) -> list[Block]:
     return blocks
 
 
-def _body(configuration: Configuration, centre: MassPoint) -> Block:
+def _body(configuration: Configuration, centre: MassPoint, bodies: Mapping[str, Body]) -> Block:
     """Its mass, and where its mass centre is."""
     called = the(centre.name)
     if configuration.is_pinned(centre):
         mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
+        if turns_about_axis(bodies, configuration, centre.name):
+            return prose(f"{capital(called)} is a rigid body that turns about a fixed axis through")
         return prose(f"The mass centre of {called}, a rigid body", *mass, ", stays at")
     weighed = any(f.on == centre.name and f.name == "weight" for f in configuration.loads)
     without = () if weighed else (" and has no mass",)
@@ -184,8 +187,13 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
         if p.name in bodies:
-            blocks.append(_body(configuration, p))
-            blocks += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
+            blocks.append(_body(configuration, p, bodies))
+            hinged = turns_about_axis(bodies, configuration, p.name)
+            if hinged and p.position.is_zero:
+                blocks[-1] = prose(f"{capital(the(p.name))} is a rigid body that turns about a fixed axis through O.")
+            else:
+                blocks.append(display(position))
+            blocks += explain_rotation(bodies[p.name], turning[p.name], hinged=hinged)
         else:
             blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
     return [*blocks, *explain_exchanged_mass(configuration)]

@@ -44,7 +44,7 @@ def explain_conserved(
         body.append(prose("It could not be decided whether ", whose, *names, are(conserved.undecided), "conserved."))
     quantities = "Conserved quantities" if body else ""
     if conserved.energy is not None:
-        body += _of_energy(conserved.energy, choice)
+        body += _of_energy(conserved.energy, choice, conserved.motion.configuration)
         quantities = f"{quantities} and energy balance" if quantities else "Energy balance"
     return Step(Rule.CONSERVED, title_in(quantities, choice), tuple(body)) if body else None
 
@@ -214,11 +214,14 @@ def _bound(coordinates: tuple[sp.Symbol, ...]) -> Block:
                  *_varied(coordinates), ".")  # fmt: skip
 
 
-def _of_energy(energy: EnergyRate, choice: str) -> list[Block]:
+def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) -> list[Block]:
     if energy.rate is None:
         return [prose("It could not be decided whether the energy is conserved.")]
     moving = plural(len(energy.driven), "moves, and its reaction does work", "move, and their reactions do work")
     why = f": {constraints_called(energy.driven)} {moving}" if energy.driven else ""
+    if energy.driven and all(r.nonlinear is not None for r in configuration.rows if r.name in energy.driven):
+        why = f": the {plural(len(energy.driven), 'reaction', 'reactions')} of {constraints_called(energy.driven)} "
+        why += plural(len(energy.driven), "does work", "do work")
     line = Equation((TimeDerivative(energy.expression), energy.rate), label=f"energy-rate{suffix_of(choice)}")
     if energy.hidden:
         return [

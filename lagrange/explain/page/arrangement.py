@@ -13,6 +13,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
@@ -20,6 +21,7 @@ from lagrange.explain.checks import in_one_line
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.newton import explain_works
+from lagrange.explain.page.bodies import alike_about_all_axes
 from lagrange.explain.page.constraints import (
     common_number,
     explain_geometric,
@@ -47,6 +49,7 @@ from lagrange.explain.page.kinematic import (
     explain_short_forms,
     explain_short_integrability,
     in_chosen_coordinates,
+    on_nonlinear_constraint,
     with_short_forms,
     without_division,
 )
@@ -84,7 +87,7 @@ from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
 from lagrange.mechanics.meaning import meaning
-from lagrange.mechanics.results import Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 
 LONGEST_BESIDE = 15
 """The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
@@ -124,6 +127,9 @@ def _arranged(
     link = links.linked(solution)
     stated = in_names(solution, stated)
     shortened = with_supports(solution, said_once(solution, _shortened(solution, steps)))
+    shortened = (alike_about_all_axes(solution, s) for s in shortened)
+    about = (Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.WORKLESS)
+    shortened = (on_nonlinear_constraint(solution, s) if s.rule in about else s for s in shortened)
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
     if link is not None:
@@ -384,7 +390,7 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     made = explain_reactions(view.dynamics, newton, step.choice, first=before)
     if made is None:
         return
-    made = replace(made, choice=step.choice)
+    made = replace(made, choice=step.choice, body=tuple(_without_certain_contact(made.body, newton, view)))
     if view is first and own is not None and own.reactions is not None:
         sizes = {
             r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
@@ -392,6 +398,17 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         }
         made = replace(made, title=title_of_reactions(newton), body=tuple(_chained(b, sizes) for b in made.body))
     yield made
+
+
+def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoordinates) -> Iterator[Block]:
+    """The blocks, without how long contact lasts where every normal force is known to keep its sign."""
+    sizes = {} if view.dynamics is None or view.dynamics.reactions is None else view.dynamics.reactions.sizes
+    normal = [sizes.get(r.name) for r in newton.reactions if r.is_normal and r.constraint.side is None]
+    certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
+    for block in body:
+        first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
+        if not certain or not str(first).endswith("that can only push stays in contact as long as "):
+            yield block
 
 
 def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Block:
@@ -403,6 +420,9 @@ def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Block:
 
 def _chain(equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Equation:
     before = sizes.get(equation.sides[0])
-    if before is None or before.count_ops() > LONGEST_BEFORE or before == equation.sides[-1]:
+    last = equation.sides[-1]
+    if before is None or before.count_ops() > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
+        return equation
+    if before.free_symbols == last.free_symbols and sp.cancel(before - last) == 0:
         return equation
     return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

@@ -1,13 +1,20 @@
-"""Several bodies in a plane, introduced together: positions, angles, moments of inertia; then weights; then moments."""
+"""Bodies on the page: several in a plane introduced together, and what is the same about all axes written once.
+
+Where all moments of inertia of a body are equal, H = J ω with one number J, and J is factored out of dH/dt and of the law
+of angular momentum.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import VectorSymbol
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose, series
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose
+from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
 from lagrange.explain.words import capital, joined, plural, the
 from lagrange.mechanics.results import Solution
 
@@ -73,3 +80,38 @@ def _bodies(solution: Solution) -> Prose:
     if particles:
         also[0] = "positions of the particles and mass centres"
     return prose(*beside, "The bodies are rigid: ", *series(clauses), f". The {joined(also)} are")
+
+
+def alike_about_all_axes(solution: Solution, step: Step) -> Step:
+    """A step with H = J ω and J factored out where a body has one moment of inertia J about all axes."""
+    moments = {
+        r.name: r.inertia.moments[0]
+        for r in solution.own.configuration.rotations
+        if r.has_inertia and r.inertia.is_isotropic
+    }
+    if not moments:
+        return step
+    blocks = (
+        replace(b, equations=tuple(_with_one_moment(e, moments) for e in b.equations)) if isinstance(b, Display) else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(blocks))
+
+
+def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:
+    label = e.label or ""
+    for name, moment in moments.items():
+        if label == f"momentum-{name}":
+            return replace(e, sides=(e.sides[0], moment * VectorSymbol(f"omega_{name}")))
+        if label.startswith("momentum-rate") and label.endswith(f"-{name}"):
+            return replace(e, sides=(e.sides[0], *(_divided(s, moment) for s in e.sides[1:])))
+        if label.startswith(f"turning-{name}-") and isinstance(e.sides[0], sp.Expr):
+            return replace(e, sides=(moment * sp.expand(e.sides[0] / moment), *e.sides[1:]))
+    return e
+
+
+def _divided(side: Mathematics, moment: sp.Expr) -> Mathematics:
+    if not isinstance(side, Vector):
+        return side
+    within = side.map(lambda c: sp.expand(c / moment))
+    return moment * within.as_sum()

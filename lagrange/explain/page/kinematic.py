@@ -15,7 +15,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.forms.integrability import frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import Slots, Wedge, differential, free_letter, t, variation
+from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, free_letter, t, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Part, Prose, Ref, Step
 from lagrange.explain.constraints import explain_forms, explain_integrability
@@ -238,3 +238,40 @@ def _varies(e: sp.Expr, elimination: Elimination) -> bool:
     """Whether it has a denominator that one of the pivots makes vanish."""
     below = sp.fraction(sp.together(e))[1]
     return any(sp.fraction(sp.cancel(below / _by_sines(p)))[1] == 1 for p in elimination.pivots)
+
+
+def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
+    """A step with v² for x'² + y'² where a constraint that is not linear in the velocities says so."""
+    rows = [r for r in solution.own.configuration.rows if r.nonlinear is not None]
+    slots = solution.problem.slots
+    rules = [rule for r in rows if (rule := _square(r, slots)) is not None]
+    if not rules:
+        return step
+
+    def shorter(side: object) -> object:
+        if isinstance(side, TimeDerivative) or not isinstance(side, sp.Expr) or not side.has(*slots.velocities):
+            return side
+        for velocity, square in rules:
+            reduced = sp.factor(sp.cancel(sp.expand(side).xreplace({velocity**2: square})))
+            side = reduced if reduced.count_ops() < side.count_ops() else side
+        return side
+
+    def line(e: Equation) -> Equation:
+        return replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:]))) if len(e.sides) > 1 else replace(
+            e, sides=tuple(map(shorter, e.sides)))  # fmt: skip
+
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
+    return replace(step, body=tuple(blocks))
+
+
+def _square(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
+    if row.nonlinear is None:
+        return None
+    for v in slots.velocities:
+        dummy = sp.Dummy()
+        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
+        factor = form.diff(dummy)
+        if not form.has(v) and factor.is_number and factor != 0:
+            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
+    return None
