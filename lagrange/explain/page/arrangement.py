@@ -60,6 +60,7 @@ from lagrange.explain.page.laws import (
     has_vector_laws,
     in_forces,
     shares_shortly,
+    work_by_forms,
 )
 from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
@@ -206,7 +207,8 @@ def _is_detour(solution: Solution, step: Step) -> bool:
         return False
     if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
         return True
-    return sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
+    turning = bool(solution.own.configuration.rotations)  # what moves has long laws enough
+    return turning or sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
 
 
 def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
@@ -272,9 +274,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield explain_work(solution, newton)
         elif laws and step.rule is Rule.WORKLESS and newton is not None:
             own_ = solution.own
-            yield explain_works(works_of_reactions(newton, own_.configuration, own_.elimination), own_.configuration)
+            works = works_of_reactions(newton, own_.configuration, own_.elimination)
+            yield work_by_forms(solution, explain_works(works, own_.configuration))
         elif step.rule is Rule.WORKLESS:
-            yield shares_shortly(solution, step)
+            yield work_by_forms(solution, shares_shortly(solution, step))
         elif laws and step.rule is Rule.CONSERVED and newton is not None:
             yield in_forces(step, newton)
         elif step.rule is Rule.PFAFFIAN_FORM and own is not None:

@@ -23,10 +23,10 @@ FEWEST = 2
 
 
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
-    """The statement with particles and planar bodies introduced together; as it is for fewer, or bodies in space."""
+    """The statement with particles and planar bodies introduced together, and what acts on any bodies; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
     planar = all(b.angle is not None for b in problem.bodies)
-    if len(problem.bodies) < FEWEST or not planar or len(problem.bodies) != len(configuration.rotations):
+    if len(problem.bodies) < FEWEST or len(problem.bodies) != len(configuration.rotations):
         return tuple(body)
     points = [p.name for p in configuration.points]
     introducing = {f"{kind}-{name}" for name in points for kind in ("position", "spin", "momentum")}
@@ -35,8 +35,8 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    groups: list[tuple[set[str], Prose]] = [
-        (introducing, _bodies(solution)),
+    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution))] if planar else []
+    groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
         ({f"moment-{n}" for n in moments}, prose("The applied moments about the mass centres are")),
     ]

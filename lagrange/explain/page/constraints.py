@@ -171,8 +171,8 @@ def _velocities(problem: Problem) -> Iterator[tuple[Vector, sp.Expr]]:
     slots = problem.slots
     places = {p.name: p.position for p in problem.particles} | {b.name: b.position for b in problem.bodies}
     plane = [q for q in slots.coordinates if q.name in ("x", "y")]
-    if len(plane) == 2 and not places:
-        places = {"": Vector((plane[0], plane[1], sp.S.Zero))}
+    if len(plane) == 2:
+        places = {"": Vector((plane[0], plane[1], sp.S.Zero)), **places}
     rates = {name: place.fixed().map(slots.time_derivative) for name, place in places.items()}
     yield from ((rate, rate.as_sum()) for rate in rates.values())
     for a, b in combinations([p.name for p in problem.particles], 2):

@@ -14,7 +14,7 @@ import sympy as sp
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import math, paired, paragraph, prose
+from lagrange.document.builders import listed, math, paired, paragraph, prose
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -285,9 +285,9 @@ def together_shortly(classification: Classification, block: Block) -> Block:
     counts = ["none" if n == 0 else str(n) for n in rest] + ["all"] * (rest[-1] != 0)
     course = joined([counts[0], *(f"of these in turn {n}" for n in counts[1:])])
     return prose(
-        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)}, by Frobenius' "
-        "theorem for several forms: of the combinations ", letter, f" of the {first} forms those with ",
-        math(rate.sides[0], sp.S.Zero), f" in any two displacements that satisfy all constraints are {course}.",
+        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)} (Frobenius' theorem "
+        f"for several forms): of the combinations ", letter, f" of the {first} forms those with ",
+        math(rate.sides[0], sp.S.Zero), f" in any two admissible displacements are {course}.",
     )  # fmt: skip
 
 
@@ -305,7 +305,52 @@ def _relations(together: int, single: int) -> str:
 
 
 def likewise_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
-    """Frobenius' product of a further form in the paragraph that says what follows from it, not displayed."""
+    """Frobenius' product of further forms in paragraphs that say what follows from it, not displayed; equal ones once."""
+    waiting: list[Prose] = []
+    for block in _each_in_a_line(body):
+        first = waiting[0] if waiting else None
+        if first is not None and isinstance(block, Prose) and _product_of(block) == _product_of(first) != ():
+            waiting.append(block)
+            continue
+        yield from _as_one(waiting)
+        waiting = [block] if isinstance(block, Prose) and _product_of(block) else []
+        if not waiting:
+            yield block
+    yield from _as_one(waiting)
+
+
+_NOT_EITHER = " is not exact either: "
+
+
+def _product_of(block: Prose) -> tuple[Part, ...]:
+    """`ω ∧ dω = ..., which does not vanish` of a paragraph on a further form; nothing of any other."""
+    starts = [n for n, p in enumerate(block.parts) if isinstance(p, str) and p.startswith("which do")]
+    if len(block.parts) < 2 or block.parts[1] != _NOT_EITHER or len(starts) != 1:
+        return ()
+    begin = max(n for n, p in enumerate(block.parts[: starts[0]]) if isinstance(p, Ref))
+    return block.parts[begin + 1 : starts[0]]
+
+
+def _as_one(paragraphs: Sequence[Prose]) -> Iterator[Block]:
+    """`(6) and (7) are not exact either, as ... shows for (6). With ω for either of them, ...: neither is integrable.`"""
+    if len(paragraphs) < 2:
+        yield from paragraphs
+        return
+    first = paragraphs[0]
+    refs = [p.parts[0] for p in paragraphs]
+    end = next(n for n, p in enumerate(first.parts) if n > 1 and isinstance(p, str) and p.endswith("."))
+    pair = first.parts[2:end]
+    letter = next(p for p in first.parts[end:] if isinstance(p, Math))
+    each = "either of them" if len(refs) == 2 else "each of them"
+    none = "neither" if len(refs) == 2 else "none of them"
+    many = " which do not vanish" if any(" more component" in str(p) for p in _product_of(first)) else " which does not vanish"
+    product = _product_of(first)
+    product = (*product[:-1], f"{str(product[-1]).rstrip()}") if isinstance(product[-1], str) else product
+    yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}",
+                *product, f"{many}: {none} is integrable.")  # fmt: skip
+
+
+def _each_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
     blocks = list(body)
     n = 0
     while n < len(blocks):

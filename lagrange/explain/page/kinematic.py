@@ -257,6 +257,8 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
         return side
 
     def line(e: Equation) -> Equation:
+        if e.label == "virtual-work":
+            return e
         return replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:]))) if len(e.sides) > 1 else replace(
             e, sides=tuple(map(shorter, e.sides)))  # fmt: skip
 

@@ -41,7 +41,10 @@ def explain_meaning(
     labels     of the equations on the page; None: all of them
     """
     choice = meaning.view.name
-    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
+    form = meaning.view.in_speeds
+    speeds = form is not None and form.equations is not None
+    body: list[Block] = [*_in_short(meaning, stated)]
+    body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += _turning(meaning)
@@ -88,14 +91,15 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, in_speeds: bool
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
-    if len(kept) < len(conserved.integrals):
-        conserved = replace(conserved, integrals=kept)
+    bound = {} if in_speeds else conserved.bound  # in quasi-velocities nobody expects these momenta
+    if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
+        conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)
         if made is None:
             return
