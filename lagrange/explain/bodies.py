@@ -147,7 +147,9 @@ def moments_on(configuration: Configuration) -> list[Block]:
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
-        blocks += [prose(f"{words} on {the(r.name)} about its mass centre{also} is"), display(moment)]
+        pinned = any(p.name == r.name and p.mass == 0 and configuration.is_pinned(p) for p in configuration.points)
+        about = "" if pinned and not beside else " about its mass centre"
+        blocks += [prose(f"{words} on {the(r.name)}{about}{also} is"), display(moment)]
     return blocks
 
 

@@ -324,6 +324,10 @@ def _forms(geometric: Sequence[ConstraintAnalysis], letter: str) -> tuple[sp.Sym
     return form, Wedge(form, differential(form), *others)
 
 
+IN_THREE_VARIABLES = ": that is, in three variables, if the vector of its coefficients is perpendicular to its own curl. Here "
+"""What the condition says without exterior products, for whoever does not know them."""
+
+
 def _explain_frobenius(
     c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis], letter: str
 ) -> list[Block]:
@@ -335,7 +339,8 @@ def _explain_frobenius(
     given = f",{where}," if geometric else ""
     question = prose(
         "It is not exact, but an integrating factor may still exist; by Frobenius' theorem one does"
-        f"{given} if and only if, with ", *forms, ", ", math(product, sp.S.Zero), ". Here ",
+        f"{given} if and only if, with ", *forms, ", ", math(product, sp.S.Zero),
+        IN_THREE_VARIABLES if len(c.row.coefficients) == 3 and not c.contains_time else ". Here ",
     )  # fmt: skip
     end = prose(
         f"This does not vanish{where}: there is no integrating factor, and the constraint hides no relation between "

@@ -177,15 +177,20 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: 
 
 
 def conserved_called(integral: Integral, configuration: Configuration) -> ConservedQuantity:
-    """The quantity; the momentum of an angle is an angular momentum."""
-    q = integral.coordinate
-    if integral.quantity is not ConservedQuantity.MOMENTUM or q is None:
+    """The quantity; the momentum of an angle, also with other coordinates, is an angular momentum."""
+    displaced = (integral.displacement or {}) if integral.coordinate is None else (integral.coordinate,)
+    if integral.quantity is not ConservedQuantity.MOMENTUM or not displaced:
         return integral.quantity
-    waves = (sp.sin, sp.cos)
-    places = [c for p in configuration.points for c in p.position.fixed().components]
-    turned = any(q in w.free_symbols for e in places for w in e.atoms(*waves))
-    turned = turned or any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
+    turned = any(_turns(q, configuration) for q in displaced)
     return ConservedQuantity.ANGULAR_MOMENTUM if turned else integral.quantity
+
+
+def _turns(q: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether a coordinate is an angle: of a position, or of a body."""
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    if any(q in w.free_symbols for e in places for w in e.atoms(sp.sin, sp.cos)):
+        return True
+    return any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
 
 
 def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:

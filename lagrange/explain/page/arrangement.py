@@ -52,6 +52,7 @@ from lagrange.explain.page.kinematic import (
     on_nonlinear_constraint,
     with_short_forms,
     without_division,
+    without_solution,
 )
 from lagrange.explain.page.laws import (
     explain_laws,
@@ -115,8 +116,14 @@ def page(
     stated        the equations of motion in the form of the file's answers, if these are right
     every_choice  whether no choice of coordinates is folded
     """
+    solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
+
+
+def _with_best_choice_first(solution: Solution) -> Solution:
+    """The solution with choices in closed form before those with square roots of either sign."""
+    return replace(solution, choices=tuple(sorted(solution.choices, key=lambda c: bool(c.signs))))
 
 
 def _arranged(
@@ -263,7 +270,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
             made = _of_forms(solution, step) if geometric or _are_same(solution) else step
-            yield without_division(solution, displacements_shortly(made))
+            yield without_division(solution, without_solution(solution, displacements_shortly(made)))
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:

@@ -18,7 +18,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, free_letter, t, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Part, Prose, Ref, Step
-from lagrange.explain.constraints import explain_forms, explain_integrability
+from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.page.constraints import common_number, halved
 from lagrange.explain.words import in_words
@@ -104,7 +104,8 @@ def in_chosen_coordinates(solution: Solution, step: Step) -> Step:
         "It is not exact, but an integrating factor may still exist where the geometric constraints hold. In the "
         "coordinates ", *listed(math(q) for q in slots.coordinates), " of ", substituted[0], " to ", substituted[-1],
         " these hold identically, and the form becomes, without a constant factor, ", math(letter, written),
-        "; by Frobenius' theorem a factor exists if and only if ", math(Wedge(letter, rate), sp.S.Zero), ". Here ",
+        "; by Frobenius' theorem a factor exists if and only if ", math(Wedge(letter, rate), sp.S.Zero),
+        IN_THREE_VARIABLES if len(slots.coordinates) == 3 else ". Here ",
     )  # fmt: skip
     shown = display(Equation((Wedge(letter, rate), volume), label=f"frobenius-{c.row.name}"))
     end = prose(
@@ -164,6 +165,19 @@ def _is_one_coordinate(row: Row) -> bool:
 
 def _only(row: Row, slots: Slots) -> list[sp.Symbol]:
     return [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
+
+
+def without_solution(solution: Solution, step: Step) -> Step:
+    """The conditions on displacements unsolved, where generalized coordinates satisfy them anyway."""
+    at = next((n for n, b in enumerate(step.body) if _is_solution(b)), None)
+    chosen = solution.choices[0].configuration if solution.choices else None
+    if at is None or chosen is None or chosen.rows or solution.own.dynamics is not None or solution.own.equilibrium:
+        return step
+    if not solution.own.elimination.pivots:
+        return step
+    free, size = len(solution.own.elimination.independent), len(solution.problem.slots.coordinates)
+    words = f"{in_words(free, '').split()[0].capitalize()} of the {in_words(size, '').split()[0]} can be chosen freely."
+    return replace(step, body=(*step.body[:at], prose(words), *step.body[at + 3 :]))
 
 
 def without_division(solution: Solution, step: Step) -> Step:

@@ -22,6 +22,7 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
 from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
 LONGEST_FORMS = 12
@@ -89,11 +90,14 @@ def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
     if len(reactions) == 1:
         [r] = reactions
         assert r.rod is not None
-        beginning: tuple[Part, ...] = (
+        pushes = r.constraint.by in (Keeper.SURFACE, Keeper.WIRE)
+        fixed = r.rod.centre is None or r.rod.centre.is_zero
+        end = the(r.rod.ends[1]) if r.rod.ends[1] else "O" if fixed else "its centre"
+        sense = f"positive towards {end}," if pushes else "positive where it pulls,"
+        return [prose(
             f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
-            ", and its reaction acts along it. With the tension ",
-        )  # fmt: skip
-        return [prose(*beginning, *tensions, ", positive where it pulls,")]
+            f", and its reaction acts along it. With the {'force' if pushes else 'tension'} ", *tensions, f", {sense}",
+        )]  # fmt: skip
     return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
                   *tensions, ", positive where they pull,")]  # fmt: skip
 

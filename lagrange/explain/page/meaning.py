@@ -97,7 +97,8 @@ def _conserved(
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
-    bound = {} if in_speeds else conserved.bound  # in quasi-velocities nobody expects these momenta
+    taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
+    bound = {} if in_speeds else {q: p for q, p in conserved.bound.items() if q not in taken}
     if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
         conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)
