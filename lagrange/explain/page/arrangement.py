@@ -157,7 +157,7 @@ def _arranged(
             folded.append(replace(step, folded=_summary(solution, step.choice)))
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
-    work = () if surface is None else work_of_surface(surface)
+    work = () if surface is None or solution.law is None else work_of_surface(surface)
     yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
     for step in _with_meaning(solution, open_, stated):
         yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
@@ -214,7 +214,10 @@ def _is_detour(solution: Solution, step: Step) -> bool:
         return False
     if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
         return True
-    turning = bool(solution.own.configuration.rotations)  # what moves has long laws enough
+    turning = bool(solution.own.configuration.rotations)  # what turns has long laws enough
+    moving = {*solution.own.configuration.slots.coordinates, *first.configuration.slots.coordinates, t}
+    if all(not e.free_symbols & moving for e in first.configuration.expressed.values()):
+        return True  # the others are constant
     return turning or sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
 
 

@@ -22,11 +22,12 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
 from lagrange.mechanics.results import Solution
-from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
 LONGEST_FORMS = 12
 """The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
+NORMAL_FORCES = ("N", "R")
+"""Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
 SHORT_NAME = 2
 """The most characters of a point whose name is written beside another, as in AB."""
 
@@ -90,13 +91,10 @@ def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
     if len(reactions) == 1:
         [r] = reactions
         assert r.rod is not None
-        pushes = r.constraint.by in (Keeper.SURFACE, Keeper.WIRE)
-        fixed = r.rod.centre is None or r.rod.centre.is_zero
-        end = the(r.rod.ends[1]) if r.rod.ends[1] else "O" if fixed else "its centre"
-        sense = f"positive towards {end}," if pushes else "positive where it pulls,"
+        noun = "force" if r.force.name in NORMAL_FORCES else "tension"
         return [prose(
             f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
-            f", and its reaction acts along it. With the {'force' if pushes else 'tension'} ", *tensions, f", {sense}",
+            f", and its reaction acts along it. With the {noun} ", *tensions, ", positive where it pulls,",
         )]  # fmt: skip
     return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
                   *tensions, ", positive where they pull,")]  # fmt: skip
