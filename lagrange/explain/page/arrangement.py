@@ -38,6 +38,7 @@ from lagrange.explain.page.economy import (
     in_pairs,
     lagrangian_once,
     likewise_in_a_line,
+    questions_shortly,
     remaining_shortly,
     said_before,
     together_shortly,
@@ -317,6 +318,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield lagrangian_once(step)
         elif step.rule is Rule.RESPONSE:
             yield with_named_denominators(step, {*solution.problem.scope.names()})
+        elif step.rule is Rule.QUESTION:
+            yield questions_shortly(solution, step)
         elif step.rule is Rule.CHECKS:
             yield in_one_line(step, solution)
         else:

@@ -31,7 +31,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, in_words, joined, plural
+from lagrange.explain.words import capital, in_words, joined, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 
@@ -460,3 +460,44 @@ def _without_momentum(part: Part) -> Part:
     )
     part = part.replace(", angular velocities and angular momenta about the mass centres", " and angular velocities")
     return capital(part) if part.startswith("its angular") else part
+
+
+LONGEST_STEP = 60
+"""The most operations of an intermediate expression in the answer to a question."""
+
+
+def questions_shortly(solution: Solution, step: Step) -> Step:
+    """The answer to a question with the simple conditions put into long expressions; what stays long is left out.
+
+    With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
+    """
+    asked = next((a for a in solution.asked if step.title == f"Question: {spoken(a.question.name)}"), None)
+    if asked is None:
+        return step
+    simple = {c.lhs: c.rhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and isinstance(c.rhs, sp.Symbol)}
+    body: list[Block] = []
+    for block in step.body:
+        if not isinstance(block, Display) or block.boxed or _longest(block) <= LONGEST_STEP:
+            body.append(block)
+            continue
+        lines = tuple(_where(e, simple) for e in block.equations)
+        short = replace(block, equations=tuple(e for e in lines if e.sides[0] != e.sides[-1]))
+        before = body.pop() if body and isinstance(body[-1], Prose) else None
+        if not simple or not short.equations or _longest(short) > LONGEST_STEP:
+            continue
+        if isinstance(before, Prose) and str(before.parts[0]).startswith("In terms of"):
+            given = listed(math(a, b) for a, b in simple.items() if not str(a).endswith("''"))
+            before = prose("With ", *given, ", the equations of motion give")
+        body += [before, short] if before is not None else [short]
+    return replace(step, body=tuple(body))
+
+
+def _longest(block: Display) -> int:
+    return max((int(s.count_ops()) for e in block.equations for s in e.sides if isinstance(s, sp.Expr)), default=0)
+
+
+def _where(e: Equation, simple: Mapping[sp.Expr, sp.Expr]) -> Equation:
+    """An equation with simple values put in; a symbol on the left stays."""
+    first, *rest = (s if isinstance(s, sp.Expr) else sp.S.Zero for s in e.sides)
+    first = first if first.is_Symbol else sp.factor(first.xreplace(dict(simple)))
+    return replace(e, sides=(first, *(sp.factor(s.xreplace(dict(simple))) for s in rest)))
