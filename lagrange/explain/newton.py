@@ -408,7 +408,8 @@ def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    lines = [Equation((w.possible,), label=f"possible-work-{w.reaction.name}") for w in moving]
+    works = ((w, min(w.possible, sp.factor(w.possible), key=lambda e: int(e.count_ops()))) for w in moving)
+    lines = [Equation((work,), label=f"possible-work-{w.reaction.name}") for w, work in works]
     reactions = plural(len(moving), "the reaction of ", "the reactions of ")
     does = plural(len(moving), " does the work", " do the work")
     return [

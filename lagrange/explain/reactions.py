@@ -121,6 +121,8 @@ def _signs(motion: Motion) -> list[Block]:
     return blocks
 
 
+CORDS = ("rope", "string", "cord", "thread", "chain")
+"""What can only pull, by the names of constraints."""
 BY_SURFACE, BY_CURVE = "A surface", "A guide"
 """What keeps a particle or body on one of its sides, in space and in a plane."""
 
@@ -140,8 +142,11 @@ def explain_bounds(newton: Newton) -> list[Block]:
         blocks.append(prose(words, *taut, "."))
     if len(rods) == 1 and rods[0][1].centre is not None and rods[0][0].tension is not None:
         slack = math(rods[0][0].tension, sp.S.Zero, relation="<")
+        cord = next((word for word in CORDS if word in rods[0][0].name), None)
         if "rod" in rods[0][0].name:
             blocks.append(prose("A rod may also push; a string in its place would go slack where ", slack, "."))
+        elif cord is not None:
+            blocks.append(prose(f"A {cord} can only pull, and stays taut as long as ", *tensions, "."))
         else:
             outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
             blocks.append(

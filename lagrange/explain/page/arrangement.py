@@ -240,7 +240,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     newton = law.newton if law is not None else None
     if newton is not None and law is not None and not law.all_frictions:
         newton = newton.in_tensions
-    short = None if geometric or free or laws else with_short_forms(classification)
+    short = None if geometric or free else with_short_forms(classification)
     shown: set[str] = set()
     known = False
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
@@ -252,7 +252,9 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
         elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
-            yield explain_short_forms(short, solution.problem.slots)
+            made = explain_short_forms(short, solution.problem.slots)
+            tabulated = (b for b in made.body if own is None or not isinstance(b, Table))
+            yield replace(made, body=tuple(tabulated))
         elif short is not None and step.rule is Rule.INTEGRABILITY:
             made = in_chosen_coordinates(solution, explain_short_integrability(solution, short))
             yield _integrability_shortly(solution, made)
@@ -273,7 +275,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif step.rule is Rule.DISPLACEMENTS and solution.impact is not None and own is None:
             continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
-            made = _of_forms(solution, step) if geometric or _are_same(solution) else step
+            made = _of_forms(solution, step) if geometric or _are_same(solution) or short is not None else step
             yield without_division(solution, without_solution(solution, displacements_shortly(made)))
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
@@ -380,7 +382,8 @@ def _of_forms(solution: Solution, step: Step) -> Step:
     rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
     at_rest = own.equilibrium is not None or any(v.at_rest is not None for v in solution.views)
-    if own.dynamics is not None or at_rest or solution.impact is not None:
+    derived = own.dynamics is not None or at_rest or solution.impact is not None
+    if derived and not any(r.drift != 0 for r in rows):
         return displacements_of_geometric(configuration, own.elimination)
     normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
     made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)
@@ -412,7 +415,9 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
             r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
             for r in newton.reactions
         }
-        made = replace(made, title=title_of_reactions(newton), body=tuple(_chained(b, sizes) for b in made.body))
+        rule = view.configuration.expressed
+        body = tuple(_chained(b, sizes, rule) for b in made.body)
+        made = replace(made, title=title_of_reactions(newton), body=body)
     yield made
 
 
@@ -427,18 +432,24 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
             yield block
 
 
-def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Block:
+def _chained(
+    block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]
+) -> Block:
     """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_chain(e, sizes) for e in block.equations))
+    return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))
 
 
-def _chain(equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Equation:
+def _chain(
+    equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]
+) -> Equation:
     before = sizes.get(equation.sides[0])
     last = equation.sides[-1]
     if before is None or before.count_ops() > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
         return equation
     if before.free_symbols == last.free_symbols and sp.cancel(before - last) == 0:
         return equation
+    if sp.expand(before.xreplace(dict(rule)) - last) == 0 and before.count_ops() == last.count_ops():
+        return equation  # r for R
     return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

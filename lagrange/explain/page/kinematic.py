@@ -63,7 +63,9 @@ def explain_short_forms(short: Classification, slots: Slots) -> Step:
     first = step.body[0]
     assert isinstance(first, Prose)
     at = next(n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith((", and", " is", " are")))
-    parts = (*first.parts[:at], ", without common factors", *first.parts[at:])
+    follows = first.parts[at]
+    comma = "" if isinstance(follows, str) and follows.startswith(",") else ","
+    parts = (*first.parts[:at], f", without common factors{comma}", *first.parts[at:])
     return replace(step, body=(replace(first, parts=parts), *step.body[1:]))
 
 

@@ -106,7 +106,7 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
     time = "scleronomic" if found.scleronomic else "rheonomic"
     because = f", because of {constraints_called(free)}," if len(free) == 1 < len(found.constraints) else ""
     words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
-    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined))
+    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
     body: tuple[Block, ...] = (prose(f"{words}."),)
     if lines:

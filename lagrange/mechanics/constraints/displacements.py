@@ -24,7 +24,7 @@ import sympy as sp
 from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, written
+from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, ordered_differences, written
 from lagrange.core.expression_size import Sizes
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -296,7 +296,7 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
         return quotient
     factors = sp.factor(quotient)
     shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
-    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
+    return ordered_differences(in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name))))
 
 
 def _is_short(expression: sp.Expr) -> bool:
