@@ -59,8 +59,12 @@ def turns_about_axis(bodies: Mapping[str, Body], configuration: Configuration, n
     """Whether a body has no mass in the file and turns about a fixed axis: its inertia is that about the axis."""
     body = bodies.get(name)
     place = next((p for p in configuration.points if p.name == name), None)
-    return body is not None and body.angle is not None and place is not None and place.mass == 0 and (
-        configuration.is_pinned(place)
+    return (
+        body is not None
+        and body.angle is not None
+        and place is not None
+        and place.mass == 0
+        and (configuration.is_pinned(place))
     )
 
 
@@ -90,9 +94,10 @@ def _inertia(body: Body, rotation: Rotation, hinged: bool) -> tuple[Part, ...]:
         return (*_turns(body), " It has no moment of inertia.")
     if body.angle is not None:
         moment = math(body.inertia[0])
+        axis = "this axis" if hinged else "the axis of rotation through the mass centre"
         return (
             *_turns(body),
-            f" Its moment of inertia about {'this axis' if hinged else 'the axis of rotation through the mass centre'} is ",
+            f" Its moment of inertia about {axis} is ",
             moment,
             ".",
         )

@@ -324,7 +324,9 @@ def _forms(geometric: Sequence[ConstraintAnalysis], letter: str) -> tuple[sp.Sym
     return form, Wedge(form, differential(form), *others)
 
 
-IN_THREE_VARIABLES = ": that is, in three variables, if the vector of its coefficients is perpendicular to its own curl. Here "
+IN_THREE_VARIABLES = (
+    ": that is, in three variables, if the vector of its coefficients is perpendicular to its own curl. Here "
+)
 """What the condition says without exterior products, for whoever does not know them."""
 
 

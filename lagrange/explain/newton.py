@@ -93,7 +93,7 @@ def _support(reaction: Reaction) -> str:
     by = reaction.constraint.by
     if by is not None and by in SURFACES:
         return KEEPERS[by]
-    normal = [*reaction.directions.values()][0].fixed().components if reaction.directions else ()
+    normal = next(iter(reaction.directions.values())).fixed().components if reaction.directions else ()
     straight = bool(normal) and all(s.is_positive for c in normal for s in c.free_symbols)  # parameters, no coordinates
     match len(reaction.row.coefficients):
         case 2:
@@ -396,6 +396,11 @@ def _ends(name: str, first: str, second: str) -> list[Block]:
     ]
 
 
+def _shorter(work: sp.Expr) -> sp.Expr:
+    """A work in factors, where that is shorter."""
+    return min(work, sp.factor(work), key=lambda e: int(e.count_ops()))
+
+
 def _through(moving: Sequence[WorkOfReaction]) -> str:
     """What does that work: a drive, or the force itself where nothing moves and only the velocities are restricted."""
     if all(w.reaction.row.nonlinear is not None for w in moving):
@@ -408,8 +413,7 @@ def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    works = ((w, min(w.possible, sp.factor(w.possible), key=lambda e: int(e.count_ops()))) for w in moving)
-    lines = [Equation((work,), label=f"possible-work-{w.reaction.name}") for w, work in works]
+    lines = [Equation((_shorter(w.possible),), label=f"possible-work-{w.reaction.name}") for w in moving]
     reactions = plural(len(moving), "the reaction of ", "the reactions of ")
     does = plural(len(moving), " does the work", " do the work")
     return [

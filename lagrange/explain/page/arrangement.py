@@ -56,6 +56,7 @@ from lagrange.explain.page.kinematic import (
     without_solution,
 )
 from lagrange.explain.page.laws import (
+    contact_once,
     explain_laws,
     explain_laws_of_bodies,
     explain_work,
@@ -82,9 +83,9 @@ from lagrange.explain.page.named import in_names
 from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once, with_supports
+from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
 from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
-from lagrange.explain.page.system import explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -312,7 +313,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
-            named = (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
+            named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
             yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
             yield _integrability_shortly(solution, step)
@@ -396,6 +397,8 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
         yield step
         return
+    if _needs_no_force(view, newton):
+        return
     first = solution.choices[0] if solution.choices else None
     follows = first is not None and first.dynamics is not None and first.dynamics.reactions is not None
     if view.is_own and follows:
@@ -421,6 +424,13 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     yield made
 
 
+def _needs_no_force(view: InCoordinates, newton: Newton) -> bool:
+    """Whether no constraint exerts a force: one that only defines a coordinate, as an arc length, has λ = 0."""
+    found = None if view.dynamics is None else view.dynamics.reactions
+    multipliers = () if found is None else [found.multipliers.get(r.name) for r in newton.reactions]
+    return bool(multipliers) and all(m == 0 for m in multipliers) and all(r.given is None for r in newton.reactions)
+
+
 def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoordinates) -> Iterator[Block]:
     """The blocks, without how long contact lasts where every normal force is known to keep its sign."""
     sizes = {} if view.dynamics is None or view.dynamics.reactions is None else view.dynamics.reactions.sizes
@@ -432,9 +442,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
             yield block
 
 
-def _chained(
-    block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]
-) -> Block:
+def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]) -> Block:
     """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block

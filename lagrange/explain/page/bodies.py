@@ -1,7 +1,7 @@
 """Bodies on the page: several in a plane introduced together, and what is the same about all axes written once.
 
-Where all moments of inertia of a body are equal, H = J ω with one number J, and J is factored out of dH/dt and of the law
-of angular momentum.
+Where all moments of inertia of a body are equal, H = J ω with one number J, and J is factored out of dH/dt and of the
+law of angular momentum.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FEWEST = 2
 
 
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
-    """The statement with particles and planar bodies introduced together, and what acts on any bodies; as it is for fewer."""
+    """The statement with particles and planar bodies introduced together, and what acts on any; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
     planar = all(b.angle is not None for b in problem.bodies)
     if len(problem.bodies) < FEWEST or len(problem.bodies) != len(configuration.rotations):

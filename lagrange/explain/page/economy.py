@@ -305,7 +305,7 @@ def _relations(together: int, single: int) -> str:
 
 
 def likewise_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
-    """Frobenius' product of further forms in paragraphs that say what follows from it, not displayed; equal ones once."""
+    """Frobenius' product of further forms in the paragraphs that say what follows; equal ones once."""
     waiting: list[Prose] = []
     for block in _each_in_a_line(body):
         first = waiting[0] if waiting else None
@@ -332,7 +332,7 @@ def _product_of(block: Prose) -> tuple[Part, ...]:
 
 
 def _as_one(paragraphs: Sequence[Prose]) -> Iterator[Block]:
-    """`(6) and (7) are not exact either, as ... shows for (6). With ω for either of them, ...: neither is integrable.`"""
+    """`(6) and (7) are not exact either: for (6), ... With ω for either of them, ...: neither is integrable.`"""
     if len(paragraphs) < 2:
         yield from paragraphs
         return
@@ -343,7 +343,11 @@ def _as_one(paragraphs: Sequence[Prose]) -> Iterator[Block]:
     letter = next(p for p in first.parts[end:] if isinstance(p, Math))
     each = "either of them" if len(refs) == 2 else "each of them"
     none = "neither" if len(refs) == 2 else "none of them"
-    many = " which do not vanish" if any(" more component" in str(p) for p in _product_of(first)) else " which does not vanish"
+    many = (
+        " which do not vanish"
+        if any(" more component" in str(p) for p in _product_of(first))
+        else " which does not vanish"
+    )
     product = _product_of(first)
     product = (*product[:-1], f"{str(product[-1]).rstrip()}") if isinstance(product[-1], str) else product
     yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}",
@@ -474,7 +478,9 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
     asked = next((a for a in solution.asked if step.title == f"Question: {spoken(a.question.name)}"), None)
     if asked is None:
         return step
-    simple = {c.lhs: c.rhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and isinstance(c.rhs, sp.Symbol)}
+    simple = {
+        c.lhs: c.rhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and isinstance(c.rhs, sp.Symbol)
+    }
     body: list[Block] = []
     for block in step.body:
         if not isinstance(block, Display) or block.boxed or _longest(block) <= LONGEST_STEP:

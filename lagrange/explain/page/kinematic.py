@@ -17,7 +17,7 @@ from lagrange.algebra.forms.integrability import frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, free_letter, t, variation
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Part, Prose, Ref, Step
+from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.page.constraints import common_number, halved
@@ -98,7 +98,7 @@ def in_chosen_coordinates(solution: Solution, step: Step) -> Step:
     if len(components) != 1 or not components[0].nonzero:
         return step
     [product] = (e.sides[0] for b in (step.body[at],) if isinstance(b, Display) for e in b.equations)
-    letter, rate, *_ = product.args
+    letter, rate, *_ = product.args if isinstance(product, Wedge) else (sp.Symbol("omega"), sp.Symbol("omega"))
     written = sp.Add(*(a * differential(q) for a, q in zip(form, slots.coordinates, strict=True)))
     substituted = [Ref(f"choice-{view.name}-{q.name}") for q in view.configuration.expressed]
     volume = components[0].coefficient * Wedge(*(differential(q) for q in components[0].variables))
@@ -206,7 +206,9 @@ def without_division(solution: Solution, step: Step) -> Step:
         return step
     own = {q: min(e, shortest_form(e), key=lambda x: int(x.count_ops())) for q, e in
            ((q, sp.cancel(e / common)) for q, e in own.items())}  # fmt: skip
-    pivots = [f for f in sp.Mul.make_args(sp.factor(common)) if f.free_symbols & {*slots.coordinates, *slots.prescribed, t}]
+    pivots = [
+        f for f in sp.Mul.make_args(sp.factor(common)) if f.free_symbols & {*slots.coordinates, *slots.prescribed, t}
+    ]
     chosen = (q.name for c in solution.problem.choices for q in c.coordinates)
     names = {*solution.problem.scope.names(), *(q.name for q in slots.coordinates), *chosen}
     s = variation(sp.Symbol(free_letter("s", "u", "sigma", "w", taken=names), real=True))
@@ -264,7 +266,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
     if not rules:
         return step
 
-    def shorter(side: object) -> object:
+    def shorter(side: Mathematics) -> Mathematics:
         if isinstance(side, TimeDerivative) or not isinstance(side, sp.Expr) or not side.has(*slots.velocities):
             return side
         for velocity, square in rules:

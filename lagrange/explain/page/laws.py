@@ -322,15 +322,13 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
     """
     forms = {r.name: virtual_displacement(r, solution.own.configuration.slots) for r in solution.own.configuration.rows}
     at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and _is_work(b)), None)
-    plain = all(
-        w.reaction.name in forms and sp.expand(w.virtual - forms[w.reaction.name]) == 0 for w in solution.works
-    )
+    plain = all(w.reaction.name in forms and sp.expand(w.virtual - forms[w.reaction.name]) == 0 for w in solution.works)
     if at is None or not plain or len(solution.works) < 2 or at + 1 >= len(step.body):
         return step
     shown = step.body[at]
     assert isinstance(shown, Display)
     [e] = shown.equations
-    if _length(e.sides[-1]) <= SHORT_WORK:  # type: ignore[arg-type]
+    if _length(sp.sympify(e.sides[-1])) <= SHORT_WORK:
         return step
     letter = free_letter("W", "A", "w", taken={*solution.problem.scope.names()})
     left = e.sides[0] if len(e.sides) > 1 else variation(sp.Symbol(letter, real=True))
@@ -349,3 +347,20 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
 
 def _is_work(block: Display) -> bool:
     return [e.label for e in block.equations] == ["virtual-work"]
+
+
+def contact_once(step: Step) -> Step:
+    """Conditions of contact, without the force once more where it has just been given."""
+    boxed = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations]
+    known = {e.sides[-1] for e in boxed if isinstance(e.sides[-1], sp.Expr)}
+    body: list[Block] = []
+    for block in step.body:
+        before = body[-1] if body else None
+        leads = isinstance(before, Prose) and str(before.parts[-1]).endswith("that is,")
+        again = isinstance(block, Display) and not block.boxed and all(e.sides[0] in known for e in block.equations)
+        if leads and again and isinstance(before, Prose):
+            last = str(before.parts[-1]).removesuffix("that is,").rstrip(", ")
+            body[-1] = replace(before, parts=(*before.parts[:-1], f"{last}."))
+        else:
+            body.append(block)
+    return replace(step, body=tuple(body))

@@ -126,7 +126,7 @@ def _conserved(
 
 
 def _balances_loads(integral: Integral, conserved: Conserved) -> bool:
-    """Whether it follows from a displacement in which given moments cancel: M_1 δφ + M_2 δψ = 0 for δφ : δψ = −M_2 : M_1.
+    """Whether it follows from a displacement in which given moments cancel: M_1 δφ + M_2 δψ = 0.
 
     That is no symmetry of the system, and holds only while the ratio of the moments stays the same.
     """

@@ -47,7 +47,7 @@ _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
     Rule.EQUILIBRIUM: "the equilibrium",
     Rule.SOLVED_REACTIONS: "the reactions",
-    Rule.WORKLESS: "the reaction and its work",
+    Rule.WORKLESS: "its work",
     Rule.HAMILTON: "Hamilton's function",
     Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
@@ -83,10 +83,10 @@ def explain_result(
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
-    called = listed(
-        "its work" if rule is Rule.WORKLESS and Rule.SOLVED_REACTIONS in kept else _called(rule, kept[rule], solution)
-        for rule in kept
-    )
+    names = [_called(rule, kept[rule], solution) for rule in kept if rule is not Rule.WORKLESS]
+    if Rule.WORKLESS in kept:
+        names += [*(["the reaction"] if Rule.SOLVED_REACTIONS not in kept else []), "its work"]
+    called = listed(names)
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))

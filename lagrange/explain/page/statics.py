@@ -100,7 +100,7 @@ def _reactions(solution: Solution, first: InCoordinates) -> Step | None:
     return explain_reactions_at_rest(first.reactions_at_rest, solution.law.newton, solution.own.reactions_at_rest)
 
 
-# -- two smooth supports of a rod ---------------------------------------------------------------------------------------
+# -- two smooth supports of a rod --------------------------------------------------------------------------------------
 
 
 def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:

@@ -160,7 +160,7 @@ class Motion:
 
     @property
     def sliding(self) -> tuple[sp.Expr, ...]:
-        """The squares of the speeds of slips whose sense the file leaves open: the law holds while they are not zero."""
+        """The squares of the speeds of slips whose sense the file leaves open: the law needs them not zero."""
         open_ = (f for f in self.friction_forces if f.friction.slip is None and f.speed is not None)
         return tuple(f.speed**2 for f in open_ if f.speed is not None)
 

@@ -52,7 +52,7 @@ class Link:
     def falls_as_one(self) -> bool:
         """Whether the forces are the same multiple of the masses."""
         (m, n), (f, g) = self.masses, self.forces
-        return (f * n - g * m).is_zero
+        return bool((f * n - g * m).is_zero)
 
     def symbol(self, n: int, rate: str = "") -> VectorSymbol:
         """r_1 or r_2, with its primes."""
@@ -106,7 +106,7 @@ def linked(solution: Solution) -> Link | None:
         return None
     first, second = configuration.points
     places = (*first.position.fixed().components, *second.position.fixed().components)
-    if tuple(places) != tuple(configuration.slots.coordinates) or own.dynamics.reactions is None:
+    if tuple(c for c in places if c != 0) != tuple(configuration.slots.coordinates) or own.dynamics.reactions is None:
         return None
     [r] = law.newton.in_tensions.reactions
     if r.rod is None or r.tension is None or not r.named or set(r.rod.ends) != {first.name, second.name}:
@@ -114,9 +114,7 @@ def linked(solution: Solution) -> Link | None:
     forces = [
         sum((f.vector for f in configuration.loads if f.on == p.name), Vector.zero()).fixed() for p in (first, second)
     ]
-    made = Link(
-        solution, r, (first.name, second.name), (first.mass, second.mass), (forces[0], forces[1]), r.rod.length
-    )
+    made = Link(solution, r, (first.name, second.name), (first.mass, second.mass), (forces[0], forces[1]), r.rod.length)
     return made if _agrees(made) else None
 
 
@@ -188,13 +186,17 @@ def _motion(link: Link) -> Iterator[Block]:
     )  # fmt: skip
     yield display(together)
     if link.falls_as_one:
-        yield prose("and with the latter, that ", math(link.left_over(1)), " is along the rod. By ", Ref(together.label or ""),
-                    " so is ", math(link.left_over(0)), ". Each divided by its mass, and subtracted, these give")  # fmt: skip
+        yield prose(
+            "and with the latter, that ", math(link.left_over(1)), " is along the rod. By ", Ref("link-together"),
+            " so is ", math(link.left_over(0)), ". Each divided by its mass, and subtracted, these give",
+        )  # fmt: skip
     else:
         yield prose("and with the latter, that ", math(link.left_over(1)), " is along the rod:")
     yield display(across)
     constraint = link.solution.problem.constraints[0]
-    yield prose("Of the components of ", Ref(across.label or ""), " two are independent: with the constraint,")
+    in_space = len(link.solution.own.configuration.slots.coordinates) == 6
+    several: tuple[Part, ...] = ("Of the components of ", Ref("link-across"), " two are independent. ")
+    yield prose(*(several if in_space else ()), "With the constraint, these are the equations of motion:")
     lines = (replace(e, label=None) for e in (together, across))
     yield display(*lines, Equation((constraint.lhs, constraint.rhs), label="motion-link"), boxed=True)
 
