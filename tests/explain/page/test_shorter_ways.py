@@ -85,6 +85,7 @@ def test_friction_is_tried_where_something_slides() -> None:
          "this axis is J"),
         ("ball-in-a-pipe", "about every axis through the mass centre is (2/5) m b²"),
         ("ball-in-a-pipe", "𝐇 = (2/5) m b² 𝛚"),
+        ("towed-blade", "a + l ln(|(x − a + l)/y|) = const"),
         ("differential-hoist", "2y − (R − r) φ = const"),
         ("kapitza-pendulum", "x dx + (y − a cos Ωt) dy"),
         ("shortening-pendulum", "A rope can only pull"),
