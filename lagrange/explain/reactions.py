@@ -123,7 +123,7 @@ def _signs(motion: Motion) -> list[Block]:
 
 CORDS = ("rope", "string", "cord", "thread", "chain")
 """What can only pull, by the names of constraints."""
-BY_SURFACE, BY_CURVE = "A surface", "A guide"
+BY_SURFACE, BY_CURVE = "A surface that", "What"
 """What keeps a particle or body on one of its sides, in space and in a plane."""
 
 
@@ -175,7 +175,7 @@ def explain_bounds(newton: Newton) -> list[Block]:
         curve = any(len(r.row.coefficients) == 2 and r.constraint.by is None for r in normal)
         where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
         blocks.append(
-            prose(f"{BY_CURVE if curve else BY_SURFACE} that can only push stays in contact as long as ", *forces, keep,
+            prose(f"{BY_CURVE if curve else BY_SURFACE} can only push stays in contact as long as ", *forces, keep,
                   f": the reaction must point to the side {where}.")
         )  # fmt: skip
     return blocks

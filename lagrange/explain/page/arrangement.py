@@ -438,7 +438,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
     for block in body:
         first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-        if not certain or not str(first).endswith("that can only push stays in contact as long as "):
+        if not certain or not str(first).endswith("can only push stays in contact as long as "):
             yield block
 
 
