@@ -328,7 +328,8 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
     shown = step.body[at]
     assert isinstance(shown, Display)
     [e] = shown.equations
-    if _length(sp.sympify(e.sides[-1])) <= SHORT_WORK:
+    total = e.sides[-1]
+    if not isinstance(total, sp.Expr) or _length(total) <= SHORT_WORK:
         return step
     letter = free_letter("W", "A", "w", taken={*solution.problem.scope.names()})
     left = e.sides[0] if len(e.sides) > 1 else variation(sp.Symbol(letter, real=True))
