@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
-from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.bodies import (
     explain_exchanged_mass,
@@ -189,11 +189,13 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
         if p.name in bodies:
             blocks.append(_body(configuration, p, bodies))
             hinged = turns_about_axis(bodies, configuration, p.name)
-            if hinged and p.position.is_zero:
-                blocks[-1] = prose(f"{capital(the(p.name))} is a rigid body that turns about a fixed axis through O.")
+            rotating = explain_rotation(bodies[p.name], turning[p.name], hinged=hinged)
+            first = rotating[0]
+            if hinged and p.position.is_zero and isinstance(first, Prose):
+                words = prose(f"{capital(the(p.name))} is a rigid body that turns about a fixed axis through O.")
+                blocks[-1:] = [paragraph(words, first), *rotating[1:]]
             else:
-                blocks.append(display(position))
-            blocks += explain_rotation(bodies[p.name], turning[p.name], hinged=hinged)
+                blocks += [display(position), *rotating]
         else:
             blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
     return [*blocks, *explain_exchanged_mass(configuration)]
