@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import sympy as sp
 
@@ -55,15 +55,29 @@ def unit_vectors(triad: Triad) -> Iterator[tuple[sp.Symbol, Vector]]:
         yield unit, Vector((row[0], row[1], row[2]))
 
 
-def explain_rotation(body: Body, rotation: Rotation) -> list[Block]:
-    """Moments of inertia, angular velocity, angular momentum of a body."""
+def turns_about_axis(bodies: Mapping[str, Body], configuration: Configuration, name: str) -> bool:
+    """Whether a body has no mass in the file and turns about a fixed axis: its inertia is that about the axis."""
+    body = bodies.get(name)
+    place = next((p for p in configuration.points if p.name == name), None)
+    return (
+        body is not None
+        and body.angle is not None
+        and place is not None
+        and place.mass == 0
+        and (configuration.is_pinned(place))
+    )
+
+
+def explain_rotation(body: Body, rotation: Rotation, *, hinged: bool = False) -> list[Block]:
+    """Moments of inertia, angular velocity, angular momentum of a body; `hinged`: about a fixed axis."""
     name = body.name
     lines = [Equation((VectorSymbol(f"omega_{name}"), rotation.angular_velocity), label=f"spin-{name}")]
     if rotation.has_inertia:
         lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
-    both = plural(len(lines), "is", "and its angular momentum about the mass centre are")
+    about = "about it" if hinged else "about the mass centre"
+    both = plural(len(lines), "is", f"and its angular momentum {about} are")
     if rotation.inertia.is_principal:
-        return [prose(*_inertia(body, rotation), f" Its angular velocity {both}"), display(*lines)]
+        return [prose(*_inertia(body, rotation, hinged), f" Its angular velocity {both}"), display(*lines)]
     turns = _turns(body)
     units = listed(math(e) for e in rotation.angular_velocity.triad.units)
     tensor = Matrices(((VectorSymbol(f"J_{name}"), rotation.inertia.rows),))
@@ -75,14 +89,15 @@ def explain_rotation(body: Body, rotation: Rotation) -> list[Block]:
     ]
 
 
-def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
+def _inertia(body: Body, rotation: Rotation, hinged: bool) -> tuple[Part, ...]:
     if not rotation.has_inertia:
         return (*_turns(body), " It has no moment of inertia.")
     if body.angle is not None:
         moment = math(body.inertia[0])
+        axis = "this axis" if hinged else "the axis of rotation through the mass centre"
         return (
             *_turns(body),
-            " Its moment of inertia about the axis of rotation through the mass centre is ",
+            f" Its moment of inertia about {axis} is ",
             moment,
             ".",
         )
@@ -90,6 +105,9 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
     moments = listed(math(m) for m in rotation.inertia.moments)
     about = listed(math(e) for e in units)
     turns = _turns(body)
+    if rotation.inertia.is_isotropic:
+        return (*turns, f"{' ' if turns else ''}Its moment of inertia about every axis through the mass centre is ",
+                math(rotation.inertia.moments[0]), ".")  # fmt: skip
     parts = (
         *turns,
         f"{' ' if turns else ''}Its moments of inertia about the axes ",
@@ -134,7 +152,9 @@ def moments_on(configuration: Configuration) -> list[Block]:
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
-        blocks += [prose(f"{words} on {the(r.name)} about its mass centre{also} is"), display(moment)]
+        pinned = any(p.name == r.name and p.mass == 0 and configuration.is_pinned(p) for p in configuration.points)
+        about = "" if pinned and not beside else " about its mass centre"
+        blocks += [prose(f"{words} on {the(r.name)}{about}{also} is"), display(moment)]
     return blocks
 
 

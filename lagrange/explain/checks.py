@@ -16,7 +16,7 @@ from lagrange.mechanics.results import InCoordinates, Solution
 
 LONGEST_FORMULA = 30
 """The most operations of an acceleration that is written before its value."""
-LONGEST_SPOT = 60
+LONGEST_SPOT = 20
 """The most numbers of a spot value that a reader may want to type."""
 
 

@@ -169,23 +169,25 @@ def _redundancy(classification: Classification, r: Redundancy, letter: str) -> t
     return _form_symbol(classification, r.name, letter), sp.Add(*terms)
 
 
-def explain_losses(classification: Classification) -> list[Prose]:
-    """The places where the constraints are not independent, and those that the constraints exclude."""
+def explain_losses(classification: Classification, *, excluded: bool = True) -> list[Prose]:
+    """The places where the constraints are not independent, and, if `excluded`, those that the constraints exclude."""
     sentences = []
-    excluded: list[Part] = []
+    left_out: list[Part] = []
     for loss in classification.losses[:SHOWN_LOSSES]:
+        if loss.excluded and not excluded:
+            continue
         place, rank = math(*loss.conditions, sp.S.Zero), _rank_there(classification, loss)
         form = Ref(f"form-{loss.vanishing}")
         if loss.excluded:
-            start: tuple[Part, ...] = ("; ", form) if excluded else ("The form ", form, " vanishes")
+            start: tuple[Part, ...] = ("; ", form) if left_out else ("The form ", form, " vanishes")
             verb = plural(len(loss.excluded), "excludes", "exclude")
-            excluded += [*start, " only where ", place, f", which {constraints_called(loss.excluded)} {verb}"]
+            left_out += [*start, " only where ", place, f", which {constraints_called(loss.excluded)} {verb}"]
         elif loss.vanishing:
             sentences.append(prose("Where ", place, ", the form ", form, " vanishes and restricts nothing", *rank, "."))
         else:
             sentences.append(prose("Where ", place, ", the constraints are not independent", *rank, "."))
-    if excluded:
-        sentences.append(prose(*excluded, "."))
+    if left_out:
+        sentences.append(prose(*left_out, "."))
     return sentences
 
 

@@ -324,6 +324,12 @@ def _forms(geometric: Sequence[ConstraintAnalysis], letter: str) -> tuple[sp.Sym
     return form, Wedge(form, differential(form), *others)
 
 
+IN_THREE_VARIABLES = (
+    ": that is, in three variables, if the vector of its coefficients is perpendicular to its own curl. Here "
+)
+"""What the condition says without exterior products, for whoever does not know them."""
+
+
 def _explain_frobenius(
     c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis], letter: str
 ) -> list[Block]:
@@ -335,7 +341,8 @@ def _explain_frobenius(
     given = f",{where}," if geometric else ""
     question = prose(
         "It is not exact, but an integrating factor may still exist; by Frobenius' theorem one does"
-        f"{given} if and only if, with ", *forms, ", ", math(product, sp.S.Zero), ". Here ",
+        f"{given} if and only if, with ", *forms, ", ", math(product, sp.S.Zero),
+        IN_THREE_VARIABLES if len(c.row.coefficients) == 3 and not c.contains_time else ". Here ",
     )  # fmt: skip
     end = prose(
         f"This does not vanish{where}: there is no integrating factor, and the constraint hides no relation between "
@@ -370,8 +377,14 @@ def _unequal(p: PartialsComparison) -> tuple[Part, ...]:
     return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
-def explain_classification(classification: Classification, taken: Collection[str] = ()) -> Step:
-    """Holonomic or not, scleronomic or rheonomic, and why. `taken`: names that the problem uses."""
+def explain_classification(
+    classification: Classification, taken: Collection[str] = (), *, excluded: bool = True
+) -> Step:
+    """Holonomic or not, scleronomic or rheonomic, and why.
+
+    taken     names that the problem uses
+    excluded  whether to name the places where a form would vanish and which the constraints exclude
+    """
     constraints = classification.constraints
     words: list[Part]
     if classification.holonomic is None:
@@ -389,7 +402,7 @@ def explain_classification(classification: Classification, taken: Collection[str
         time_of(classification),
         *explain_one_sided(constraints),
         *explain_redundant(classification, form_letter(taken)),
-        *explain_losses(classification),
+        *explain_losses(classification, excluded=excluded),
     )
     return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences), paragraph(*sentences[:2])),))
 

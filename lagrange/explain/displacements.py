@@ -219,5 +219,7 @@ def points_called(configuration: Configuration) -> str:
     """`particle`, `mass centres`, ..."""
     particles = len(configuration.particles)
     centres = sum(not configuration.is_pinned(p) for p in configuration.points) - particles
-    words = [plural(particles, "particle", "particles")] * bool(particles)
+    massless = all(p.mass == 0 for p in configuration.particles)
+    kind = "point" if massless else "particle"
+    words = [plural(particles, kind, f"{kind}s")] * bool(particles)
     return " and ".join(words + [plural(centres, "mass centre", "mass centres")] * bool(centres))

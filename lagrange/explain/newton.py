@@ -91,7 +91,16 @@ def _is_on_surface(reaction: Reaction) -> bool:
 
 def _support(reaction: Reaction) -> str:
     by = reaction.constraint.by
-    return KEEPERS[by] if by is not None and by in SURFACES else "a surface or curve"
+    if by is not None and by in SURFACES:
+        return KEEPERS[by]
+    normal = next(iter(reaction.directions.values())).fixed().components if reaction.directions else ()
+    straight = bool(normal) and all(s.is_positive for c in normal for s in c.free_symbols)  # parameters, no coordinates
+    match len(reaction.row.coefficients):
+        case 2:
+            return "a straight line" if straight else "a curve"
+        case 3:
+            return "a plane" if straight else "a surface"
+    return "a surface or curve"
 
 
 def _force(reaction: Reaction) -> list[Prose]:
@@ -223,13 +232,20 @@ def _unknowns(reactions: Sequence[Reaction]) -> str:
 def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
     """The magnitude of the friction, its direction, and when the law holds."""
     blocks: list[Block] = []
-    for r in friction_forces:
+    for n, r in enumerate(friction_forces):
+        first_of = next((f for f in friction_forces[:n] if _are_opposite(f, r)), None)
+        if first_of is not None:
+            words = f"The friction {spoken(r.friction.name)} on {the(r.friction.on)} is the opposite of this force."
+            blocks.append(prose(words))
+            continue
         begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
         first: tuple[Part, ...] = (begin, math(r.coefficient), " times the magnitude of the reaction")
+        while_: tuple[Part, ...] = ("the slip is not zero",)
+        if r.speed is not None and r.sense in (1, -1):
+            while_ = (math(r.speed, ZERO, relation=">" if r.sense == 1 else "<"),)
         second: tuple[Part, ...] = (
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
-            "while the slip is not zero; without slip, static friction takes whatever value prevents it, up to a "
-            "limit.",
+            "while ", *while_, "; without slip, static friction takes whatever value prevents it, up to a limit.",
         )  # fmt: skip
         if r.magnitude.count_ops() > LONGEST:
             blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
@@ -239,6 +255,13 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             relation = ">" if r.sign_of_force == 1 else "<"
             blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks
+
+
+def _are_opposite(first: FrictionForce, second: FrictionForce) -> bool:
+    """Whether the second is what the first body does to the other one."""
+    same = (first.reaction.name, first.coefficient, first.magnitude) == (
+        second.reaction.name, second.coefficient, second.magnitude)  # fmt: skip
+    return same and first.friction.on != second.friction.on and (first.slip + second.slip).is_zero
 
 
 def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Block]:
@@ -373,17 +396,29 @@ def _ends(name: str, first: str, second: str) -> list[Block]:
     ]
 
 
+def _shorter(work: sp.Expr) -> sp.Expr:
+    """A work in factors, where that is shorter."""
+    return min(work, sp.factor(work), key=lambda e: int(e.count_ops()))
+
+
+def _through(moving: Sequence[WorkOfReaction]) -> str:
+    """What does that work: a drive, or the force itself where nothing moves and only the velocities are restricted."""
+    if all(w.reaction.row.nonlinear is not None for w in moving):
+        return "nothing moves, but the motion itself is not among the virtual displacements."
+    return "whatever drives the constraint does work through it."
+
+
 def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
     """The work of reactions in a possible displacement, where constraints move."""
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    lines = [Equation((w.possible,), label=f"possible-work-{w.reaction.name}") for w in moving]
+    lines = [Equation((_shorter(w.possible),), label=f"possible-work-{w.reaction.name}") for w in moving]
     reactions = plural(len(moving), "the reaction of ", "the reactions of ")
     does = plural(len(moving), " does the work", " do the work")
     return [
         prose("In a possible displacement, in the time ", math(differential(t)), ", ", reactions,
               constraints_called(w.reaction.name for w in moving), does),
         display(*lines),
-        prose("which need not be zero: whatever drives the constraint does work through it."),
+        prose("which need not be zero: ", _through(moving)),
     ]  # fmt: skip

@@ -121,6 +121,12 @@ def _signs(motion: Motion) -> list[Block]:
     return blocks
 
 
+CORDS = ("rope", "string", "cord", "thread", "chain")
+"""What can only pull, by the names of constraints."""
+BY_SURFACE, BY_CURVE = "A surface that", "What"
+"""What keeps a particle or body on one of its sides, in space and in a plane."""
+
+
 def explain_bounds(newton: Newton) -> list[Block]:
     """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
     blocks: list[Block] = []
@@ -136,8 +142,11 @@ def explain_bounds(newton: Newton) -> list[Block]:
         blocks.append(prose(words, *taut, "."))
     if len(rods) == 1 and rods[0][1].centre is not None and rods[0][0].tension is not None:
         slack = math(rods[0][0].tension, sp.S.Zero, relation="<")
+        cord = next((word for word in CORDS if word in rods[0][0].name), None)
         if "rod" in rods[0][0].name:
             blocks.append(prose("A rod may also push; a string in its place would go slack where ", slack, "."))
+        elif cord is not None:
+            blocks.append(prose(f"A {cord} can only pull, and stays taut as long as ", *tensions, "."))
         else:
             outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
             blocks.append(
@@ -163,9 +172,10 @@ def explain_bounds(newton: Newton) -> list[Block]:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
         held = {the(name) if r.on_body else "the particle" for r in normal for name in r.acts_on}
+        curve = any(len(r.row.coefficients) == 2 and r.constraint.by is None for r in normal)
         where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
         blocks.append(
-            prose("A surface that can only push stays in contact as long as ", *forces, keep,
+            prose(f"{BY_CURVE if curve else BY_SURFACE} can only push stays in contact as long as ", *forces, keep,
                   f": the reaction must point to the side {where}.")
         )  # fmt: skip
     return blocks

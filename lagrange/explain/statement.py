@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
-from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.bodies import (
     explain_exchanged_mass,
@@ -18,6 +18,7 @@ from lagrange.explain.bodies import (
     explain_rotation,
     moments_on,
     triads_of_bodies,
+    turns_about_axis,
     unit_vectors,
 )
 from lagrange.explain.page.texts import set_text
@@ -25,7 +26,7 @@ from lagrange.explain.words import are, capital, constraints_called, load_called
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
-from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
+from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
 
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
@@ -162,11 +163,13 @@ def _frame(problem: Problem) -> list[Block]:
     return blocks
 
 
-def _body(configuration: Configuration, centre: MassPoint) -> Block:
+def _body(configuration: Configuration, centre: MassPoint, bodies: Mapping[str, Body]) -> Block:
     """Its mass, and where its mass centre is."""
     called = the(centre.name)
     if configuration.is_pinned(centre):
         mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
+        if turns_about_axis(bodies, configuration, centre.name):
+            return prose(f"{capital(called)} is a rigid body that turns about a fixed axis through")
         return prose(f"The mass centre of {called}, a rigid body", *mass, ", stays at")
     weighed = any(f.on == centre.name and f.name == "weight" for f in configuration.loads)
     without = () if weighed else (" and has no mass",)
@@ -184,8 +187,15 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
         if p.name in bodies:
-            blocks.append(_body(configuration, p))
-            blocks += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
+            blocks.append(_body(configuration, p, bodies))
+            hinged = turns_about_axis(bodies, configuration, p.name)
+            rotating = explain_rotation(bodies[p.name], turning[p.name], hinged=hinged)
+            first = rotating[0]
+            if hinged and p.position.is_zero and isinstance(first, Prose):
+                words = prose(f"{capital(the(p.name))} is a rigid body that turns about a fixed axis through O.")
+                blocks[-1:] = [paragraph(words, first), *rotating[1:]]
+            else:
+                blocks += [display(position), *rotating]
         else:
             blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
     return [*blocks, *explain_exchanged_mass(configuration)]

@@ -306,8 +306,21 @@ def _constant(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     found = solved_linear(rows, right, Surface())
     if found is None or any(x is None for x in found):
         return {}
-    solved = {a: x for a, x in zip(slots.accelerations, found, strict=True) if x is not None}
+    pairs = zip(slots.accelerations, found, strict=True)
+    solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
     return solved if sum(int(x.count_ops()) for x in solved.values()) <= LONGEST_CONSTANT else {}
+
+
+def _in_one_fraction(x: sp.Expr) -> sp.Expr:
+    """A sum of fractions as one, with a denominator that is not negative where that can be seen."""
+    above, below = sp.fraction(sp.together(x))
+    if not x.is_Add or above.is_number or below.is_number:
+        return x
+    negative = sum(1 for term in sp.Add.make_args(below) if term.could_extract_minus_sign())
+    if 2 * negative > len(sp.Add.make_args(below)):
+        above, below = -above, -below
+    one = sp.factor(above) / below
+    return one if one.count_ops() <= x.count_ops() else x
 
 
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:

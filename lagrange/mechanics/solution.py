@@ -267,7 +267,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
         spot=spot_value(
             System(equations.configuration, equations.expressions),
             {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
-            (*dynamics.slips, *dynamics.shown.positive),
+            (*dynamics.slips, *dynamics.sliding, *dynamics.shown.positive),
             dynamics.contacts,
         ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,

@@ -13,6 +13,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.forms.limits import LONGEST_COMBINED_RELATION
+from lagrange.algebra.fourier.vector_cleanup import ordered_differences
 from lagrange.core.records import record
 
 
@@ -43,7 +44,18 @@ def _combinations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]
             rest = sp.expand(sp.cancel(b / a) * f - g)
             if 0 < len(rest.free_symbols & moving) < fewest:
                 function = sp.Mul(*_without_constants(rest, moving))
-                yield CombinedRelation(-function if function.could_extract_minus_sign() else function, (m, n))
+                function = -function if function.could_extract_minus_sign() else function
+                yield CombinedRelation(_collected(function, coordinates), (m, n))
+
+
+def _collected(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> sp.Expr:
+    """2y − R φ + r φ as 2y − (R − r) φ, where all coordinates occur linearly with constant slopes."""
+    used = [q for q in coordinates if e.has(q)]
+    slopes = [sp.factor(e.diff(q)) for q in used]
+    if any(s.free_symbols & {*coordinates} for s in slopes):
+        return e
+    rest = e.xreplace(dict.fromkeys(used, sp.S.Zero))
+    return sp.Add(rest, *(ordered_differences(s * q) for s, q in zip(slopes, used, strict=True)))
 
 
 def _without_constants(e: sp.Expr, moving: set[sp.Symbol]) -> list[sp.Expr]:

@@ -128,7 +128,7 @@ class FiniteForm:
     @property
     def integral(self) -> sp.Expr | None:
         """F, in the coordinates of the file; F stays constant."""
-        return None if self.found.integral is None else self._written(self.found.integral)
+        return None if self.found.integral is None else shorter_relation(self._written(self.found.integral))
 
     def _written(self, e: sp.Expr) -> sp.Expr:
         return e if self.restriction is None else self.restriction.in_old_coordinates(e)
@@ -210,3 +210,18 @@ def _is_nonzero(e: sp.Expr) -> bool:
         return is_zero(e) is False
     except DivisionByZeroError:
         return False
+
+
+def shorter_relation(e: sp.Expr) -> sp.Expr:
+    """l ((a − x)/l + ln(l |(1 − (a − x)/l)/y|)) + x as a + l ln|(l − a + x)/y|: terms joined."""
+
+    def joined(argument: sp.Expr) -> sp.Expr:
+        constant, rest = argument.as_independent(sp.Abs, as_Add=False)
+        if not constant.is_positive or not isinstance(rest, sp.Abs):
+            return sp.log(argument)
+        return sp.log(sp.Abs(sp.cancel(sp.together(constant * rest.args[0]))))
+
+    if not e.has(sp.log):
+        return e
+    shorter = sp.Add(*(sp.expand_mul(term, deep=False) for term in sp.Add.make_args(e.replace(sp.log, joined))))
+    return shorter if shorter.count_ops() < e.count_ops() else e

@@ -86,6 +86,22 @@ def _degree(expression: sp.Expr, function: type[sp.Function]) -> int:
     return 0
 
 
+def ordered_differences(product: sp.Expr) -> sp.Expr:
+    """−a (r − R) as a (R − r): differences of two symbols with the letter first that is first in the alphabet."""
+    factors = list(sp.Mul.make_args(product))
+    for n, f in enumerate(factors):
+        base, exponent = f.as_base_exp()
+        terms = sp.Add.make_args(base)
+        if len(terms) != 2 or exponent not in (1, -1) or not all((t if t.is_Symbol else -t).is_Symbol for t in terms):
+            continue
+        plus = [t for t in terms if t.is_Symbol]
+        minus = [-t for t in terms if not t.is_Symbol]
+        if len(plus) == 1 and str(minus[0]) < str(plus[0]):
+            factors[n] = (minus[0] - plus[0]) ** exponent
+            factors.append(sp.S.NegativeOne)
+    return sp.Mul(*factors)
+
+
 def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.Expr:
     """x₁² − 2x₁ x₂ + x₂² as (x₂ − x₁)², factored, where that is shorter. Rational functions of the coordinates only."""
     if not is_short(expression):

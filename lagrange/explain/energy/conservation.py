@@ -44,7 +44,7 @@ def explain_conserved(
         body.append(prose("It could not be decided whether ", whose, *names, are(conserved.undecided), "conserved."))
     quantities = "Conserved quantities" if body else ""
     if conserved.energy is not None:
-        body += _of_energy(conserved.energy, choice)
+        body += _of_energy(conserved.energy, choice, conserved.motion.configuration)
         quantities = f"{quantities} and energy balance" if quantities else "Energy balance"
     return Step(Rule.CONSERVED, title_in(quantities, choice), tuple(body)) if body else None
 
@@ -177,15 +177,20 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: 
 
 
 def conserved_called(integral: Integral, configuration: Configuration) -> ConservedQuantity:
-    """The quantity; the momentum of an angle is an angular momentum."""
-    q = integral.coordinate
-    if integral.quantity is not ConservedQuantity.MOMENTUM or q is None:
+    """The quantity; the momentum of an angle, also with other coordinates, is an angular momentum."""
+    displaced = (integral.displacement or {}) if integral.coordinate is None else (integral.coordinate,)
+    if integral.quantity is not ConservedQuantity.MOMENTUM or not displaced:
         return integral.quantity
-    waves = (sp.sin, sp.cos)
-    places = [c for p in configuration.points for c in p.position.fixed().components]
-    turned = any(q in w.free_symbols for e in places for w in e.atoms(*waves))
-    turned = turned or any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
+    turned = any(_turns(q, configuration) for q in displaced)
     return ConservedQuantity.ANGULAR_MOMENTUM if turned else integral.quantity
+
+
+def _turns(q: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether a coordinate is an angle: of a position, or of a body."""
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    if any(q in w.free_symbols for e in places for w in e.atoms(sp.sin, sp.cos)):
+        return True
+    return any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
 
 
 def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:
@@ -214,11 +219,14 @@ def _bound(coordinates: tuple[sp.Symbol, ...]) -> Block:
                  *_varied(coordinates), ".")  # fmt: skip
 
 
-def _of_energy(energy: EnergyRate, choice: str) -> list[Block]:
+def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) -> list[Block]:
     if energy.rate is None:
         return [prose("It could not be decided whether the energy is conserved.")]
     moving = plural(len(energy.driven), "moves, and its reaction does work", "move, and their reactions do work")
     why = f": {constraints_called(energy.driven)} {moving}" if energy.driven else ""
+    if energy.driven and all(r.nonlinear is not None for r in configuration.rows if r.name in energy.driven):
+        why = f": the {plural(len(energy.driven), 'reaction', 'reactions')} of {constraints_called(energy.driven)} "
+        why += plural(len(energy.driven), "does work", "do work")
     line = Equation((TimeDerivative(energy.expression), energy.rate), label=f"energy-rate{suffix_of(choice)}")
     if energy.hidden:
         return [

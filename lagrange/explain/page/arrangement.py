@@ -13,12 +13,15 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
+from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.newton import explain_works
+from lagrange.explain.page.bodies import alike_about_all_axes
 from lagrange.explain.page.constraints import (
     common_number,
     explain_geometric,
@@ -35,6 +38,7 @@ from lagrange.explain.page.economy import (
     in_pairs,
     lagrangian_once,
     likewise_in_a_line,
+    questions_shortly,
     remaining_shortly,
     said_before,
     together_shortly,
@@ -45,15 +49,21 @@ from lagrange.explain.page.kinematic import (
     explain_short_displacements,
     explain_short_forms,
     explain_short_integrability,
+    in_chosen_coordinates,
+    on_nonlinear_constraint,
     with_short_forms,
+    without_division,
+    without_solution,
 )
 from lagrange.explain.page.laws import (
+    contact_once,
     explain_laws,
     explain_laws_of_bodies,
     explain_work,
     has_vector_laws,
     in_forces,
     shares_shortly,
+    work_by_forms,
 )
 from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
@@ -72,15 +82,16 @@ from lagrange.explain.page.motion import (
 from lagrange.explain.page.named import in_names
 from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
-from lagrange.explain.page.statics import said_once
-from lagrange.explain.page.surfaces import in_vectors, on_surface
+from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
+from lagrange.explain.page.vectors import links
+from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
 from lagrange.mechanics.meaning import meaning
-from lagrange.mechanics.results import Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 
 LONGEST_BESIDE = 15
 """The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
@@ -107,8 +118,14 @@ def page(
     stated        the equations of motion in the form of the file's answers, if these are right
     every_choice  whether no choice of coordinates is folded
     """
+    solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
+
+
+def _with_best_choice_first(solution: Solution) -> Solution:
+    """The solution with choices in closed form before those with square roots of either sign."""
+    return replace(solution, choices=tuple(sorted(solution.choices, key=lambda c: bool(c.signs))))
 
 
 def _arranged(
@@ -117,10 +134,16 @@ def _arranged(
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
+    link = links.linked(solution)
     stated = in_names(solution, stated)
-    shortened = said_once(solution, _shortened(solution, steps))
+    shortened = with_supports(solution, said_once(solution, _shortened(solution, steps)))
+    shortened = (alike_about_all_axes(solution, s) for s in shortened)
+    about = (Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.WORKLESS)
+    shortened = (on_nonlinear_constraint(solution, s) if s.rule in about else s for s in shortened)
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
+    if link is not None:
+        shortened, stated = links.in_vectors(link, shortened), ()
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
@@ -135,10 +158,11 @@ def _arranged(
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
     # Of the reaction of a surface the box would need the abbreviations of its step.
-    yield from explain_result(
-        solution, [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS], stated
-    )
-    yield from _with_meaning(solution, open_, stated)
+    solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
+    work = () if surface is None or solution.law is None else work_of_surface(surface)
+    yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
+    for step in _with_meaning(solution, open_, stated):
+        yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
     yield from folded
 
 
@@ -192,7 +216,11 @@ def _is_detour(solution: Solution, step: Step) -> bool:
         return False
     if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
         return True
-    return sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
+    turning = bool(solution.own.configuration.rotations)  # what turns has long laws enough
+    moving = {*solution.own.configuration.slots.coordinates, *first.configuration.slots.coordinates, t}
+    if all(not e.free_symbols & moving for e in first.configuration.expressed.values()):
+        return True  # the others are constant
+    return turning or sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
 
 
 def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
@@ -213,7 +241,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     newton = law.newton if law is not None else None
     if newton is not None and law is not None and not law.all_frictions:
         newton = newton.in_tensions
-    short = None if geometric or free or laws else with_short_forms(classification)
+    short = None if geometric or free else with_short_forms(classification)
     shown: set[str] = set()
     known = False
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
@@ -225,13 +253,19 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
         elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
-            yield explain_short_forms(short, solution.problem.slots)
+            made = explain_short_forms(short, solution.problem.slots)
+            tabulated = (b for b in made.body if own is None or not isinstance(b, Table))
+            yield replace(made, body=tuple(tabulated))
         elif short is not None and step.rule is Rule.INTEGRABILITY:
-            yield _integrability_shortly(solution, explain_short_integrability(solution, short))
+            made = in_chosen_coordinates(solution, explain_short_integrability(solution, short))
+            yield _integrability_shortly(solution, made)
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
-            yield displacements_shortly(explain_short_displacements(solution))
+            yield without_division(solution, displacements_shortly(explain_short_displacements(solution)))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
+        elif step.rule is Rule.CLASSIFICATION:
+            names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            yield explain_classification(classification, names, excluded=False)
         elif step.rule is Rule.STATEMENT:
             system = explain_system(solution, step)
             yield without_momenta(system) if ends_with_speeds(solution) else system
@@ -242,7 +276,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif step.rule is Rule.DISPLACEMENTS and solution.impact is not None and own is None:
             continue  # those in the position of the impact are all that it needs
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
-            yield displacements_shortly(_of_forms(solution, step) if geometric or _are_same(solution) else step)
+            made = _of_forms(solution, step) if geometric or _are_same(solution) or short is not None else step
+            yield without_division(solution, without_solution(solution, displacements_shortly(made)))
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
@@ -253,9 +288,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield explain_work(solution, newton)
         elif laws and step.rule is Rule.WORKLESS and newton is not None:
             own_ = solution.own
-            yield explain_works(works_of_reactions(newton, own_.configuration, own_.elimination), own_.configuration)
+            works = works_of_reactions(newton, own_.configuration, own_.elimination)
+            yield work_by_forms(solution, explain_works(works, own_.configuration))
         elif step.rule is Rule.WORKLESS:
-            yield shares_shortly(solution, step)
+            yield work_by_forms(solution, shares_shortly(solution, step))
         elif laws and step.rule is Rule.CONSERVED and newton is not None:
             yield in_forces(step, newton)
         elif step.rule is Rule.PFAFFIAN_FORM and own is not None:
@@ -277,7 +313,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
-            named = (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
+            named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
             yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
             yield _integrability_shortly(solution, step)
@@ -285,6 +321,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield lagrangian_once(step)
         elif step.rule is Rule.RESPONSE:
             yield with_named_denominators(step, {*solution.problem.scope.names()})
+        elif step.rule is Rule.QUESTION:
+            yield questions_shortly(solution, step)
         elif step.rule is Rule.CHECKS:
             yield in_one_line(step, solution)
         else:
@@ -293,7 +331,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
 
 def _integrability_shortly(solution: Solution, step: Step) -> Step:
     shortly = (together_shortly(solution.classification, b) for b in step.body if b.detail < Detail.FULL)
-    return replace(step, body=tuple(likewise_in_a_line([*shortly])))
+    return replace(step, body=tuple(likewise_in_a_line([b for b in shortly if b != prose()])))
 
 
 def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
@@ -345,7 +383,8 @@ def _of_forms(solution: Solution, step: Step) -> Step:
     rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
     at_rest = own.equilibrium is not None or any(v.at_rest is not None for v in solution.views)
-    if own.dynamics is not None or at_rest or solution.impact is not None:
+    derived = own.dynamics is not None or at_rest or solution.impact is not None
+    if derived and not any(r.drift != 0 for r in rows):
         return displacements_of_geometric(configuration, own.elimination)
     normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
     made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)
@@ -357,6 +396,8 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     view = next(v for v in solution.views if v.name == step.choice)
     if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
         yield step
+        return
+    if _needs_no_force(view, newton):
         return
     first = solution.choices[0] if solution.choices else None
     follows = first is not None and first.dynamics is not None and first.dynamics.reactions is not None
@@ -371,25 +412,52 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     made = explain_reactions(view.dynamics, newton, step.choice, first=before)
     if made is None:
         return
-    made = replace(made, choice=step.choice)
+    made = replace(made, choice=step.choice, body=tuple(_without_certain_contact(made.body, newton, view)))
     if view is first and own is not None and own.reactions is not None:
         sizes = {
             r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
             for r in newton.reactions
         }
-        made = replace(made, title=title_of_reactions(newton), body=tuple(_chained(b, sizes) for b in made.body))
+        rule = view.configuration.expressed
+        body = tuple(_chained(b, sizes, rule) for b in made.body)
+        made = replace(made, title=title_of_reactions(newton), body=body)
     yield made
 
 
-def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Block:
+def _needs_no_force(view: InCoordinates, newton: Newton) -> bool:
+    """Whether no constraint exerts a force: one that only defines a coordinate, as an arc length, has λ = 0."""
+    found = None if view.dynamics is None else view.dynamics.reactions
+    multipliers = () if found is None else [found.multipliers.get(r.name) for r in newton.reactions]
+    return bool(multipliers) and all(m == 0 for m in multipliers) and all(r.given is None for r in newton.reactions)
+
+
+def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoordinates) -> Iterator[Block]:
+    """The blocks, without how long contact lasts where every normal force is known to keep its sign."""
+    sizes = {} if view.dynamics is None or view.dynamics.reactions is None else view.dynamics.reactions.sizes
+    normal = [sizes.get(r.name) for r in newton.reactions if r.is_normal and r.constraint.side is None]
+    certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
+    for block in body:
+        first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
+        if not certain or not str(first).endswith("can only push stays in contact as long as "):
+            yield block
+
+
+def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]) -> Block:
     """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_chain(e, sizes) for e in block.equations))
+    return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))
 
 
-def _chain(equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Equation:
+def _chain(
+    equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]
+) -> Equation:
     before = sizes.get(equation.sides[0])
-    if before is None or before.count_ops() > LONGEST_BEFORE or before == equation.sides[-1]:
+    last = equation.sides[-1]
+    if before is None or before.count_ops() > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
         return equation
+    if before.free_symbols == last.free_symbols and sp.cancel(before - last) == 0:
+        return equation
+    if sp.expand(before.xreplace(dict(rule)) - last) == 0 and before.count_ops() == last.count_ops():
+        return equation  # r for R
     return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

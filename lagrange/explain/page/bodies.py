@@ -1,13 +1,20 @@
-"""Several bodies in a plane, introduced together: positions, angles, moments of inertia; then weights; then moments."""
+"""Bodies on the page: several in a plane introduced together, and what is the same about all axes written once.
+
+Where all moments of inertia of a body are equal, H = J ω with one number J, and J is factored out of dH/dt and of the
+law of angular momentum.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import VectorSymbol
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose, series
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose
+from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
 from lagrange.explain.words import capital, joined, plural, the
 from lagrange.mechanics.results import Solution
 
@@ -16,10 +23,10 @@ FEWEST = 2
 
 
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
-    """The statement with particles and planar bodies introduced together; as it is for fewer, or bodies in space."""
+    """The statement with particles and planar bodies introduced together, and what acts on any; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
     planar = all(b.angle is not None for b in problem.bodies)
-    if len(problem.bodies) < FEWEST or not planar or len(problem.bodies) != len(configuration.rotations):
+    if len(problem.bodies) < FEWEST or len(problem.bodies) != len(configuration.rotations):
         return tuple(body)
     points = [p.name for p in configuration.points]
     introducing = {f"{kind}-{name}" for name in points for kind in ("position", "spin", "momentum")}
@@ -28,8 +35,8 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    groups: list[tuple[set[str], Prose]] = [
-        (introducing, _bodies(solution)),
+    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution))] if planar else []
+    groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
         ({f"moment-{n}" for n in moments}, prose("The applied moments about the mass centres are")),
     ]
@@ -73,3 +80,38 @@ def _bodies(solution: Solution) -> Prose:
     if particles:
         also[0] = "positions of the particles and mass centres"
     return prose(*beside, "The bodies are rigid: ", *series(clauses), f". The {joined(also)} are")
+
+
+def alike_about_all_axes(solution: Solution, step: Step) -> Step:
+    """A step with H = J ω and J factored out where a body has one moment of inertia J about all axes."""
+    moments = {
+        r.name: r.inertia.moments[0]
+        for r in solution.own.configuration.rotations
+        if r.has_inertia and r.inertia.is_isotropic
+    }
+    if not moments:
+        return step
+    blocks = (
+        replace(b, equations=tuple(_with_one_moment(e, moments) for e in b.equations)) if isinstance(b, Display) else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(blocks))
+
+
+def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:
+    label = e.label or ""
+    for name, moment in moments.items():
+        if label == f"momentum-{name}":
+            return replace(e, sides=(e.sides[0], moment * VectorSymbol(f"omega_{name}")))
+        if label.startswith("momentum-rate") and label.endswith(f"-{name}"):
+            return replace(e, sides=(e.sides[0], *(_divided(s, moment) for s in e.sides[1:])))
+        if label.startswith(f"turning-{name}-") and isinstance(e.sides[0], sp.Expr):
+            return replace(e, sides=(moment * sp.expand(e.sides[0] / moment), *e.sides[1:]))
+    return e
+
+
+def _divided(side: Mathematics, moment: sp.Expr) -> Mathematics:
+    if not isinstance(side, Vector):
+        return side
+    within = side.map(lambda c: sp.expand(c / moment))
+    return moment * within.as_sum()

@@ -6,14 +6,15 @@ each of these takes one line. Where any of this needs an argument, the sections 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.integrability import PartialsComparison
-from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
+from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
@@ -138,7 +139,8 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
 
 def without_component(problem: Problem, step: Step) -> Step:
     """The constraints, with v·n = 0 for one that forbids a velocity along a unit vector that the file names."""
-    lines = [line for c in problem.constraints if (line := _across(problem, c)) is not None]
+    finite = [c.lhs - c.rhs for c in problem.constraints if not c.kinematic]
+    lines = [line for c in problem.constraints if (line := _across(problem, c, Surface(finite))) is not None]
     if not lines:
         return step
     one, more = "a component of the velocity vanishes", "components of velocities vanish"
@@ -147,24 +149,44 @@ def without_component(problem: Problem, step: Step) -> Step:
     return replace(step, body=(*step.body[:at], prose(words), display(*lines), *step.body[at:]))
 
 
-def _across(problem: Problem, constraint: Constraint) -> Equation | None:
-    """(x' i + y' j)·n = 0, where the constraint is that."""
+def _across(problem: Problem, constraint: Constraint, surface: Surface) -> Equation | None:
+    """(x' i + y' j)·n = 0, or ½ (r_A' + r_B')·n = 0, where the constraint is that on the geometric constraints."""
     if not constraint.kinematic:
         return None
     slots = problem.slots
     difference = constraint.lhs - constraint.rhs
-    places = [*(p.position for p in problem.particles), *(b.position for b in problem.bodies)]
-    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
-    if len(plane) == 2 and not places:
-        places = [Vector((plane[0], plane[1], sp.S.Zero))]
     for name, direction in problem.abbreviations.items():
-        if not isinstance(direction, Vector) or is_zero(direction.dot(direction) - 1) is not True:
+        if not isinstance(direction, Vector) or surface.is_zero(direction.dot(direction) - 1) is not True:
             continue
-        for place in places:
-            velocity = place.fixed().map(slots.time_derivative)
+        for velocity, written in _velocities(problem):
             product = velocity.dot(direction.fixed())
-            if is_zero(difference - product) is True or is_zero(difference + product) is True:
-                return Equation((DotProduct(velocity.as_sum(), VectorSymbol(name)), sp.S.Zero))
+            factor = _ratio(difference, product, slots)
+            if factor is not None and surface.is_zero(difference - factor * product) is True:
+                return Equation((DotProduct(written, VectorSymbol(name)), sp.S.Zero))
+    return None
+
+
+def _velocities(problem: Problem) -> Iterator[tuple[Vector, sp.Expr]]:
+    """The velocities of a point, of particles and bodies, and of the middle between two particles, each as written."""
+    slots = problem.slots
+    places = {p.name: p.position for p in problem.particles} | {b.name: b.position for b in problem.bodies}
+    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
+    if len(plane) == 2:
+        places = {"": Vector((plane[0], plane[1], sp.S.Zero)), **places}
+    rates = {name: place.fixed().map(slots.time_derivative) for name, place in places.items()}
+    yield from ((rate, rate.as_sum()) for rate in rates.values())
+    for a, b in combinations([p.name for p in problem.particles], 2):
+        half = sp.Mul(sp.S.Half, VectorSymbol(f"r_{a}'") + VectorSymbol(f"r_{b}'"), evaluate=False)
+        yield (rates[a] + rates[b]) * sp.S.Half, half
+
+
+def _ratio(whole: sp.Expr, part: sp.Expr, slots: Slots) -> sp.Expr | None:
+    """The constant by which two expressions in velocities differ, if it is one."""
+    for v in slots.velocities:
+        a, b = whole.diff(v), part.diff(v)
+        if b != 0:
+            ratio = sp.cancel(a / b)
+            return None if ratio == 0 or ratio.free_symbols & {*slots.coordinates, *slots.velocities, t} else ratio
     return None
 
 

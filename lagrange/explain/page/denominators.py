@@ -28,7 +28,9 @@ def _named(block: Block, taken: Collection[str]) -> Block:
     if len(shared) != 1:
         return block
     [base] = shared
-    letter = sp.Symbol(free_letter("Delta", "D", "D_0", taken=taken), real=True)
+    name = free_letter("Delta", "D", "D_0", taken=taken)
+    positive = bool(sp.expand(base).is_positive)
+    letter = sp.Symbol(name, positive=True) if positive else sp.Symbol(name, real=True)
     lines = tuple(replace(e, sides=tuple(_with_letter(s, base, letter) for s in e.sides)) for e in block.equations)
     return replace(block, equations=(*lines, Equation((letter, base))))
 

@@ -14,7 +14,7 @@ import sympy as sp
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import math, paired, paragraph, prose
+from lagrange.document.builders import listed, math, paired, paragraph, prose
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -31,7 +31,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, in_words, plural
+from lagrange.explain.words import capital, in_words, joined, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 
@@ -277,25 +277,84 @@ def together_shortly(classification: Classification, block: Block) -> Block:
     flag = classification.flag
     if not block.parts[0].startswith("Taken together, the constraints may imply") or len(flag.ranks) < 2:
         return block
-    relations = in_words(flag.integrable_rank or 0, "finite relation") if flag.integrable_rank else "no finite relation"
+    several = sum(c.integrable is True for c in classification.constraints)
+    if several == flag.integrable_rank == len(classification.constraints) - 1 and _rest_is_finite(classification):
+        return prose()  # the only form that is not integrable has been tested where the others hold
     letter, rate = (p for p in block.parts if isinstance(p, Math))
     first, *rest = flag.ranks
-    numbers = ["none" if n == 0 else str(n) for n in rest]
-    remain = plural(rest[0] or 1, "remains", "remain")
-    course = f"of {first} forms {numbers[0]} {remain}"
-    course += "".join(f", then {n}" for n in numbers[1:])
-    course += "" if rest[-1] == 0 else ", and no fewer"
-    return paragraph(
-        prose(f"Taken together, the constraints imply {relations} between the coordinates."),
-        prose(
-            "To see it keep only the combinations ", letter, " of the forms for which ", rate, " vanishes in any two "
-            f"displacements that satisfy all the constraints, and repeat this: {course} (Frobenius' theorem).",
-        ),
+    counts = ["none" if n == 0 else str(n) for n in rest] + ["all"] * (rest[-1] != 0)
+    course = joined([counts[0], *(f"of these in turn {n}" for n in counts[1:])])
+    return prose(
+        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)} (Frobenius' theorem "
+        f"for several forms): of the combinations ", letter, f" of the {first} forms those with ",
+        math(rate.sides[0], sp.S.Zero), f" in any two admissible displacements are {course}.",
     )  # fmt: skip
 
 
+def _rest_is_finite(classification: Classification) -> bool:
+    return all(c.row.finite is not None for c in classification.constraints if c.integrable)
+
+
+def _relations(together: int, single: int) -> str:
+    """What the constraints imply together, beside the relations that single ones are."""
+    if together == 0:
+        return "no finite relation"
+    if together == single:
+        return "no finite relation beyond " + plural(single, "that one", "those")
+    return f"{in_words(together, 'finite relation')} between the coordinates"
+
+
 def likewise_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
-    """Frobenius' product of a further form in the paragraph that says what follows from it, not displayed."""
+    """Frobenius' product of further forms in the paragraphs that say what follows; equal ones once."""
+    waiting: list[Prose] = []
+    for block in _each_in_a_line(body):
+        first = waiting[0] if waiting else None
+        if first is not None and isinstance(block, Prose) and _product_of(block) == _product_of(first) != ():
+            waiting.append(block)
+            continue
+        yield from _as_one(waiting)
+        waiting = [block] if isinstance(block, Prose) and _product_of(block) else []
+        if not waiting:
+            yield block
+    yield from _as_one(waiting)
+
+
+_NOT_EITHER = " is not exact either: "
+
+
+def _product_of(block: Prose) -> tuple[Part, ...]:
+    """`ω ∧ dω = ..., which does not vanish` of a paragraph on a further form; nothing of any other."""
+    starts = [n for n, p in enumerate(block.parts) if isinstance(p, str) and p.startswith("which do")]
+    if len(block.parts) < 2 or block.parts[1] != _NOT_EITHER or len(starts) != 1:
+        return ()
+    begin = max(n for n, p in enumerate(block.parts[: starts[0]]) if isinstance(p, Ref))
+    return block.parts[begin + 1 : starts[0]]
+
+
+def _as_one(paragraphs: Sequence[Prose]) -> Iterator[Block]:
+    """`(6) and (7) are not exact either: for (6), ... With ω for either of them, ...: neither is integrable.`"""
+    if len(paragraphs) < 2:
+        yield from paragraphs
+        return
+    first = paragraphs[0]
+    refs = [p.parts[0] for p in paragraphs]
+    end = next(n for n, p in enumerate(first.parts) if n > 1 and isinstance(p, str) and p.endswith("."))
+    pair = first.parts[2:end]
+    letter = next(p for p in first.parts[end:] if isinstance(p, Math))
+    each = "either of them" if len(refs) == 2 else "each of them"
+    none = "neither" if len(refs) == 2 else "none of them"
+    many = (
+        " which do not vanish"
+        if any(" more component" in str(p) for p in _product_of(first))
+        else " which does not vanish"
+    )
+    product = _product_of(first)
+    product = (*product[:-1], f"{str(product[-1]).rstrip()}") if isinstance(product[-1], str) else product
+    yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}",
+                *product, f"{many}: {none} is integrable.")  # fmt: skip
+
+
+def _each_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
     blocks = list(body)
     n = 0
     while n < len(blocks):
@@ -405,3 +464,46 @@ def _without_momentum(part: Part) -> Part:
     )
     part = part.replace(", angular velocities and angular momenta about the mass centres", " and angular velocities")
     return capital(part) if part.startswith("its angular") else part
+
+
+LONGEST_STEP = 60
+"""The most operations of an intermediate expression in the answer to a question."""
+
+
+def questions_shortly(solution: Solution, step: Step) -> Step:
+    """The answer to a question with the simple conditions put into long expressions; what stays long is left out.
+
+    With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
+    """
+    asked = next((a for a in solution.asked if step.title == f"Question: {spoken(a.question.name)}"), None)
+    if asked is None:
+        return step
+    simple = {
+        c.lhs: c.rhs for c in asked.question.when if isinstance(c.lhs, sp.Symbol) and isinstance(c.rhs, sp.Symbol)
+    }
+    body: list[Block] = []
+    for block in step.body:
+        if not isinstance(block, Display) or block.boxed or _longest(block) <= LONGEST_STEP:
+            body.append(block)
+            continue
+        lines = tuple(_where(e, simple) for e in block.equations)
+        short = replace(block, equations=tuple(e for e in lines if e.sides[0] != e.sides[-1]))
+        before = body.pop() if body and isinstance(body[-1], Prose) else None
+        if not simple or not short.equations or _longest(short) > LONGEST_STEP:
+            continue
+        if isinstance(before, Prose) and str(before.parts[0]).startswith("In terms of"):
+            given = listed(math(a, b) for a, b in simple.items() if not str(a).endswith("''"))
+            before = prose("With ", *given, ", the equations of motion give")
+        body += [before, short] if before is not None else [short]
+    return replace(step, body=tuple(body))
+
+
+def _longest(block: Display) -> int:
+    return max((int(s.count_ops()) for e in block.equations for s in e.sides if isinstance(s, sp.Expr)), default=0)
+
+
+def _where(e: Equation, simple: Mapping[sp.Expr, sp.Expr]) -> Equation:
+    """An equation with simple values put in; a symbol on the left stays."""
+    first, *rest = (s if isinstance(s, sp.Expr) else sp.S.Zero for s in e.sides)
+    first = first if first.is_Symbol else sp.factor(first.xreplace(dict(simple)))
+    return replace(e, sides=(first, *(sp.factor(s.xreplace(dict(simple))) for s in rest)))

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.symbols import DotProduct, VectorSymbol
+from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
@@ -26,6 +26,8 @@ from lagrange.mechanics.results import Solution
 ZERO = sp.S.Zero
 LONGEST_FORMS = 12
 """The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
+NORMAL_FORCES = ("N", "R")
+"""Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
 SHORT_NAME = 2
 """The most characters of a point whose name is written beside another, as in AB."""
 
@@ -89,11 +91,11 @@ def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
     if len(reactions) == 1:
         [r] = reactions
         assert r.rod is not None
-        beginning: tuple[Part, ...] = (
+        noun = "force" if r.force.name in NORMAL_FORCES else "tension"
+        return [prose(
             f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
-            ", and its reaction acts along it. With the tension ",
-        )  # fmt: skip
-        return [prose(*beginning, *tensions, ", positive where it pulls,")]
+            f", and its reaction acts along it. With the {noun} ", *tensions, ", positive where it pulls,",
+        )]  # fmt: skip
     return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
                   *tensions, ", positive where they pull,")]  # fmt: skip
 
@@ -307,3 +309,59 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
         elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
             body.append(block)
     return replace(step, body=(*body, *_single(several, ())))
+
+
+SHORT_WORK = 24
+"""The most operations of the virtual work of reactions that is written out where the forms have just been shown."""
+
+
+def work_by_forms(solution: Solution, step: Step) -> Step:
+    """The work of the reactions as multiples of the conditions on virtual displacements, where these are long.
+
+    Each term is a multiplier times the left side of one of them: to write it out repeats them.
+    """
+    forms = {r.name: virtual_displacement(r, solution.own.configuration.slots) for r in solution.own.configuration.rows}
+    at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and _is_work(b)), None)
+    plain = all(w.reaction.name in forms and sp.expand(w.virtual - forms[w.reaction.name]) == 0 for w in solution.works)
+    if at is None or not plain or len(solution.works) < 2 or at + 1 >= len(step.body):
+        return step
+    shown = step.body[at]
+    assert isinstance(shown, Display)
+    [e] = shown.equations
+    total = e.sides[-1]
+    if not isinstance(total, sp.Expr) or _length(total) <= SHORT_WORK:
+        return step
+    letter = free_letter("W", "A", "w", taken={*solution.problem.scope.names()})
+    left = e.sides[0] if len(e.sides) > 1 else variation(sp.Symbol(letter, real=True))
+    first, *others = solution.works
+    terms: list[tuple[Part, ...]] = [
+        (math(first.reaction.force), " times the left side of ", Ref(f"virtual-{first.reaction.name}"))
+    ]
+    terms += [(math(w.reaction.force), " times that of ", Ref(f"virtual-{w.reaction.name}")) for w in others]
+    words = prose("In a virtual displacement the work of the reactions is the sum of ", *series(terms), ":")
+    before = [*step.body[: at - 1]]
+    if before and isinstance(before[-1], Prose):
+        words = paragraph(before.pop(), words)  # type: ignore[arg-type]
+    line = display(replace(e, sides=(left, ZERO), condition=("the constraints are workless",)))
+    return replace(step, body=(*before, words, line, *step.body[at + 2 :]))
+
+
+def _is_work(block: Display) -> bool:
+    return [e.label for e in block.equations] == ["virtual-work"]
+
+
+def contact_once(step: Step) -> Step:
+    """Conditions of contact, without the force once more where it has just been given."""
+    boxed = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations]
+    known = {e.sides[-1] for e in boxed if isinstance(e.sides[-1], sp.Expr)}
+    body: list[Block] = []
+    for block in step.body:
+        before = body[-1] if body else None
+        leads = isinstance(before, Prose) and str(before.parts[-1]).endswith("that is,")
+        again = isinstance(block, Display) and not block.boxed and all(e.sides[0] in known for e in block.equations)
+        if leads and again and isinstance(before, Prose):
+            last = str(before.parts[-1]).removesuffix("that is,").rstrip(", ")
+            body[-1] = replace(before, parts=(*before.parts[:-1], f"{last}."))
+        else:
+            body.append(block)
+    return replace(step, body=tuple(body))

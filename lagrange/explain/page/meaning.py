@@ -15,7 +15,7 @@ from lagrange.explain.energy.conservation import conserved_called, explain_conse
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised
-from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
+from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
 from lagrange.mechanics.meaning import Limit, Meaning
 
 if TYPE_CHECKING:
@@ -41,7 +41,10 @@ def explain_meaning(
     labels     of the equations on the page; None: all of them
     """
     choice = meaning.view.name
-    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
+    form = meaning.view.in_speeds
+    speeds = form is not None and form.equations is not None
+    body: list[Block] = [*_in_short(meaning, stated)]
+    body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += _turning(meaning)
@@ -88,11 +91,20 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, in_speeds: bool
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
+    kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
+    taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
+    bound = {} if in_speeds else {q: p for q, p in conserved.bound.items() if q not in taken}
+    if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
+        conserved = replace(conserved, integrals=kept, bound=bound)
+        made = explain_conserved(conserved, step.choice)
+        if made is None:
+            return
+        step = made
     proofs = [proof_of(conserved, i) for i in conserved.integrals]
     equations = {label_of(conserved.motion, e) for e in conserved.motion.equations}
     proven = labels is None or not conserved.integrals or equations <= {*labels}
@@ -111,6 +123,18 @@ def _conserved(
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+
+
+def _balances_loads(integral: Integral, conserved: Conserved) -> bool:
+    """Whether it follows from a displacement in which given moments cancel: M_1 δφ + M_2 δψ = 0.
+
+    That is no symmetry of the system, and holds only while the ratio of the moments stays the same.
+    """
+    configuration = conserved.motion.configuration
+    given = [m.vector for m in configuration.torques] + [f.vector for f in configuration.loads if f.name != "weight"]
+    moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
+    symbols = {s for v in given for c in v.components for s in c.free_symbols} - moving
+    return any(x.free_symbols & symbols for x in (integral.displacement or {}).values())
 
 
 def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:

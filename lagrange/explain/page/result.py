@@ -20,7 +20,7 @@ from lagrange.document.derivation import Block, Detail, Display, Equation, Part,
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
 from lagrange.explain.rest.statics import stability_in_short
-from lagrange.explain.words import branch_conditions, in_words, sign_conditions, spoken
+from lagrange.explain.words import branch_conditions, constraints_called, in_words, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -45,9 +45,10 @@ LONGEST_WORDS = 12
 
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
-    Rule.SOLVED_REACTIONS: "the reactions",
-    Rule.HAMILTON: "Hamilton's function",
     Rule.EQUILIBRIUM: "the equilibrium",
+    Rule.SOLVED_REACTIONS: "the reactions",
+    Rule.WORKLESS: "its work",
+    Rule.HAMILTON: "Hamilton's function",
     Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
     Rule.LINEARIZATION: "small oscillations",
@@ -58,13 +59,17 @@ _CALLED = {
 """What the box may contain, in this order."""
 
 
-def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -> Iterator[Step]:
+def explain_result(
+    solution: Solution, steps: list[Step], stated: Stated = (), work: Sequence[Equation] = ()
+) -> Iterator[Step]:
     """The results together, at the head; nothing where there are none.
 
     steps   of the page, without those that are folded
     stated  the equations of motion in another form, known to be right, for where they are shorter so
+    work    of the reactions, where the page is about it
     """
     kept = dict(_from_steps(solution, steps, stated))
+    kept[Rule.WORKLESS] = [*work]
     for view in (solution.own, *solution.choices[:1]):  # the last is in the coordinates that are chosen, and shorter
         kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
     kept[Rule.IMPACT] = [*_impact(solution)]
@@ -78,7 +83,10 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
-    called = listed(_called(rule, kept[rule], solution) for rule in kept)
+    names = [_called(rule, kept[rule], solution) for rule in kept if rule is not Rule.WORKLESS]
+    if Rule.WORKLESS in kept:
+        names += [*(["the reaction"] if Rule.SOLVED_REACTIONS not in kept else []), "its work"]
+    called = listed(names)
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
@@ -93,10 +101,12 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
         return
     if found.holonomic is None or found.scleronomic is None:
         return
+    free = [c.row.name for c in found.constraints if c.integrable is False]
     kind = "holonomic" if found.holonomic else "nonholonomic"
     time = "scleronomic" if found.scleronomic else "rheonomic"
-    words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind} and {time}"
-    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined))
+    because = f", because of {constraints_called(free)}," if len(free) == 1 < len(found.constraints) else ""
+    words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
+    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
     body: tuple[Block, ...] = (prose(f"{words}."),)
     if lines:

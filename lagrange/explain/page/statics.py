@@ -9,11 +9,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Block, Display, Rule, Step
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.ranges import ends_of
+from lagrange.core.symbols import Bounded, DotProduct, VectorSymbol, free_letter
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Ref, Rule, Step
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.reactions import explain_reactions_at_rest
+from lagrange.explain.words import joined, plural
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.supports import Support, Supports, supports
+
+ZERO = sp.S.Zero
 
 
 def said_once(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
@@ -89,3 +98,101 @@ def _reactions(solution: Solution, first: InCoordinates) -> Step | None:
     if first.reactions_at_rest is None or solution.law is None:
         return None
     return explain_reactions_at_rest(first.reactions_at_rest, solution.law.newton, solution.own.reactions_at_rest)
+
+
+# -- two smooth supports of a rod --------------------------------------------------------------------------------------
+
+
+def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps, with the forces of two supports of a rod where the coordinates leave them out."""
+    found = supports(solution)
+    if found is None:
+        yield from steps
+        return
+    names = {*solution.problem.scope.names(), *(q.name for c in solution.problem.choices for q in c.coordinates)}
+    letter = free_letter("N", "R", "Q", taken=names, of=[s.point for s in found.at])
+    sizes = {s.point: sp.Symbol(f"{letter}_{s.point}", real=True) for s in found.at}
+    choice = solution.choices[0].name if solution.choices else ""
+    for step in steps:
+        if step.rule is Rule.REACTIONS or step.rule is Rule.SOLVED_REACTIONS:
+            continue
+        if step.rule is Rule.WORKLESS:
+            step = replace(step, body=tuple(_forces(found, sizes)))
+        yield step
+        if step.rule is Rule.EQUILIBRIUM and step.choice == choice:
+            yield Step(Rule.SOLVED_REACTIONS, "The reactions", tuple(_sizes(solution, found, sizes)), choice=choice)
+
+
+def _forces(found: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
+    """R n of each support, and that neither works."""
+    points = [s.point for s in found.at]
+    names, others, apart = joined(points), joined(found.rigid), plural(len(found.rigid) - 1, "distance", "distances")
+    yield prose(
+        f"The supports at {names} are smooth: they exert forces normal to themselves, ",
+        *listed(math(size) for size in sizes.values()), " in size,",
+    )  # fmt: skip
+    yield display(
+        *(Equation((VectorSymbol(f"R_{s.point}"), s.normal * sizes[s.point]), label=f"support-{s.point}")
+          for s in found.at)
+    )  # fmt: skip
+    moved = (Ref(f"delta-{p}") for p in points)
+    yield prose(
+        f"{names} move along the supports, by ", *listed(moved), ". So the reactions do no work in a virtual "
+        f"displacement; nor do the forces within the rod, since {others} keep their {apart}:",
+    )  # fmt: skip
+    works = (DotProduct(VectorSymbol(f"R_{p}"), VectorSymbol(f"delta(r_{p})")) for p in points)
+    yield display(*(Equation((w, ZERO), label=f"support-work-{p}") for w, p in zip(works, points, strict=True)))
+
+
+def _sizes(solution: Solution, found: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
+    """The sizes from the balance of forces, and up to where the rod is on both supports."""
+    loads = dict.fromkeys(f.on for f in solution.own.configuration.loads)
+    terms = [VectorSymbol(f"R_{s.point}") for s in found.at] + [VectorSymbol(f"F_{name}") for name in loads]
+    yield prose("The forces on the rod as a whole balance:")
+    yield display(Equation((sp.Add(*terms, evaluate=False), ZERO), label="support-balance"))
+    gives: tuple[Part, ...] = (" this gives", " (and the moments then balance as well, in the position found)")
+    yield prose("With ", *listed(Ref(f"support-{s.point}") for s in found.at), *gives)
+    lines = (Equation((sizes[s.point], s.size), label=f"support-size-{s.point}") for s in found.at)
+    yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    yield from _ends(solution, found)
+
+
+def _ends(solution: Solution, found: Supports) -> Iterator[Block]:
+    """`A and B are on the supports, z_A ≥ 0 and z_B ≥ 0, where −α ≤ θ ≤ α`, where the supports end in one point."""
+    own = solution.own.configuration
+    where = {p.name: p.position.fixed().components for p in own.points}
+    corner = [tuple(x.xreplace({s.coordinate: ZERO}) for x in where[s.point]) for s in found.at]
+    if corner[0] != corner[1] or not solution.choices:
+        return
+    chosen = solution.choices[0]
+    if len(chosen.configuration.slots.coordinates) != 1:
+        return
+    [q] = chosen.configuration.slots.coordinates
+    limits = [_limit(s, q, solution) for s in found.at]
+    low = [e for e, upper in filter(None, limits) if not upper]
+    high = [e for e, upper in filter(None, limits) if upper]
+    if len(low) != 1 or len(high) != 1:
+        return
+    inside = listed(math(s.coordinate, ZERO, relation="≥") for s in found.at)
+    words: tuple[Part, ...] = ("Both ends are on the supports, ", *inside, ", as long as ")
+    yield prose(*words, math(low[0], q, high[0], relation="≤"), ".", detail=Detail.BRIEF)
+
+
+def _limit(s: Support, q: sp.Symbol, solution: Solution) -> tuple[sp.Expr, bool] | None:
+    """Where c sin(φ ± q) ≥ 0 with a positive c ends: ∓φ, and whether from above; None of any other function."""
+    chosen = solution.choices[0]
+    value = chosen.configuration.rewritten(s.coordinate)
+    sines = [f for f in sp.Mul.make_args(value) if isinstance(f, sp.sin) and f.has(q)]
+    limits = chosen.configuration.ranges.get(q)
+    if len(sines) != 1 or limits is None:
+        return None
+    [sine] = sines
+    rest = value / sine
+    slope = sine.args[0].diff(q)
+    if rest.has(q) or sign_of(rest) != 1 or slope not in (1, -1):
+        return None
+    offset = sine.args[0].xreplace({q: ZERO})
+    ends = ends_of(offset + slope * Bounded(q.name, limits.low, limits.high))
+    if ends is None or ends.low < -sp.pi or ends.high > sp.pi or not all(ends.strict):
+        return None
+    return (-offset / slope, slope == -1)

@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import VectorSymbol, prime
+from lagrange.core.symbols import Unspecified, VectorSymbol, prime, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.rest.statics import outside_ranges, singular_places
@@ -131,10 +131,22 @@ def _names(linearization: Linearization) -> Block:
     [x, *others] = linearization.displacements
     quantities: tuple[Part, ...] = ("them and their rates",) if others else (math(x), " and ", math(prime(x)))
     neglected = prose("Terms of second order in ", *quantities, " are neglected.")
+    if _is_linear(linearization):
+        return replace(be, short=be.parts)
     used = any(
         s is not None and s.judgement.stability.verdict is not StabilityVerdict.UNSTABLE for s in linearization.at
     )
     return replace(paragraph(be, neglected), short=be.parts, detail=Detail.BRIEF if used else Detail.STEPS)
+
+
+def _is_linear(linearization: Linearization) -> bool:
+    """Whether the equations of motion are linear with constant coefficients, without anything being neglected."""
+    slots = linearization.configuration.slots
+    moving = [*slots.coordinates, *slots.velocities, *slots.accelerations]
+    expressions = linearization.motion.expressions
+    if linearization.configuration.rows or any(e.has(Unspecified, sp.sign, sp.Abs, t) for e in expressions):
+        return False
+    return all(not e.diff(x).free_symbols & {*moving} for e in expressions for x in moving)
 
 
 def explain_about(
@@ -177,7 +189,7 @@ def explain_about(
     yield from _matrices(s)
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
     named = (f"the {noun} ", place) if is_stated else ("every position of rest",)
-    yield from _verdict(named, s, label_of(linearization, "omega-1", n))
+    yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=_is_linear(linearization))
 
 
 def _bound(s: SmallOscillations, linearization: Linearization) -> Iterator[Block]:
@@ -373,8 +385,12 @@ def _is_sign_of_square(s: SmallOscillations) -> bool:
     return one and s.oscillates and length > LONGEST_CONDITIONS
 
 
-def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str) -> Iterator[Prose]:
-    """The verdict on stability; `square`: the label of ω², where there is one."""
+def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exact: bool) -> Iterator[Prose]:
+    """The verdict on stability.
+
+    square  the label of ω², where there is one
+    exact   whether the equations of motion are linear themselves
+    """
     stability, ground = s.judgement.stability, s.judgement.ground
     detail = Detail.BRIEF
     firm = ground is Ground.POTENTIAL or ground is Ground.HURWITZ
@@ -412,6 +428,9 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str) -> Iter
             where = sign_conditions(stability.unstable, " or ")
             end = f". {rest} the linear equations do not decide."
             yield prose(*subject, " is unstable where ", *where, end, detail=detail)
+        case StabilityVerdict.UNDECIDED if any(f.square == 0 for f in s.frequencies) and exact:
+            words = "The root zero corresponds to a uniform motion. The equations of motion are linear, so it goes on "
+            yield prose(words, "for ever: ", *named, " is not stable.", detail=detail)
         case StabilityVerdict.UNDECIDED if any(f.square == 0 for f in s.frequencies):
             words = "The root zero corresponds to a uniform motion: the linear equations do not decide whether "
             yield prose(words, *named, " is stable.", detail=detail)

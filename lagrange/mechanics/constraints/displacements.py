@@ -15,15 +15,16 @@ Shapes: A (m, n), a_t (m,), w (n,).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import lru_cache
+from itertools import combinations
 
 import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, written
+from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, ordered_differences, written
 from lagrange.core.expression_size import Sizes
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -37,6 +38,7 @@ from lagrange.mechanics.constraints.limits import (
     MOST_CANCELLED_TERMS,
     MOST_DRIFTS,
     MOST_FACTORED_SYMBOLS,
+    MOST_TURNED,
 )
 from lagrange.problem.model import AppliedMoment, Problem
 
@@ -161,7 +163,8 @@ def transport_rates(system: ConstrainedSystem, elimination: Elimination) -> tupl
     """The simplest w found with A w + a_t = 0, shape (n,): all zero if no constraint moves.
 
     w is not unique: any virtual displacement can be added. Of those with n − m coordinates at rest, the shortest is
-    taken. There is no w if a constraint is not linear in the velocities.
+    taken, or a rotation w = κ (−y, x) of two of them, as of what turns with a table. There is no w if a constraint is
+    not linear in the velocities.
     """
     rows, size = system.rows, system.size
     if not system.is_pfaffian or not any(elimination.drift):
@@ -169,7 +172,34 @@ def transport_rates(system: ConstrainedSystem, elimination: Elimination) -> tupl
     moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
     others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
     eliminations = [elimination, *(virtual_displacements(system, (k,)) for k in others)]
-    return min((_rates(e, size) for e in eliminations), key=lambda w: sum(1 + r.count_ops() for r in w if r != 0))
+    found = [*(_rates(e, size) for e in eliminations), *_turning(system)]
+    return min(found, key=lambda w: (any(_has_denominator(r, system.slots) for r in w), _operations(w)))
+
+
+def _turning(system: ConstrainedSystem) -> Iterator[tuple[sp.Expr, ...]]:
+    """w = κ (−y, x) of each pair of coordinates for which a constant κ satisfies A w + a_t = 0."""
+    q = system.slots.coordinates
+    for m, n in combinations(range(min(system.size, MOST_TURNED)), 2):
+        products = [row.coefficients[n] * q[m] - row.coefficients[m] * q[n] for row in system.rows]
+        moved = next(((row, p) for row, p in zip(system.rows, products, strict=True) if row.drift != 0), None)
+        if moved is None or moved[1] == 0:
+            continue
+        rate = _tidy(-moved[0].drift / moved[1])
+        if rate.free_symbols & {*q, t}:
+            continue
+        pairs = zip(system.rows, products, strict=True)
+        if all(system.states.is_zero(row.drift + rate * p) is True for row, p in pairs):
+            turned = {m: -rate * q[n], n: rate * q[m]}
+            yield tuple(turned.get(k, sp.S.Zero) for k in range(system.size))
+
+
+def _has_denominator(rate: sp.Expr, slots: Slots) -> bool:
+    below = sp.fraction(sp.together(rate))[1]
+    return rate.has(sp.tan, sp.cot) or bool(below.free_symbols & {*slots.coordinates, t})
+
+
+def _operations(rates: Sequence[sp.Expr]) -> int:
+    return sum(1 + int(r.count_ops()) for r in rates if r != 0)
 
 
 def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
@@ -266,7 +296,7 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
         return quotient
     factors = sp.factor(quotient)
     shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
-    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
+    return ordered_differences(in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name))))
 
 
 def _is_short(expression: sp.Expr) -> bool:

@@ -40,3 +40,6 @@ CURVATURE_POINTS = 3
 # Operations of all entries together on the way to the displacements solved for. Beyond, as for a bicycle, it is only
 # found which are independent.
 LONGEST_DISPLACEMENTS = 3000
+
+# The first coordinates of which each pair is tried as turning with a moving constraint [3].
+MOST_TURNED = 6

@@ -159,6 +159,12 @@ class Motion:
         return tuple(f.sense * f.speed for f in known if f.speed is not None)
 
     @property
+    def sliding(self) -> tuple[sp.Expr, ...]:
+        """The squares of the speeds of slips whose sense the file leaves open: the law needs them not zero."""
+        open_ = (f for f in self.friction_forces if f.friction.slip is None and f.speed is not None)
+        return tuple(f.speed**2 for f in open_ if f.speed is not None)
+
+    @property
     def contacts(self) -> tuple[sp.Expr, ...]:
         """The multipliers of constraints with friction, each with the sign that the file or the derivation gives it."""
         values = {} if self.reactions is None else self.reactions.multipliers

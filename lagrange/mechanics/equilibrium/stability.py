@@ -216,9 +216,31 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
     width = len(matrix)
     if width == 1 and entries[0] is not None and is_zero(entries[0]):
         return _by_higher_derivatives(matrix[0][0], b, e)
+    shorter = _of_first_harmonic(matrix[0][0], entries[0], b, e) if width == 1 else None
+    if shorter is not None:
+        judged = definiteness([[shorter]], b, e)  # cos θ ≠ 0 where tan θ has a value
+        return judged if sign_of(sp.fraction(shorter)[0]) is None else replace(judged, presupposed=())
     return definiteness(
         [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
     )
+
+
+def _of_first_harmonic(second: sp.Expr, value: sp.Expr | None, b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """V'' = B/cos θ − V' tan θ for V' = A cos θ + B sin θ, where V' = 0 at a given tan θ; None where it is not shorter.
+
+    second  V''
+    value   what it is on the branch, in the form found before
+    """
+    [k], [force] = e.elimination.independent, e.independent_forces
+    q = e.configuration.slots.coordinates[k]
+    if value is None or not value.has(q) or not any(r.lhs == sp.tan(q) for r in b.relations):
+        return None
+    constant = -force.xreplace({q: sp.pi / 2})
+    if constant.has(q) or is_zero(second * sp.cos(q) - force * sp.sin(q) - constant) is not True:
+        return None
+    forms = (constant, e.work.textbook.form(constant), sp.factor(sp.expand_trig(constant)))
+    shorter = min(map(shortest_form, forms), key=lambda x: int(x.count_ops())) / sp.cos(q)
+    return shorter if shorter.count_ops() < value.count_ops() else None
 
 
 def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -> StabilityVerdict:

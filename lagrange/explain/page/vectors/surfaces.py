@@ -303,6 +303,17 @@ def _work(s: OnSurface) -> Step:
     return Step(Rule.WORKLESS, "The reaction does no virtual work", tuple(body))
 
 
+def work_of_surface(s: OnSurface) -> list[Equation]:
+    """R = λ ∇f and R·δr = 0; for a surface that moves R·dr, too, which is not zero."""
+    _, r = _only(s)
+    force = VectorSymbol(f"R_{s.name}")
+    lines = [Equation((force, r.force * s.gradient)), Equation((DotProduct(force, _virtual(s)), ZERO))]
+    if s.row.drift != 0:
+        possible = -r.force * s.row.drift * differential(t)
+        lines.append(Equation((DotProduct(force, VectorSymbol(f"d(r_{s.name})")), possible)))
+    return lines
+
+
 def _shows_displacements(s: OnSurface) -> bool:
     """Whether displacements have a step of their own: where the surface moves, or there is friction."""
     return s.row.drift != 0 or s.friction is not None

@@ -8,7 +8,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import prime
 from lagrange.document.derivation import Display, Rule
-from lagrange.explain.page.surfaces import on_surface
+from lagrange.explain.page.vectors.surfaces import on_surface
 from lagrange.render import terminal
 from tests.support.shared import reported
 
