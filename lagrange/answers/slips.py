@@ -53,6 +53,7 @@ class Slip(Enum):
     NUMBER = auto()  # 9.81 for g, 0.33 for 1/3
 
 
+@lru_cache(maxsize=512)
 def terms_of(equation: sp.Expr) -> tuple[sp.Expr, ...] | None:
     """The terms of an equation, products of sums multiplied out; None if there are too many."""
     if Sizes().of(equation).terms > MAX_TERMS:
