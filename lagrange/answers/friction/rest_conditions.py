@@ -24,7 +24,7 @@ from lagrange.core.verdicts import all_hold
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -52,8 +52,32 @@ def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], re
     order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
     verdicts = [_compared(read, r, reference.values) for r in rests]
     best = next(v for v in order if v in verdicts)
-    diagnosis = "" if best is not Verdict.INCOMPLETE else "some conditions are missing"
+    diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
+    if best in (Verdict.WRONG, Verdict.INCOMPLETE):
+        diagnosis = next(filter(None, (_explained(read, r, best, reference.values) for r in rests)), diagnosis)
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
+
+
+def _explained(
+    stated: Sequence[_Stated], rest: AtRest | Rolling, verdict: Verdict, values: Mapping[sp.Symbol, sp.Rational]
+) -> str:
+    """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
+    several cases has to hold."""
+    from lagrange.answers.models import conditions
+
+    given, cases = _in_parts(stated, rest, values)
+    if len(cases) != 1:
+        return ""
+    derived = [c for c in cases[0] if not c.equation]
+    wrong = [s for s in given if not any(_are_same(s, c) for c in derived)]
+    missing = [c.slack for c in derived if not any(_are_same(s, c) for s in given)]
+    laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
+    if verdict is Verdict.WRONG:
+        return conditions.explained_conditions(
+            [conditions.Stated(s.text, s.slack, s.equation) for s in wrong], missing, laws
+        )
+    other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
+    return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
@@ -118,7 +142,10 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
     return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
 
 
-def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+def _in_parts(
+    stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]
+) -> tuple[list[_Stated], list[list[_Stated]]]:
+    """The stated conditions and those of each case, in the same coordinates and without absolute values."""
     numbers = dict(values)
 
     def valued(e: sp.Expr) -> sp.Expr:
@@ -134,6 +161,11 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         ]
         for case in rest.cases
     ]
+    return given, cases
+
+
+def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+    given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
         same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c)} for s in given]
         found = set().union(*same) if same else set()

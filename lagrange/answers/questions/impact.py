@@ -63,7 +63,15 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Re
         elif same:
             rounding = _ROUNDED if decimals_in([expression]) else ""
             return Verdict.EQUIVALENT, "; ".join(filter(None, [remark, rounding]))
-    return (Verdict.UNDECIDED, UNDECIDED) if undecided else (Verdict.WRONG, "")
+    if undecided:
+        return Verdict.UNDECIDED, UNDECIDED
+    from lagrange.answers.models.impacts import explained_impact
+
+    before = dict(zip(found.slots.velocities, found.velocities, strict=True))
+    claim = found.at(as_written(expression)).xreplace(before)
+    values_ = dict(reference.values)
+    why = explained_impact(name, claim, values[0][0], found, lambda e: found.surface.is_zero(e.xreplace(values_)))
+    return Verdict.WRONG, why
 
 
 def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:
