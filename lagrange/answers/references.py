@@ -76,7 +76,7 @@ class ReferenceCandidate:
         """The changed problems that a wrong answer is compared with."""
         from lagrange.answers.models.search import Models
 
-        return Models(self.system, dict(self.values), self._mechanics)
+        return Models(self.system, dict(self.values), self.parts)
 
     @cached_property
     def residues(self) -> Residues:
@@ -85,7 +85,8 @@ class ReferenceCandidate:
 
         return Residues(self.system)
 
-    def _mechanics(self) -> Mechanics | None:
+    def parts(self) -> Mechanics | None:
+        """The parts of the system; None if they are not known."""
         found = self.mechanics() if self.mechanics is not None else None
         if found is None or not self.positive:
             return found

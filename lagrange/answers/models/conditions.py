@@ -149,10 +149,11 @@ class _Limit:
     @classmethod
     def of(cls, slack: sp.Expr) -> _Limit | None:
         """The limit of a slack; None if it is linear in no letter."""
-        for s in sorted(_symbols(slack), key=lambda s: (sp.diff(slack, s).count_ops(), str(s))):
-            rate = sp.diff(slack, s)
-            if s not in rate.free_symbols and rate != 0:
-                return cls(slack, s, s - slack / rate)
+        for form in (slack, _cleared(slack)):
+            for s in sorted(_symbols(form), key=lambda s: (sp.diff(form, s).count_ops(), str(s))):  # noqa: B023
+                rate = sp.diff(form, s)
+                if s not in rate.free_symbols and rate != 0:
+                    return cls(slack, s, s - form / rate)
         return None
 
     def is_of(self, other: sp.Expr) -> bool:

@@ -211,7 +211,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         if ratio.is_number and 1 not in (above**2, below**2):
             return
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
-        parts += [f"there is a factor {_written(above)} too many"] if above != 1 else []
+        if above != 1:
+            there = above.free_symbols <= claim.free_symbols
+            parts.append(f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}")
         if parts:
             yield " and ".join(parts)
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)

@@ -95,6 +95,7 @@ class _Claim:
         self.asked = asked
         self.solution = solution
         self.values = dict(reference.values)
+        self.own = reference.candidates[0] if reference.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
@@ -132,6 +133,7 @@ class _Claim:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
         from lagrange.answers.models.questions import explained_answer, explained_value
+        from lagrange.answers.models.starts import explained_at_start
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -149,6 +151,8 @@ class _Claim:
                 continue
         if stated is None:
             return ""
+        if value is not None and self.own is not None and (changed := explained_at_start(value, self.asked, self.own)):
+            return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
         return next(filter(None, (explained_value(stated, v, fixed) for v in right)), "")
