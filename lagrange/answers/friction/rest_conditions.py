@@ -72,6 +72,7 @@ def _explained(
     wrong = [s for s in given if not any(_are_same(s, c) for c in derived)]
     missing = [c.slack for c in derived if not any(_are_same(s, c) for s in given)]
     laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
+    laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
     if verdict is Verdict.WRONG:
         return conditions.explained_conditions(
             [conditions.Stated(s.text, s.slack, s.equation) for s in wrong], missing, laws

@@ -79,8 +79,20 @@ def _of_all(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: 
     for meaning in _meanings(stated, derived, coefficients):
         changed = [c for d in limits if (c := _Limit.of(d.slack.xreplace(dict(meaning.rule)))) is not None]
         if all(any(c.is_of(s.slack) and c.sense(s.slack) > 0 for c in changed) for s in stated):
-            return f"these are the conditions {meaning.clause}"
+            return _scaled_limit(meaning, stated[0].slack) or f"these are the conditions {meaning.clause}"
     return None
+
+
+def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
+    """P <= 2 W for P <= W: with P/2 in place of P; empty for other changes."""
+    [(letter, value), *others] = meaning.rule.items()
+    factor = value / letter
+    if others or not factor.is_Rational or factor <= 0 or not isinstance(letter, sp.Symbol):
+        return ""
+    rate = sp.diff(slack, letter)
+    if letter in rate.free_symbols or rate == 0:
+        return ""
+    return f"the limit of {letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
 
 
 def _meanings(
@@ -123,7 +135,8 @@ def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collectio
             changed = _Limit.of(limit.slack.xreplace(dict(meaning.rule)))
             if changed is not None and changed.is_of(stated.slack):
                 reversed_ = not stated.equation and changed.sense(stated.slack) < 0
-                yield f"this is the condition {meaning.clause}{_AND_REVERSED if reversed_ else ''}"
+                said = _scaled_limit(meaning, stated.slack) or f"this is the condition {meaning.clause}"
+                yield f"{said}{_AND_REVERSED if reversed_ else ''}"
     for n, a in enumerate(known):
         for b in known[:n]:
             if (total := a.added(b)) is not None and total.is_of(stated.slack):
