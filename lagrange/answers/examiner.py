@@ -135,7 +135,7 @@ def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest(stated, rests, reference_of_solution(solution))
+    return check_rest(stated, rests, reference_of_solution(solution), solution)
 
 
 def _rests(solution: Solution) -> list[Rest | Rolling]:
@@ -148,7 +148,7 @@ def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -
     from lagrange.answers.friction.impending import check_impending
 
     reference = reference_of_solution(solution)
-    found = [check_impending(alternatives, v.impending, reference) for v in solution.views if v.impending]
+    found = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
     return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
 
 

@@ -19,12 +19,14 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.results import Solution
 
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 
 
 def check_impending(
-    alternatives: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference
+    alternatives: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference,
+    solution: Solution,
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
     own = [[[*a, *_forces_beside(a, m)] for a in alternatives] for m in motions]
@@ -46,14 +48,18 @@ def check_impending(
     wrong = [a for a, column in zip(alternatives, columns, strict=True) if all(v is Verdict.WRONG for v in column)]
     if not wrong:
         return AnswerVerdict(Verdict.UNDECIDED)
-    return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference))
+    return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
 
 
 def _explained(
-    wrong: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference
+    wrong: Sequence[Sequence[Fragment]],
+    motions: Sequence[ImpendingMotion],
+    reference: Reference,
+    solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
     from lagrange.answers.models.conditions import Stated, explained_limits
+    from lagrange.answers.models.contacts import explained_by_contacts
 
     stated = [
         Stated(f.text, c, True)
@@ -64,7 +70,8 @@ def _explained(
     ]
     relations = [r for m in motions for b in m.equilibrium.branches for r in b.relations]
     coefficients = {c.coefficient for m in motions for c in m.contacts}
-    return explained_limits(stated, [r.lhs - r.rhs for r in relations], coefficients)
+    found = explained_limits(stated, [r.lhs - r.rhs for r in relations], coefficients)
+    return found or explained_by_contacts(stated, solution)
 
 
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:

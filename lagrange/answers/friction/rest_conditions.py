@@ -27,6 +27,7 @@ from lagrange.expressions.relations import limit_of
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
+from lagrange.mechanics.results import Solution
 
 SAMPLES = 400
 CLEAR = 1e-6
@@ -42,7 +43,9 @@ class _Stated:
     equation: bool
 
 
-def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference) -> AnswerVerdict:
+def check_rest(
+    stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
+) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
     try:
         read = [_read(c, reference) for f in stated for c in _each(f)]
@@ -54,12 +57,16 @@ def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], re
     best = next(v for v in order if v in verdicts)
     diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
     if best in (Verdict.WRONG, Verdict.INCOMPLETE):
-        diagnosis = next(filter(None, (_explained(read, r, best, reference.values) for r in rests)), diagnosis)
+        diagnosis = next(filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis)
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
 
 
 def _explained(
-    stated: Sequence[_Stated], rest: AtRest | Rolling, verdict: Verdict, values: Mapping[sp.Symbol, sp.Rational]
+    stated: Sequence[_Stated],
+    rest: AtRest | Rolling,
+    verdict: Verdict,
+    solution: Solution,
+    values: Mapping[sp.Symbol, sp.Rational],
 ) -> str:
     """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
     several cases has to hold."""
@@ -74,9 +81,12 @@ def _explained(
     laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
     laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
     if verdict is Verdict.WRONG:
-        return conditions.explained_conditions(
-            [conditions.Stated(s.text, s.slack, s.equation) for s in wrong], missing, laws
-        )
+        parts = [conditions.Stated(s.text, s.slack, s.equation) for s in wrong]
+        if found := conditions.explained_conditions(parts, missing, laws):
+            return found
+        from lagrange.answers.models.contacts import explained_by_contacts
+
+        return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
     other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 

@@ -112,6 +112,15 @@ def explained_limits(stated: Sequence[Stated], derived: Sequence[sp.Expr], coeff
     )
 
 
+def is_limit(slack: sp.Expr, stated: sp.Expr) -> bool:
+    """Whether a stated slack vanishes at the limit of another."""
+    try:
+        limit = _Limit.of(slack)
+        return limit is not None and limit.is_of(stated)
+    except _unknown:
+        return False
+
+
 def is_other_sense(missing: sp.Expr, stated: sp.Expr, coefficients: Collection[sp.Expr]) -> bool:
     """Whether a condition is another one for friction that acts the other way."""
     rule = {mu: -mu for mu in coefficients}

@@ -84,6 +84,12 @@ def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, probl
     number = [q.name for q in m.slots.coordinates].index(name)
     draws = [_Draw(m, found, seed) for seed in (1, 2)]
     claims = [d.numbers.number(claim) for d in draws]
+    for k, q in enumerate(m.slots.coordinates):
+        if found.before[k] != 0 and all(
+            (v := d.velocity(m, number, without=k)) is not None and _close(v, c)
+            for d, c in zip(draws, claims, strict=True)
+        ):
+            return f"without {q}' just before the impact"
     for model in MODELS:
         for variation in model.changes(m):
             changed = variation.mechanics
@@ -108,11 +114,13 @@ class _Draw:
         self.drift = [-sum((a * self.numbers.number(after[v]) for a, v in zip(row, after, strict=True)), sp.S.Zero)
                       for row in self.rows]  # fmt: skip
 
-    def velocity(self, m: Mechanics, number: int) -> sp.Expr | None:
-        """A velocity just after with the inertia of a changed problem; None if it is not determined."""
+    def velocity(self, m: Mechanics, number: int, without: int | None = None) -> sp.Expr | None:
+        """A velocity just after with the inertia of a changed problem, or without one of the velocities just before;
+        None if it is not determined."""
+        before = [sp.S.Zero if k == without else v for k, v in enumerate(self.before)]
         n, r = len(self.before), len(self.rows)
         mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
-        right = [j + sum((g * v for g, v in zip(row, self.before, strict=True)), sp.S.Zero) for j, row in zip(self.blows, mass, strict=True)]
+        right = [j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero) for j, row in zip(self.blows, mass, strict=True)]
         rows = [[*mass[i], *(-self.rows[j][i] for j in range(r)), right[i]] for i in range(n)]
         rows += [[*self.rows[j], *[sp.S.Zero] * r, -self.drift[j]] for j in range(r)]
         return _solved(rows, number)

@@ -33,7 +33,7 @@ def other_meanings(
     right, stated  the letters of the right result and of the one that is stated
     coefficients   those of friction
     """
-    letters, used = sorted(right, key=str), sorted(stated, key=str)
+    letters, used = sorted(right, key=lambda p: (p not in coefficients, str(p))), sorted(stated, key=str)
     for p in letters:
         if p in coefficients:
             yield Meaning(f"for friction with the coefficient {p} that acts the other way", {p: -p})
