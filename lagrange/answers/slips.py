@@ -115,7 +115,8 @@ def _angles(
                 yield Slip.SMALL_ANGLE, term / angle * f(angle)
             for q in (q for q in slots.coordinates if q in factors_of_term and q != angle):
                 yield Slip.SMALL_ANGLE, term / q * f(angle)
-        if not any(w.args[0] == angle for w in waves):
+        # Of a given angle, sin α and cos α are components: a factor, and no small angle.
+        if not any(w.args[0] == angle for w in waves) and angle.free_symbols & {*slots.coordinates}:
             yield Slip.SMALL_ANGLE, term * sp.cos(angle)
     for wave in waves:
         angle = wave.args[0]

@@ -123,6 +123,8 @@ class _Draw:
         right = [j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero) for j, row in zip(self.blows, mass, strict=True)]
         rows = [[*mass[i], *(-self.rows[j][i] for j in range(r)), right[i]] for i in range(n)]
         rows += [[*self.rows[j], *[sp.S.Zero] * r, -self.drift[j]] for j in range(r)]
+        if any(not x.is_number or not x.is_finite for row in rows for x in row):
+            return None
         return _solved(rows, number)
 
 
