@@ -223,24 +223,24 @@ def _mismatch(e: sp.Expr, units: Mapping[sp.Symbol, str]) -> Mismatch | None:
 
 def reference_of_solution(solution: Solution) -> Reference:
     """The reference that a solved problem gives, with what was found out about it for the answers before this one."""
-    return _reference_of(_Identical(solution))
+    return _reference_of(Identical(solution))
 
 
-class _Identical:
+class Identical:
     """A solution that equals only itself: comparing two of them takes longer than judging an answer."""
 
     def __init__(self, solution: Solution) -> None:
         self.solution = solution
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Identical) and other.solution is self.solution
+        return isinstance(other, Identical) and other.solution is self.solution
 
     def __hash__(self) -> int:
         return id(self.solution)
 
 
 @lru_cache(maxsize=8)
-def _reference_of(same: _Identical) -> Reference:
+def _reference_of(same: Identical) -> Reference:
     solution = same.solution
     problem = solution.problem
     signs = {s.name: s for c in solution.choices for s in c.signs}

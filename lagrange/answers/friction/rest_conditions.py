@@ -81,6 +81,8 @@ def _explained(
     laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
     laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
     if verdict is Verdict.WRONG:
+        if isinstance(rest, Rolling) and (found := _of_another_body(wrong, solution)):
+            return found
         parts = [conditions.Stated(s.text, s.slack, s.equation) for s in wrong]
         if found := conditions.explained_conditions(parts, missing, laws):
             return found
@@ -151,6 +153,23 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
         raise reading.error
     [difference] = reading.components
     return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
+
+
+def _of_another_body(stated: Sequence[_Stated], solution: Solution) -> str:
+    """The conditions of rolling for another moment of inertia, as a sentence; empty if they are none."""
+    from lagrange.answers.models.bodies import other_bodies
+    from lagrange.answers.models.conditions import is_limit
+
+    others = other_bodies(solution)
+    if others is None or not stated:
+        return ""
+    solved, changes = others
+    limits = [c.right - c.left for v in solved.views if v.rolling for case in v.rolling.cases for c in case]
+    for clause, rule in changes:
+        changed = [e.xreplace(dict(rule)) for e in limits]
+        if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
+            return f"this is the condition {clause}"
+    return ""
 
 
 def _in_parts(
