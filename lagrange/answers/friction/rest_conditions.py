@@ -8,6 +8,7 @@ undecided otherwise.
 
 from __future__ import annotations
 
+import math
 import random
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -16,6 +17,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.models.approximate import approximate
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
@@ -30,6 +32,7 @@ from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution
 
 SAMPLES = 400
+FIRST_SAMPLES = 20
 CLEAR = 1e-6
 """A slack counts as positive or negative if it is larger, relative to its terms at random numbers of order one."""
 
@@ -252,12 +255,22 @@ def _without_modulus(s: _Stated) -> tuple[_Stated, ...]:
 def _are_same(a: _Stated, b: _Stated) -> bool:
     if a.equation is not b.equation or a.slack == 0 or b.slack == 0:
         return False
+    if not a.equation and _differ(a.slack, b.slack):
+        return False
     symbols = a.slack.free_symbols | b.slack.free_symbols
     try:
         sign = Signs({s for s in symbols if isinstance(s, sp.Symbol)}).of(shortest(a.slack / b.slack))
     except ZeroDivisionError:
         return False
     return sign is not None and (sign == 1 or a.equation)
+
+
+def _differ(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether one is clearly positive where the other is clearly negative: soon found, unlike the sign of their ratio."""
+    letters = sorted(_symbols(a) | _symbols(b), key=str)
+    draw = random.Random(7)
+    points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_SAMPLES))
+    return any(approximate(a, p) * approximate(b, p) < -CLEAR for p in points)
 
 
 def _has_limit(a: _Stated, b: _Stated) -> bool:
@@ -275,7 +288,7 @@ def _has_limit(a: _Stated, b: _Stated) -> bool:
     return False
 
 
-def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
     """Random numbers: acute angles, positive parameters, other symbols of either sign."""
     symbols = sorted({s for c in conditions for s in c.slack.free_symbols}, key=str)
     angles = {
@@ -288,20 +301,23 @@ def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, sp.Expr]]
             value = draw.uniform(0.02, 1.55) if s in angles else draw.lognormvariate(0, 0.8)
             if not s.is_positive and s not in angles and draw.random() < 0.5:
                 value = -value
-            point[s] = sp.Float(value)
+            point[s] = value
         yield point
 
 
-def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, float]) -> bool | None:
     verdicts = [_all_hold(case, point) for case in cases]
     return True if True in verdicts else None if None in verdicts else False
 
 
-def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, float]) -> bool | None:
     def holds(c: _Stated) -> bool | None:
-        value = c.slack.xreplace(dict(point)).evalf()
-        if c.equation or not value.is_real or not value.is_finite or abs(value) < CLEAR:
+        if c.equation:
             return None
-        return bool(value > 0)
+        value = approximate(c.slack, point)
+        if math.isnan(value):  # a function that is not known in floating point
+            exact = c.slack.xreplace({s: sp.Float(v) for s, v in point.items()}).evalf()
+            value = float(exact) if exact.is_real else math.nan
+        return None if not math.isfinite(value) or abs(value) < CLEAR else value > 0
 
     return all_hold(map(holds, conditions))

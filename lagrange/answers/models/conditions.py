@@ -8,13 +8,16 @@ is linear makes the stated one vanish: at random numbers first, then exactly.
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.answers.models.approximate import approximate
 from lagrange.answers.models.meanings import Meaning, other_meanings, with_waves_exchanged
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
@@ -25,6 +28,7 @@ MOST_TERMS = 8
 
 _SAMPLES = 3
 _CLOSE = 1e-9
+_STEPS = 60
 
 
 @record
@@ -69,7 +73,7 @@ _unknown = (NoPointError, UnsupportedError, DivisionByZeroError, ZeroDivisionErr
 
 def _of_all(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> str | None:
     """The one meaning of the letters, or the sense of the inequalities, that makes all stated conditions right."""
-    limits = [limit for d in derived if (limit := _Limit.of(d)) is not None]
+    limits = [_Limit(d) for d in derived]
     if any(s.equation for s in stated):
         return None
     if all(any(limit.is_of(s.slack) for limit in limits) for s in stated):
@@ -77,7 +81,7 @@ def _of_all(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: 
     if len(stated) < 2:
         return None
     for meaning in _meanings(stated, derived, coefficients):
-        changed = [c for d in limits if (c := _Limit.of(d.slack.xreplace(dict(meaning.rule)))) is not None]
+        changed = [_Limit(d.slack.xreplace(dict(meaning.rule))) for d in limits]
         if all(any(c.is_of(s.slack) and c.sense(s.slack) > 0 for c in changed) for s in stated):
             return _scaled_limit(meaning, stated[0].slack) or f"these are the conditions {meaning.clause}"
     return None
@@ -115,8 +119,7 @@ def explained_limits(stated: Sequence[Stated], derived: Sequence[sp.Expr], coeff
 def is_limit(slack: sp.Expr, stated: sp.Expr) -> bool:
     """Whether a stated slack vanishes at the limit of another."""
     try:
-        limit = _Limit.of(slack)
-        return limit is not None and limit.is_of(stated)
+        return _Limit(slack).is_of(stated)
     except _unknown:
         return False
 
@@ -124,13 +127,11 @@ def is_limit(slack: sp.Expr, stated: sp.Expr) -> bool:
 def is_other_sense(missing: sp.Expr, stated: sp.Expr, coefficients: Collection[sp.Expr]) -> bool:
     """Whether a condition is another one for friction that acts the other way."""
     rule = {mu: -mu for mu in coefficients}
-    changed = _Limit.of(missing.xreplace(rule))
-    return bool(rule) and changed is not None and changed.is_of(stated)
+    return bool(rule) and _Limit(missing.xreplace(rule)).is_of(stated)
 
 
 def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[str]:
-    limits = [_Limit.of(d) for d in derived]
-    known = [limit for limit in limits if limit is not None]
+    known = [_Limit(d) for d in derived]
     for limit in known:
         if limit.is_of(stated.slack):
             yield _AN_EQUATION if stated.equation else _REVERSED
@@ -141,8 +142,8 @@ def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collectio
         for meaning in meanings:
             if limit.slack.free_symbols.isdisjoint(meaning.rule):
                 continue
-            changed = _Limit.of(limit.slack.xreplace(dict(meaning.rule)))
-            if changed is not None and changed.is_of(stated.slack):
+            changed = _Limit(limit.slack.xreplace(dict(meaning.rule)))
+            if changed.is_of(stated.slack):
                 reversed_ = not stated.equation and changed.sense(stated.slack) < 0
                 said = _scaled_limit(meaning, stated.slack) or f"this is the condition {meaning.clause}"
                 yield f"{said}{_AND_REVERSED if reversed_ else ''}"
@@ -162,53 +163,55 @@ _ADDED = "the limits of two contacts are added: each of them has to hold by itse
 
 @record
 class _Limit:
-    """slack = 0, solved for a letter in which it is linear."""
+    """slack = 0."""
 
     slack: sp.Expr
-    letter: sp.Symbol
-    value: sp.Expr
 
-    @classmethod
-    def of(cls, slack: sp.Expr) -> _Limit | None:
-        """The limit of a slack; None if it is linear in no letter."""
-        for form in (slack, _cleared(slack)):
-            for s in sorted(_symbols(form), key=lambda s: (sp.diff(form, s).count_ops(), str(s))):  # noqa: B023
+    @cached_property
+    def solved(self) -> tuple[sp.Symbol, sp.Expr] | None:
+        """A letter in which the limit is linear, and its value there; None if there is none."""
+        for form in (self.slack, _cleared(self.slack)):
+            for s in sorted(_symbols(form), key=str):
                 rate = sp.diff(form, s)
                 if s not in rate.free_symbols and rate != 0:
-                    return cls(slack, s, s - form / rate)
+                    return s, s - form / rate
         return None
 
     def is_of(self, other: sp.Expr) -> bool:
-        """Whether another slack vanishes at this limit."""
-        if not any(s in other.free_symbols for s in self.slack.free_symbols):
+        """Whether another slack vanishes at this limit: at random numbers, then exactly."""
+        shared = sorted(_symbols(self.slack) & _symbols(other), key=str)
+        if not shared or not all(self._seems_of(other, shared, seed) for seed in range(_SAMPLES)):
             return False
-        residual = other.xreplace({self.letter: self.value})
-        if self.letter not in other.free_symbols or not all(
-            abs(_value(residual, p)) < _CLOSE for p in _points(residual)
-        ):
+        if self.solved is None or self.solved[0] not in other.free_symbols:
             return False
-        return is_zero(sp.expand(residual)) is True
+        letter, value = self.solved
+        return is_zero(sp.expand(other.xreplace({letter: value}))) is True
+
+    def _seems_of(self, other: sp.Expr, letters: Sequence[sp.Symbol], seed: int) -> bool:
+        """Whether another slack vanishes where this one does, all letters but one having random values."""
+        point = _point(sp.Add(self.slack, other, evaluate=False), seed)
+        for letter in letters:
+            root = _root(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
+            if root is not None:
+                near = [abs(approximate(other, {**point, letter: root + d})) for d in (0.0, 0.1)]
+                return near[0] <= _CLOSE * (1 + near[1])
+        return False
 
     def sense(self, other: sp.Expr) -> int:
         """1 if the other slack has the sign of this one, −1 if it has the opposite one."""
-        signs = {
-            1 if _value(self.slack, p) * _value(other, p) > 0 else -1 for p in _points(sp.Add(self.slack, other))
-        }
+        points = [_point(sp.Add(self.slack, other, evaluate=False), seed) for seed in range(_SAMPLES)]
+        signs = {1 if approximate(self.slack, p) * approximate(other, p) > 0 else -1 for p in points}
         return signs.pop() if len(signs) == 1 else 1
 
     def added(self, other: _Limit) -> _Limit | None:
         """s ≤ f + g, of s ≤ f and s ≤ g."""
         for s in sorted(_symbols(self.slack) & _symbols(other.slack), key=str):
             rates = [sp.diff(x, s) for x in (self.slack, other.slack)]
-            if all(s not in r.free_symbols and all(_value(r, p) < 0 for p in _points(r)) for r in rates):
+            if all(s not in r.free_symbols and approximate(r, _point(r, 0)) < 0 for r in rates):
                 bounds = [s - x / r for x, r in zip((self.slack, other.slack), rates, strict=True)]
-                if not any(_same(b, 0) for b in bounds):
-                    return _Limit(sp.Add(*bounds) - s, s, sp.Add(*bounds))
+                if all(sp.expand(b) != 0 for b in bounds):
+                    return _Limit(sp.Add(*bounds) - s)
         return None
-
-
-def _same(a: sp.Expr, b: sp.Expr) -> bool:
-    return sp.expand(a - b) == 0
 
 
 def _cleared(e: sp.Expr) -> sp.Expr:
@@ -267,14 +270,21 @@ def _symbols(e: sp.Expr) -> set[sp.Symbol]:
     return {s for s in e.free_symbols if isinstance(s, sp.Symbol)}
 
 
-def _points(e: sp.Expr) -> Iterator[Mapping[sp.Symbol, sp.Float]]:
+def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
     """Random numbers of order one for all letters: acute angles."""
-    draw = random.Random(7)
-    letters = sorted(_symbols(e), key=str)
-    for _ in range(_SAMPLES):
-        yield {s: sp.Float(draw.uniform(0.3, 1.3)) for s in letters}
+    draw = random.Random(seed)
+    return {s: draw.uniform(0.3, 1.3) for s in sorted(_symbols(e), key=str)}
 
 
-def _value(e: sp.Expr, point: Mapping[sp.Symbol, sp.Float]) -> float:
-    value = e.xreplace(dict(point)).evalf()
-    return float(value) if value.is_real and value.is_finite else float("inf")
+def _root(function: Callable[[float], float], start: float) -> float | None:
+    """A zero of a function, by the secant rule; None if none is found."""
+    a, b = start, start + 0.1
+    fa, fb = function(a), function(b)
+    for _ in range(_STEPS):
+        if fb == fa or not math.isfinite(fb):
+            return None
+        a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
+        fb = function(b)
+        if abs(b - a) <= 1e-13 * (1 + abs(b)):
+            return b
+    return None
