@@ -235,7 +235,9 @@ class _Search:
         own, multipliers = {*self.terms}, {*self.system.multipliers}
         changes: set[Change] = set()
         for derived in self.system.equations:
-            for scale in dict.fromkeys(s for pair in self._close_pairs(derived) if (s := self._ratio(*pair)) is not None):
+            for scale in dict.fromkeys(
+                s for pair in self._close_pairs(derived) if (s := self._ratio(*pair)) is not None
+            ):
                 scaled = [scale * term for term in terms_of(derived) or ()]
                 other = {*((terms_of(sp.Add(*scaled)) or ()) if scale.has(sp.Add) else scaled)}
                 lost, gained = own - other, other - own

@@ -346,7 +346,9 @@ class Examiner:
             working = Working(answer)
         if solution is not None and not moving:
             working = with_conditions(working, solution)
-        at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, self._statics_reference.scope))
+        at_rest = solution is not None and (
+            solution.own.motion is None or not _moves(working.judged, self._statics_reference.scope)
+        )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
 

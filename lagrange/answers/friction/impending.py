@@ -25,7 +25,9 @@ _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 
 
 def check_impending(
-    alternatives: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference,
+    alternatives: Sequence[Sequence[Fragment]],
+    motions: Sequence[ImpendingMotion],
+    reference: Reference,
     solution: Solution,
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
@@ -58,8 +60,8 @@ def _explained(
     solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
-    from lagrange.answers.models.conditions import Stated, explained_limits
-    from lagrange.answers.models.contacts import explained_by_contacts
+    from lagrange.answers.results.conditions import Stated, explained_limits
+    from lagrange.answers.results.contacts import explained_by_contacts
 
     stated = [
         Stated(f.text, c, True)

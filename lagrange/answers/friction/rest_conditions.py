@@ -17,8 +17,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.answers.models.approximate import approximate
 from lagrange.answers.references import Reference
+from lagrange.answers.results.approximate import approximate
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
@@ -60,7 +60,9 @@ def check_rest(
     best = next(v for v in order if v in verdicts)
     diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
     if best in (Verdict.WRONG, Verdict.INCOMPLETE):
-        diagnosis = next(filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis)
+        diagnosis = next(
+            filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
+        )
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
 
 
@@ -73,7 +75,7 @@ def _explained(
 ) -> str:
     """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
     several cases has to hold."""
-    from lagrange.answers.models import conditions
+    from lagrange.answers.results import conditions
 
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
@@ -89,7 +91,7 @@ def _explained(
         parts = [conditions.Stated(s.text, s.slack, s.equation) for s in wrong]
         if found := conditions.explained_conditions(parts, missing, laws):
             return found
-        from lagrange.answers.models.contacts import explained_by_contacts
+        from lagrange.answers.results.contacts import explained_by_contacts
 
         return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
     other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
@@ -160,8 +162,8 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
 
 def _of_another_body(stated: Sequence[_Stated], solution: Solution) -> str:
     """The conditions of rolling for another moment of inertia, as a sentence; empty if they are none."""
-    from lagrange.answers.models.bodies import other_bodies
-    from lagrange.answers.models.conditions import is_limit
+    from lagrange.answers.results.bodies import other_bodies
+    from lagrange.answers.results.conditions import is_limit
 
     others = other_bodies(solution)
     if others is None or not stated:
@@ -266,7 +268,7 @@ def _are_same(a: _Stated, b: _Stated) -> bool:
 
 
 def _differ(a: sp.Expr, b: sp.Expr) -> bool:
-    """Whether one is clearly positive where the other is clearly negative: soon found, unlike the sign of their ratio."""
+    """Whether one is positive where the other is negative, clearly: soon found, unlike the sign of their ratio."""
     letters = sorted(_symbols(a) | _symbols(b), key=str)
     draw = random.Random(7)
     points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_SAMPLES))

@@ -214,7 +214,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
         if above != 1:
             there = above.free_symbols <= claim.free_symbols
-            parts.append(f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}")
+            parts.append(
+                f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}"
+            )
         if parts:
             yield " and ".join(parts)
     for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):

@@ -133,7 +133,7 @@ class _Claim:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
         from lagrange.answers.models.questions import explained_answer, explained_value
-        from lagrange.answers.models.starts import explained_at_start
+        from lagrange.answers.results.starts import explained_at_start
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -161,13 +161,15 @@ class _Claim:
 
     def _of_another_body(self, stated: sp.Expr, of: sp.Expr) -> str:
         """The answer for another moment of inertia, as a sentence; empty if it is none."""
-        from lagrange.answers.models.bodies import other_bodies
+        from lagrange.answers.results.bodies import other_bodies
 
         others = other_bodies(self.solution)
         if others is None:
             return ""
         solved, changes = others
-        values = [v for a in solved.asked if a.question.name == self.asked.question.name for b in a.branches for v in b.values]
+        values = [
+            v for a in solved.asked if a.question.name == self.asked.question.name for b in a.branches for v in b.values
+        ]
         for clause, rule in changes:
             for value in values:
                 right = of.xreplace({self.quantity: value.xreplace(dict(rule))})

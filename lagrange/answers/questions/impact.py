@@ -39,12 +39,12 @@ def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> 
     if found is None:
         return AnswerVerdict(Verdict.UNDECIDED, name="impact", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
-    return check_each("impact", stated, lambda name, fragment: _judged(name, fragment, found, solution.problem, reference))
+    return check_each(
+        "impact", stated, lambda name, fragment: _judged(name, fragment, found, solution.problem, reference)
+    )
 
 
-def _judged(
-    name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Problem, reference: Reference
-) -> Judged:
+def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Problem, reference: Reference) -> Judged:
     """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
     values = [*_values(name, fragment, found)]
     scope = replace(reference.scope, decimals="")
@@ -68,12 +68,14 @@ def _judged(
             return Verdict.EQUIVALENT, "; ".join(filter(None, [remark, rounding]))
     if undecided:
         return Verdict.UNDECIDED, UNDECIDED
-    from lagrange.answers.models.impacts import explained_impact
+    from lagrange.answers.results.impacts import explained_impact
 
     before = dict(zip(found.slots.velocities, found.velocities, strict=True))
     claim = found.at(as_written(expression)).xreplace(before)
     values_ = dict(reference.values)
-    why = explained_impact(name, claim, values[0][0], found, problem, lambda e: found.surface.is_zero(e.xreplace(values_)))
+    why = explained_impact(
+        name, claim, values[0][0], found, problem, lambda e: found.surface.is_zero(e.xreplace(values_))
+    )
     return Verdict.WRONG, why
 
 

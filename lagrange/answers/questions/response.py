@@ -37,7 +37,7 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
     verdict = check_each("response", stated, lambda name, fragment: _judged(name, fragment, found, reference, claims))
     if verdict.verdict is not Verdict.WRONG or len(claims) < len(stated):
         return verdict
-    from lagrange.answers.models.amplitudes import explained_amplitudes
+    from lagrange.answers.results.amplitudes import explained_amplitudes
 
     together = next(filter(None, (explained_amplitudes(claims, r) for r in found)), "")
     if not together:

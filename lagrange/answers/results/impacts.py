@@ -12,10 +12,10 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.models.frequencies import Numbers
-from lagrange.answers.models.meanings import other_meanings
 from lagrange.answers.models.mechanics import Mechanics, mechanics_of
 from lagrange.answers.models.questions import explained_value
 from lagrange.answers.models.table import MODELS
+from lagrange.answers.results.meanings import other_meanings
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.problem.model import Problem
 
@@ -59,7 +59,12 @@ def _reasons(
     elif plain in velocities:
         if vanishes(claim - velocities[plain]):
             yield "this is the velocity just before the impact"
-        if before != 0 and value != 0 and vanishes(claim**2 * after - value**2 * before) and not vanishes(before - after):
+        if (
+            before != 0
+            and value != 0
+            and vanishes(claim**2 * after - value**2 * before)
+            and not vanishes(before - after)
+        ):
             yield "the kinetic energy is taken to be conserved, and in this impact some of it is lost"
         if (why := _of_another_inertia(plain, claim, found, problem)) is not None:
             yield f"this is the velocity {why}"
@@ -95,7 +100,10 @@ def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, probl
             changed = variation.mechanics
             if changed is None or changed.inertias == m.inertias or changed.kept != m.kept:
                 continue
-            if all((v := d.velocity(changed, number)) is not None and _close(v, c) for d, c in zip(draws, claims, strict=True)):
+            if all(
+                (v := d.velocity(changed, number)) is not None and _close(v, c)
+                for d, c in zip(draws, claims, strict=True)
+            ):
                 return variation.clause
     return None
 
@@ -120,7 +128,10 @@ class _Draw:
         before = [sp.S.Zero if k == without else v for k, v in enumerate(self.before)]
         n, r = len(self.before), len(self.rows)
         mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
-        right = [j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero) for j, row in zip(self.blows, mass, strict=True)]
+        right = [
+            j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero)
+            for j, row in zip(self.blows, mass, strict=True)
+        ]
         rows = [[*mass[i], *(-self.rows[j][i] for j in range(r)), right[i]] for i in range(n)]
         rows += [[*self.rows[j], *[sp.S.Zero] * r, -self.drift[j]] for j in range(r)]
         if any(not x.is_number or not x.is_finite for row in rows for x in row):

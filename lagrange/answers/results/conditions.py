@@ -17,8 +17,8 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.models.approximate import approximate
-from lagrange.answers.models.meanings import Meaning, other_meanings, with_waves_exchanged
+from lagrange.answers.results.approximate import approximate
+from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
@@ -99,9 +99,7 @@ def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
     return f"the limit of {letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
 
 
-def _meanings(
-    stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
-) -> list[Meaning]:
+def _meanings(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> list[Meaning]:
     letters, used = (set().union(*map(_symbols, es)) for es in (derived, [s.slack for s in stated]))
     return [*with_waves_exchanged(derived), *other_meanings(letters, used, coefficients)]
 

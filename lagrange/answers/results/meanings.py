@@ -62,5 +62,7 @@ def with_waves_exchanged(expressions: Collection[sp.Expr]) -> Iterator[Meaning]:
     waves = {w.args[0] for e in expressions for w in e.atoms(sp.sin, sp.cos, sp.tan)}
     for angle in sorted(waves, key=str):
         if angle.is_Symbol:
-            clause = f"with sine and cosine of {angle} exchanged, as if it were measured from the perpendicular direction"
+            clause = (
+                f"with sine and cosine of {angle} exchanged, as if it were measured from the perpendicular direction"
+            )
             yield Meaning(clause, {angle: sp.pi / 2 - angle})

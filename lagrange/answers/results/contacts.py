@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.answers.models.conditions import Stated, is_limit
+from lagrange.answers.results.conditions import Stated, is_limit
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.mechanics.results import Solution
@@ -46,7 +46,11 @@ def explained_by_contacts(stated: Sequence[Stated], solution: Solution) -> str:
             rule = {**others, own: value}
             changed = [e.xreplace(rule) for e in limits]
             if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
-                how = f"for the friction `{friction}` acting the other way" if clause else f"without the friction `{friction}`"
+                how = (
+                    f"for the friction `{friction}` acting the other way"
+                    if clause
+                    else f"without the friction `{friction}`"
+                )
                 return f"{'these are the limits' if len(stated) > 1 else 'this is the limit'} {how}"
     return ""
 

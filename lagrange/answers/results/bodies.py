@@ -60,7 +60,7 @@ def _with_letters(same: Identical) -> tuple[Solution, dict[str, tuple[sp.Symbol,
 
 
 def _changes(letters: Mapping[str, tuple[sp.Symbol, sp.Expr]]) -> Iterator[tuple[str, Rule]]:
-    own = {j: moment for j, moment in letters.values()}
+    own: dict[sp.Symbol, sp.Expr] = dict(letters.values())
     for name, (j, _) in letters.items():
         yield f"without the rotation of `{name}`", {**own, j: sp.S.Zero}
     for name, (j, moment) in letters.items():

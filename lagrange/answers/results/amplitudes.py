@@ -14,7 +14,7 @@ from random import Random
 
 import sympy as sp
 
-from lagrange.answers.models.meanings import other_meanings
+from lagrange.answers.results.meanings import other_meanings
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.equilibrium.driven.response import Response
@@ -69,7 +69,11 @@ def explained_amplitudes(stated: Mapping[str, sp.Expr], response: Response) -> s
             return f"these are the amplitudes {clause}" if len(claims) > 1 else f"this is the amplitude {clause}"
     for meaning in other_meanings(letters, used):
         if given_by(lambda d, n, m=meaning: d.value(right[n].xreplace(dict(m.rule)))):  # type: ignore[misc]
-            return f"these are the amplitudes {meaning.clause}" if len(claims) > 1 else f"this is the amplitude {meaning.clause}"
+            return (
+                f"these are the amplitudes {meaning.clause}"
+                if len(claims) > 1
+                else f"this is the amplitude {meaning.clause}"
+            )
     return ""
 
 
@@ -93,8 +97,9 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
                 continue
             where = f"in the equation of {coordinates[i]}"
             yield f"without the term with {coordinates[j]}{primes} {where}", own.changed(part, i, j, sp.S.Zero)
-            yield f"with the wrong sign of the term with {coordinates[j]}{primes} {where}", own.changed(
-                part, i, j, -matrix[i][j]
+            yield (
+                f"with the wrong sign of the term with {coordinates[j]}{primes} {where}",
+                own.changed(part, i, j, -matrix[i][j]),
             )
             without = own.changed(part, i, j, sp.S.Zero).changed(part, i, i, matrix[i][i] + matrix[i][j])
             yield f"without what couples {coordinates[i]} with {coordinates[j]} {where}", without
@@ -151,7 +156,10 @@ class _Draw:
         whole = _determinant(rows)
         if abs(whole) < _SMALL:
             return []
-        solved = (_determinant([[f if c == n else x for c, x in enumerate(r)] for r, f in zip(rows, forces, strict=True)]) for n in size)
+        solved = (
+            _determinant([[f if c == n else x for c, x in enumerate(r)] for r, f in zip(rows, forces, strict=True)])
+            for n in size
+        )
         return [abs(sp.expand(z)) ** 2 / abs(sp.expand(whole)) ** 2 for z in solved]
 
 
@@ -159,7 +167,9 @@ def _determinant(rows: Sequence[Sequence[sp.Expr]]) -> sp.Expr:
     if len(rows) == 1:
         return rows[0][0]
     minors = [[[*r[:j], *r[j + 1 :]] for r in rows[1:]] for j in range(len(rows))]
-    return sp.expand(sp.Add(*((-1) ** j * a * _determinant(m) for j, (a, m) in enumerate(zip(rows[0], minors, strict=True)))))
+    return sp.expand(
+        sp.Add(*((-1) ** j * a * _determinant(m) for j, (a, m) in enumerate(zip(rows[0], minors, strict=True))))
+    )
 
 
 def _close(a: sp.Expr, b: sp.Expr) -> bool:
