@@ -82,11 +82,8 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
     angle = response.drive.frequency * t
     forces = [sp.expand(f) for f in response.forced.forces]
     drive = [f.coeff(sp.cos(angle)) - sp.I * f.coeff(sp.sin(angle)) for f in forces]
-    own = _Equations(
-        *([[*row] for row in m] for m in (system.stiffness, system.mass, system.damping)),
-        forces=drive,
-        frequency=response.drive.frequency,
-    )
+    stiffness, mass, damping = ([[*row] for row in m] for m in (system.stiffness, system.mass, system.damping))
+    own = _Equations(stiffness, mass, damping, drive, response.drive.frequency)
     n = len(coordinates)
     pairs = [(i, j) for i in range(n) for j in range(n) if i != j]
     words = {"stiffness": "", "mass": "''", "damping": "'"}

@@ -55,7 +55,7 @@ def explained_conditions(
             return together
     except _unknown:
         pass
-    reasons = {}
+    reasons: dict[str, str] = {}
     for s in stated:
         try:
             reason = next(_reasons(s, derived, coefficients), "")

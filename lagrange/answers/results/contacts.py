@@ -17,7 +17,7 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
-from lagrange.problem.model import Friction, Problem
+from lagrange.problem.model import Force, Friction, Problem
 
 UNITS = 100_000
 """Of work for solving the problem with a coefficient for each contact."""
@@ -69,7 +69,8 @@ def _with_own_coefficients(problem: Problem) -> tuple[Problem, Common] | None:
     if not shared <= known.keys() or any(known[mu].value is not None for mu in shared):
         return None
     common: Common = []
-    parameters, forces = list(problem.parameters), []
+    parameters = list(problem.parameters)
+    forces: list[Force] = []
     for f in problem.forces:
         if isinstance(f, Friction) and isinstance(f.static, sp.Symbol):
             own = sp.Symbol(f"{f.static.name}_of_{f.name}", positive=True)

@@ -141,7 +141,8 @@ class _Draw:
 
 def _solved(rows: list[list[sp.Expr]], number: int) -> sp.Expr | None:
     """One of the unknowns of linear equations [A | b] in numbers, by elimination; None if it is not determined."""
-    work, pivots = [[*row] for row in rows], {}
+    work = [[*row] for row in rows]
+    pivots: dict[int, int] = {}
     for column in range(len(rows[0]) - 1):
         free = [n for n in range(len(work)) if n not in pivots.values()]
         best = max(free, key=lambda n: abs(work[n][column]), default=None)
