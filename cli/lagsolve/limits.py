@@ -70,6 +70,9 @@ STARTS = 3
 MOST_KEPT_OUTCOMES = 5_000
 """Outcomes that are kept for equal submissions, some 2 kB each: a course has fewer different ones."""
 
+SETUP_SECONDS = 600.0
+"""In which a process has to solve the problems of a batch; the heaviest shipped one takes 3 s on an idle machine."""
+
 POLL_SECONDS = 0.5
 """Between two looks at the clock while no submission is ready, for the line of progress and for Ctrl-C."""
 

@@ -12,10 +12,9 @@ from enum import Enum
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
-from lagrange.answers.diagnosis import follows, residue_states
+from lagrange.answers.models.residues import Residues, follows
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime
-from lagrange.mechanics.dynamics.comparison import System
 
 
 class Turn(Enum):
@@ -37,11 +36,11 @@ class Convention:
     meant: sp.Expr
 
 
-def other_convention(equations: Sequence[sp.Expr], system: System) -> Convention | None:
+def other_convention(equations: Sequence[sp.Expr], residues: Residues) -> Convention | None:
     """The other way of measuring one coordinate with which all the equations follow; None if there is none."""
     try:
-        states = residue_states(equations, system)
-        for convention in _conventions(equations, system.configuration.slots):
+        states = residues.states(equations)
+        for convention in _conventions(equations, residues.system.configuration.slots):
             if all(follows(_in_convention(e, convention), states) for e in equations):
                 return convention
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):

@@ -19,33 +19,25 @@ accelerations, those with velocities, the others.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from enum import Enum
-from functools import cached_property, lru_cache
+from functools import cached_property
+from itertools import product
 from typing import Any
 
 import sympy as sp
 
 from lagrange.algebra.exact.field_points import FieldPoint
-from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.prime_field import reconstructed
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
     NoPointError,
-    Point,
-    Surface,
     UnsupportedError,
 )
-from lagrange.answers.limits import (
-    BRANCHING_STATES,
-    MAX_BESIDE,
-    MAX_NUMERATOR,
-    MAX_SCALE_OPERATIONS,
-    REAL_STATES,
-    STATES,
-)
+from lagrange.answers.limits import MAX_BESIDE, MAX_NUMERATOR, MAX_SCALE_OPERATIONS
+from lagrange.answers.models.residues import Residues, ResidueState, follows
 from lagrange.answers.slips import (
     NUMBERS,
     Slip,
@@ -59,94 +51,7 @@ from lagrange.answers.slips import (
 )
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
-from lagrange.mechanics.dynamics.comparison import System, affine_rows, symbols_of
-from lagrange.mechanics.dynamics.comparison import state as state_of_motion
-
-
-@record
-class ResidueState:
-    """A random state at which each term of an answer is reduced modulo the derived equations.
-
-    point     the state, with velocities that satisfy the constraints
-    unknowns  the multipliers and accelerations
-    derived   the row space of the derived equations
-    """
-
-    point: Point
-    unknowns: tuple[sp.Symbol, ...]
-    derived: RowSpace
-
-    def residue(self, term: sp.Expr) -> list[Any] | None:
-        """A term modulo the derived equations; None if it is not affine in the unknowns."""
-        try:
-            # Most of the many terms tried have no unknowns, and `affine` would evaluate them at two more points.
-            if term.free_symbols.isdisjoint(self.unknowns):
-                return self.derived.residue([*self.no_unknowns, self.point.value(term)])
-            rows = self.point.affine([term], self.unknowns)
-        except (InadmissibleError, DivisionByZeroError):
-            return None
-        return None if rows is None else self.derived.residue(rows[0])
-
-    @cached_property
-    def no_unknowns(self) -> list[Any]:
-        """The coefficients of a term without unknowns."""
-        return [self.point.number(0)] * len(self.unknowns)
-
-    def vanishes(self, row: Iterable[Any]) -> bool:
-        """Whether a row is zero."""
-        return all(self.point.arithmetic.vanishes(x) for x in row)
-
-    def ratio(self, a: Sequence[Any], b: Sequence[Any]) -> Any | None:
-        """a / b if a is a multiple of b; None if it is not, or b is zero."""
-        arithmetic = self.point.arithmetic
-        n = next((n for n, x in enumerate(b) if not arithmetic.vanishes(x)), None)
-        if n is None:
-            return None
-        c = arithmetic.reduce(a[n] * arithmetic.inverse(b[n]))
-        same = self.vanishes(arithmetic.reduce(x - c * y) for x, y in zip(a, b, strict=True))
-        return c if same else None
-
-    def value(self, factor: sp.Expr) -> Any | None:
-        """The value of a factor without unknowns; None if it has none at this state."""
-        try:
-            return self.point.value(factor)
-        except (InadmissibleError, DivisionByZeroError):
-            return None
-
-
-def residue_states(equations: Sequence[sp.Expr], system: System) -> list[ResidueState]:
-    """Independent random states at which the equations and the system are defined.
-
-    Raises NoPointError, UnsupportedError, DivisionByZeroError.
-    """
-    configuration = system.configuration
-    derived = equations_of(system)
-    symbols = symbols_of((*equations, *derived))
-    unknowns = (*system.multipliers, *configuration.slots.accelerations)
-
-    def at(point: Point) -> ResidueState:
-        moving = state_of_motion(point, configuration, symbols)
-        return ResidueState(moving, unknowns, RowSpace(moving.arithmetic, affine_rows(moving, derived, unknowns)))
-
-    states = configuration.states
-    if not _branches((*equations, *derived), states):
-        return states.sampled(at, STATES)
-    return [*states.sampled(at, BRANCHING_STATES), *states.sampled(at, REAL_STATES, real=True)]
-
-
-def _branches(expressions: Sequence[sp.Expr], states: Surface) -> bool:
-    """Whether expressions depend on signs, which a prime field picks at random."""
-    return any(states.graph.marks[states.graph.node(e)] for e in expressions)
-
-
-def equations_of(system: System) -> tuple[sp.Expr, ...]:
-    """The constraints, differentiated until accelerations occur, and the equations of a system."""
-    return (*system.accelerated_constraints, *system.equations)
-
-
-def follows(equation: sp.Expr, at: Sequence[ResidueState]) -> bool:
-    """Whether an equation follows from the system at all of these states."""
-    return all((r := state.residue(equation)) is not None and state.vanishes(r) for state in at)
+from lagrange.mechanics.dynamics.comparison import System, affine_rows
 
 
 class Group(Enum):
@@ -179,14 +84,18 @@ class Diagnosis:
     alone: bool = False
 
 
-def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Diagnosis | None:
+def diagnosed(
+    equation: sp.Expr, system: System, *, beside: bool = False, residues: Residues | None = None
+) -> Diagnosis | None:
     """The diagnosis of an equation, linear in the accelerations, that does not follow; None: not found.
 
-    beside  whether a model explains the equation already: then only short searches are made
+    beside    whether a model explains the equation already: then only short searches are made
+    residues  the states of the system that are kept for one answer after the other
     """
+    residues = residues or Residues(system)
     try:
         if beside:
-            search = _Search(equation, system)
+            search = _Search(equation, residues)
             if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
                 return None
             change = search.change(direct=True)
@@ -196,10 +105,10 @@ def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Dia
                 return None  # a factor of an acceleration stands for one of all other terms, which the cause has named
             return _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
-            diagnosis = _Search(form, system).change()
+            diagnosis = _Search(form, residues).change()
             if diagnosis is not None:
                 return _with_group(diagnosis, times, system)
-        search = _Search(equation, system)
+        search = _Search(equation, residues)
         group = search.group()
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         return None
@@ -258,9 +167,9 @@ Row = tuple[sp.Expr, list[Any]]
 class _Search:
     """The search for one change of an equation that makes it follow from a system."""
 
-    def __init__(self, equation: sp.Expr, system: System) -> None:
+    def __init__(self, equation: sp.Expr, residues: Residues) -> None:
         self.equation = equation
-        self.system = system
+        self.system = system = residues.system
         self.slots = system.configuration.slots
         self.terms = terms_of(equation) or ()
         self.brackets = tuple(e for e in sp.Add.make_args(equation) if e not in self.terms)
@@ -273,8 +182,11 @@ class _Search:
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
         # On some branches the equation may be right. Changes are sought at the first state, where it is wrong.
-        self.states = sorted(residue_states((equation,), system), key=lambda state: follows(equation, [state]))
+        self.states = sorted(residues.states((equation,)), key=lambda state: follows(equation, [state]))
         self._scales: dict[sp.Expr, list[tuple[sp.Expr, Any]]] = {}
+        self._only: Set[Change] | None = None
+        self._known_values: dict[sp.Expr, Any | None] = {}
+        self._known_ratios: dict[tuple[sp.Expr, sp.Expr], sp.Expr | None] = {}
 
     def change(self, *, direct: bool = False) -> Diagnosis | None:
         """The likeliest change that makes the equation right; None if none is found.
@@ -302,11 +214,16 @@ class _Search:
             for term, row in zip(self.terms, rows, strict=True)
             if only is None or any(term == lost for lost, _ in only)
         ]
+        self._only = only
         for candidates in (self._by_number, self._by_another, self._by_missing):
             for _, diagnosis in sorted(candidates(own, total), key=lambda pair: pair[0]):
-                if (only is None or (diagnosis.term, diagnosis.right) in only) and self._holds(diagnosis):
+                if self._may_be(diagnosis.term, diagnosis.right) and self._holds(diagnosis):
                     return diagnosis
         return None
+
+    def _may_be(self, term: sp.Expr | None, right: sp.Expr | None) -> bool:
+        """Whether this change is among those that are sought."""
+        return self._only is None or (term, right) in self._only
 
     @cached_property
     def _direct(self) -> set[Change]:
@@ -318,14 +235,37 @@ class _Search:
         own, multipliers = {*self.terms}, {*self.system.multipliers}
         changes: set[Change] = set()
         for derived in self.system.equations:
-            for scale, _ in self._scales_to(derived):
-                scaled = [scale * term for term in _terms_of_derived(derived) or ()]
+            for scale in dict.fromkeys(
+                s for pair in self._close_pairs(derived) if (s := self._ratio(*pair)) is not None
+            ):
+                scaled = [scale * term for term in terms_of(derived) or ()]
                 other = {*((terms_of(sp.Add(*scaled)) or ()) if scale.has(sp.Add) else scaled)}
                 lost, gained = own - other, other - own
                 has_multiplier = any(g.free_symbols & multipliers for g in gained)
                 if max(len(lost), len(gained)) == 1 and not has_multiplier:
                     changes.add((next(iter(lost), None), next(iter(gained), None)))
         return changes
+
+    def _close_pairs(self, derived: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+        """The pairs of a term and one of a derived equation whose ratio makes the two equal but for one term, perhaps.
+
+        Most ratios do not, which their values at a state tell sooner than the terms do.
+        """
+        state, others = self.states[0], terms_of(derived) or ()
+        reduce, inverse = state.point.arithmetic.reduce, state.point.arithmetic.inverse
+        values = [self._value_of(term) for term in (*self.terms, *others)]
+        pairs = product(range(len(self.terms)), range(len(self.terms), len(values)))
+        if not isinstance(state.point, FieldPoint) or any(v is None or v == 0 for v in values):
+            yield from product(self.terms, others)
+            return
+        own = {*values[: len(self.terms)]}
+        most = min(len(self.terms), len(others))
+        for n, m in pairs:
+            term, other = self.terms[n], others[m - len(self.terms)]
+            c = reduce(values[n] * inverse(values[m]))
+            common = own & {reduce(c * v) for v in values[len(self.terms) :]}
+            if len(common) >= most - 1 or _has_sums(term) or _has_sums(other):
+                yield term, other
 
     def group(self) -> Group | None:
         """The group of terms in which the equation differs from the multiple c E of a derived one that is nearest.
@@ -340,7 +280,7 @@ class _Search:
         multiples: dict[tuple[int, int], list[tuple[sp.Expr, sp.Expr]]] = {}
         for derived in self.system.equations:
             for scale, _ in self._scales_to(derived):
-                other = {sp.expand(scale * term) for term in _terms_of_derived(derived) or ()}
+                other = {sp.expand(scale * term) for term in terms_of(derived) or ()}
                 differing = max(len(own - other), len(other - own))
                 simplicity = min(int(factor.count_ops()) for factor in (scale, -scale))
                 multiples.setdefault((differing, simplicity), []).append((derived, scale))
@@ -409,7 +349,7 @@ class _Search:
         reduce = state.point.arithmetic.reduce
         for term, residue in terms:
             for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters, self.angles)):
-                replaced = state.residue(variant)
+                replaced = state.residue(variant) if self._may_be(term, variant) else None
                 if replaced is None or state.vanishes(replaced):
                     continue
                 if state.vanishes(reduce(a - b + c) for a, b, c in zip(total, residue, replaced, strict=True)):
@@ -443,8 +383,8 @@ class _Search:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = state.point.arithmetic.reduce
         for derived in self.system.equations:
-            for term in _terms_of_derived(derived) or ():
-                residue = state.residue(term)
+            for term in terms_of(derived) or ():
+                residue = state.residue_kept(term)
                 ratio = None if residue is None else state.ratio(total, residue)
                 if ratio is None:
                     continue
@@ -508,21 +448,30 @@ class _Search:
     @cached_property
     def _by_value(self) -> dict[Any, list[int]]:
         """The simple factors that are no numbers, by their values at the first state."""
-        found: dict[Any, list[int]] = {}
-        for n, value in enumerate(self._values):
-            if value is not None and not self._simple_factors[n].is_number:
-                found.setdefault(value, []).append(n)
-        return found
+        return self.states[0].values_of(self._simple_factors)[1]
 
     def _scales_of(self, wanted: Any, term: sp.Expr, derived: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
         """The factor of a missing term of a derived equation, with its cost: first those that other terms have."""
         state = self.states[0]
-        for factor, value in self._scales_to(derived):
-            if state.point.arithmetic.vanishes(state.point.arithmetic.reduce(value - wanted)):
-                yield 0.0, factor
-                return
+        known, others = self._value_of, terms_of(derived) or ()
+        for own, other in product(self.terms, others):
+            # wanted = own/other, as values first: most ratios have another one.
+            a, b = known(own), known(other)
+            differs = a is not None and b is not None and state.point.arithmetic.reduce(a - wanted * b)
+            if not (differs and not state.point.arithmetic.vanishes(differs)):
+                factor = self._ratio(own, other)
+                value = None if factor is None else state.value(factor)
+                if value is not None and state.point.arithmetic.vanishes(state.point.arithmetic.reduce(value - wanted)):
+                    yield 0.0, factor
+                    return
         for cost, factor in sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])[:1]:
             yield 1.5 + cost, factor
+
+    def _value_of(self, term: sp.Expr) -> Any | None:
+        """The value of a term at the first state."""
+        if term not in self._known_values:
+            self._known_values[term] = self.states[0].value(term)
+        return self._known_values[term]
 
     def _as_number(self, value: Any) -> sp.Rational | None:
         """A value as a fraction of small numbers; None if it is none."""
@@ -546,9 +495,7 @@ class _Search:
     @cached_property
     def _values(self) -> list[Any | None]:
         """Each factor's value at the first state; None if it has none, or vanishes."""
-        state = self.states[0]
-        values = (state.value(factor) for factor in self._simple_factors)
-        return [None if v is None or state.point.arithmetic.vanishes(v) else v for v in values]
+        return self.states[0].values_of(self._simple_factors)[0]
 
     def _scales_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
         """The simple ratios of a term of the equation to one of a derived equation, with their values."""
@@ -557,28 +504,24 @@ class _Search:
         return self._scales[derived]
 
     def _ratios_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
-        state = self.states[0]
         scales: dict[sp.Expr, Any] = {}
-        for own in self.terms:
-            for term in _terms_of_derived(derived) or ():
-                scale = own / term
-                # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
-                moves = bool(scale.free_symbols & self._moving) and not self._is_inertia(term)
-                if (
-                    scale in scales
-                    or moves
-                    or scale.free_symbols & self._accelerations
-                    or scale.count_ops() > MAX_SCALE_OPERATIONS
-                ):
-                    continue
-                value = state.value(scale)
-                if value is not None:
-                    scales[scale] = value
-        return list(scales.items())
+        for own, term in product(self.terms, terms_of(derived) or ()):
+            scale = self._ratio(own, term)
+            if scale is not None and scale not in scales:
+                scales[scale] = self.states[0].value(scale)
+        return [(scale, value) for scale, value in scales.items() if value is not None]
 
+    def _ratio(self, own: sp.Expr, term: sp.Expr) -> sp.Expr | None:
+        """The ratio of a term to one of a derived equation; None if it is not simple enough for a factor."""
+        if (own, term) not in self._known_ratios:
+            scale = own / term
+            # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
+            moves = not scale.free_symbols.isdisjoint(self._moving) and not self._is_inertia(term)
+            accelerated = not scale.free_symbols.isdisjoint(self._accelerations)
+            simple = not (moves or accelerated or scale.count_ops() > MAX_SCALE_OPERATIONS)
+            self._known_ratios[own, term] = scale if simple else None
+        return self._known_ratios[own, term]
 
-_terms_of_derived = lru_cache(maxsize=256)(terms_of)
-"""The terms of a derived equation, with which all answers are compared."""
 
 _USUAL = frozenset((sp.S.One, *NUMBERS))
 _COSTS = {
@@ -590,6 +533,11 @@ _COSTS = {
     Slip.COORDINATE: 1.8,
     Slip.PARAMETER: 1.9,
 }
+
+
+def _has_sums(term: sp.Expr) -> bool:
+    """Whether sums are factors of a term, so that a multiple of it may have several terms."""
+    return any(f.as_base_exp()[0].is_Add for f in sp.Mul.make_args(term))
 
 
 def _positive(angle: sp.Expr) -> sp.Expr:

@@ -57,6 +57,34 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
 
     Raises ProblemError if there are no equations, or too many.
     """
+    return compared_answer(answer, reference).verdict(diagnosing=diagnosing)
+
+
+@record
+class ComparedAnswer:
+    """An answer with the comparison that counts. What is wrong with it is found out when a verdict is asked for.
+
+    best  the comparison with the system with which it agrees best; None if there is none with all that it uses
+    """
+
+    reference: Reference
+    readings: Sequence[Reading]
+    best: _Attempt | None
+
+    def verdict(self, *, diagnosing: bool) -> AnswerVerdict:
+        """The verdict, with reasons; `diagnosing`: with the change that would make a wrong equation right."""
+        notes = tuple(n for r in self.readings for n in r.notes)
+        errors = tuple(d for r in self.readings if r.error for d in r.error.diagnostics)
+        if self.best is None:
+            return _mixed(self.readings, errors, notes)
+        verdict = _with_reasons(self.best, self.readings, self.reference, diagnosing)
+        pairs = zip(verdict.equations, self.readings, strict=True)
+        equations = tuple(replace(e, sides=r.surprising) for e, r in pairs)
+        return replace(verdict, equations=equations, unreadable=errors, notes=notes)
+
+
+def compared_answer(answer: Sequence[Fragment], reference: Reference) -> ComparedAnswer:
+    """The comparison of equations of motion. Raises ProblemError if there are no equations, or too many."""
     answer = separated(answer)
     if not answer:
         raise ProblemError(
@@ -67,15 +95,8 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
         help_ = "leave out those that follow from the others"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]
-    attempts = list(_attempts(readings, reference))
-    notes = tuple(n for r in readings for n in r.notes)
-    errors = tuple(d for r in readings if r.error for d in r.error.diagnostics)
-    if not attempts:
-        return _mixed(readings, errors, notes)
-    best = max(attempts, key=lambda a: a.quality)
-    verdict = _with_reasons(best, readings, reference, diagnosing)
-    equations = tuple(replace(e, sides=r.surprising) for e, r in zip(verdict.equations, readings, strict=True))
-    return replace(verdict, equations=equations, unreadable=errors, notes=notes)
+    best = max(_attempts(readings, reference), key=lambda a: a.quality, default=None)
+    return ComparedAnswer(reference, readings, best)
 
 
 def sides_of(answer: Sequence[Fragment], reference: Reference) -> list[tuple[sp.Expr | Vector, ...]]:
@@ -339,7 +360,7 @@ def _with_reasons(
     two: Explanation | None = None
     explained_together: list[tuple[int, Callable[[Explanation], tuple[str, ...]]]] = []
     explanations = _explanations(attempt) if diagnosing else _NONE
-    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations, attempt) else None
+    convention = _convention(attempt) if diagnosing and not _is_settled(explanations, attempt) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -353,12 +374,13 @@ def _with_reasons(
             from lagrange.answers.hints import Advisor, cause_of
             from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
 
+            residues = attempt.candidate.residues
             advisor = Advisor(system.configuration.slots)
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
             model = explanations.get(n) if wanted else None
-            change = diagnosed(equation, system, beside=model is not None) if wanted else None
+            change = diagnosed(equation, system, beside=model is not None, residues=residues) if wanted else None
             if wanted and model is None and convention is None and (change is None or change.slip is None):
                 two = two or _two_mistakes(attempt)
             if change is not None and attempt.candidate.values:
@@ -381,9 +403,10 @@ def _with_reasons(
         equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=two.cause, model=two.name)
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
-    nonzero = (
-        conditions([e for _, e in following], attempt.candidate.factorizations, complete=complete) if following else []
-    )
+    # A wrong answer is asked about again, with a diagnosis.
+    asked = following and (diagnosing or verdict.verdict is not Verdict.WRONG)
+    known = attempt.candidate.factorizations
+    nonzero = conditions([e for _, e in following], known, complete=complete) if asked else [()] * len(following)
     for (n, _), own in zip(following, nonzero, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))
@@ -446,14 +469,14 @@ def _flat(standings: Sequence[Sequence[Standing]]) -> list[Standing]:
 _TO_BE_DIAGNOSED = (Recognised.OTHER, Recognised.NO_ACCELERATION)
 
 
-def _convention(attempt: _Attempt, system: System) -> Convention | None:
+def _convention(attempt: _Attempt) -> Convention | None:
     """The other way of measuring a coordinate with which the whole of a wrong answer would be right; None: none."""
     standings = [s for several in attempt.standings for s in several]
     if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
         return None
     from lagrange.answers.conventions import other_convention
 
-    convention = other_convention([e for es in attempt.components for e in es], system)
+    convention = other_convention([e for es in attempt.components for e in es], attempt.candidate.residues)
     if convention is not None and convention.coordinate in attempt.candidate.positive:
         return None
     return convention

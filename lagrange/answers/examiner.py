@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.equations import check_equations, sides_of
+from lagrange.answers.equations import ComparedAnswer, check_equations, compared_answer, sides_of
 from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
 from lagrange.answers.reactions import AtRest, check_reaction
@@ -36,6 +36,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, Problem
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base, symbols_in
+from lagrange.expressions.reader import Scope
 from lagrange.expressions.relations import is_inequality
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
@@ -134,7 +135,7 @@ def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest(stated, rests, reference_of_solution(solution))
+    return check_rest(stated, rests, reference_of_solution(solution), solution)
 
 
 def _rests(solution: Solution) -> list[Rest | Rolling]:
@@ -147,7 +148,7 @@ def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -
     from lagrange.answers.friction.impending import check_impending
 
     reference = reference_of_solution(solution)
-    found = [check_impending(alternatives, v.impending, reference) for v in solution.views if v.impending]
+    found = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
     return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
 
 
@@ -345,7 +346,9 @@ class Examiner:
             working = Working(answer)
         if solution is not None and not moving:
             working = with_conditions(working, solution)
-        at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
+        at_rest = solution is not None and (
+            solution.own.motion is None or not _moves(working.judged, self._statics_reference.scope)
+        )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
 
@@ -378,8 +381,13 @@ class Examiner:
         if working.unknowns:
             reference = replace(reference, unknowns=(*reference.unknowns, *working.unknowns))
 
+        last: tuple[list[Fragment], ComparedAnswer] | None = None
+
         def check(equations: Sequence[Fragment], diagnosing: bool) -> AnswerVerdict:
-            return check_equations(equations, reference, diagnosing=diagnosing)
+            nonlocal last  # a wrong answer is asked about twice, the second time with a diagnosis
+            if last is None or [*map(id, equations)] != [*map(id, last[0])]:
+                last = [*equations], compared_answer(equations, reference)
+            return last[1].verdict(diagnosing=diagnosing)
 
         return verdict_on(working, reference, check)
 
@@ -546,9 +554,8 @@ def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
     return next((v for v in (*FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
 
 
-def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
+def _moves(answer: Sequence[Fragment], scope: Scope) -> bool:
     """Whether velocities or accelerations occur in an answer."""
-    scope = reference_of_solution(solution).scope
     readings = [read_answer(f, scope) for f in answer]
     return any(base(s) != s for r in readings for e in r.components for s in symbols_in(e))
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -37,6 +37,7 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.answers.models.mechanics import Mechanics
+    from lagrange.answers.models.residues import Residues
     from lagrange.answers.models.search import Models
     from lagrange.values.dimensions import Mismatch
 
@@ -75,9 +76,17 @@ class ReferenceCandidate:
         """The changed problems that a wrong answer is compared with."""
         from lagrange.answers.models.search import Models
 
-        return Models(self.system, dict(self.values), self._mechanics)
+        return Models(self.system, dict(self.values), self.parts)
 
-    def _mechanics(self) -> Mechanics | None:
+    @cached_property
+    def residues(self) -> Residues:
+        """The states at which the terms of wrong answers are weighed."""
+        from lagrange.answers.models.residues import Residues
+
+        return Residues(self.system)
+
+    def parts(self) -> Mechanics | None:
+        """The parts of the system; None if they are not known."""
         found = self.mechanics() if self.mechanics is not None else None
         if found is None or not self.positive:
             return found
@@ -213,7 +222,26 @@ def _mismatch(e: sp.Expr, units: Mapping[sp.Symbol, str]) -> Mismatch | None:
 
 
 def reference_of_solution(solution: Solution) -> Reference:
-    """The reference that a solved problem gives."""
+    """The reference that a solved problem gives, with what was found out about it for the answers before this one."""
+    return _reference_of(Identical(solution))
+
+
+class Identical:
+    """A solution that equals only itself: comparing two of them takes longer than judging an answer."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.solution = solution
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Identical) and other.solution is self.solution
+
+    def __hash__(self) -> int:
+        return id(self.solution)
+
+
+@lru_cache(maxsize=8)
+def _reference_of(same: Identical) -> Reference:
+    solution = same.solution
     problem = solution.problem
     signs = {s.name: s for c in solution.choices for s in c.signs}
     scope = problem.scope

@@ -53,6 +53,7 @@ class Slip(Enum):
     NUMBER = auto()  # 9.81 for g, 0.33 for 1/3
 
 
+@lru_cache(maxsize=512)
 def terms_of(equation: sp.Expr) -> tuple[sp.Expr, ...] | None:
     """The terms of an equation, products of sums multiplied out; None if there are too many."""
     if Sizes().of(equation).terms > MAX_TERMS:
@@ -114,7 +115,8 @@ def _angles(
                 yield Slip.SMALL_ANGLE, term / angle * f(angle)
             for q in (q for q in slots.coordinates if q in factors_of_term and q != angle):
                 yield Slip.SMALL_ANGLE, term / q * f(angle)
-        if not any(w.args[0] == angle for w in waves):
+        # Of a given angle, sin α and cos α are components: a factor, and no small angle.
+        if not any(w.args[0] == angle for w in waves) and angle.free_symbols & {*slots.coordinates}:
             yield Slip.SMALL_ANGLE, term * sp.cos(angle)
     for wave in waves:
         angle = wave.args[0]

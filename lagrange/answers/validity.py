@@ -41,7 +41,7 @@ from lagrange.answers.limits import (
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, symbols_in
-from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
+from lagrange.mechanics.dynamics.comparison import System, symbols_of
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
 
@@ -161,8 +161,8 @@ def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) ->
     """Each equation as a combination, at one state."""
     constraints = system.accelerated_constraints
     unknowns = _unknowns(system)
-    moving = state(point, system.configuration, symbols_of((*equations, *system.equations, *constraints)))
-    known = affine_rows(moving, (*constraints, *system.equations), unknowns)
+    moving = system.moving(point, symbols_of((*equations, *system.equations, *constraints)))
+    known = system.rows(moving, ())
     rows = moving.affine(equations, unknowns)
     if rows is None:
         raise UnsupportedError("not linear")

@@ -47,7 +47,7 @@ def test_other_conventions(key: str, equations: list[str], coordinate: str, turn
     assert f"It would be right if {coordinate} were measured {turn.value}" in found.equations[0].diagnosis
     [candidate] = system(key).candidates
     read = [candidate.read(read_answer(Fragment.of(e), system(key).scope).components[0]) for e in equations]
-    convention = other_convention(read, candidate.system)
+    convention = other_convention(read, candidate.residues)
     assert convention is not None
     assert convention.turn is turn
 

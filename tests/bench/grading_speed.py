@@ -34,7 +34,7 @@ def submission(chance: random.Random) -> str:
     ]
     others = [
         f"{FIRST} = 0\n",
-        f"{FIRST} = 0\n{SECOND.replace(' - l1', ' + l1')} = 0\n",
+        f"{n}*m1*({FIRST}) = 0\n{a}*({SECOND.replace(' - l1', ' + l1')}) = 0\n",
         f"{FIRST.replace('g*sin', f'{n}*g*sin')} = 0\n{SECOND} = 0\n",
         f"{FIRST} = 0\n{SECOND.replace('phi2', 'phi_two')} = 0\n",
         f"{FIRST} = \n{SECOND} = 0\n",

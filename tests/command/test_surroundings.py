@@ -125,7 +125,7 @@ def batch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> GradingRun:
     """Two submissions, graded in this process."""
 
     @contextmanager
-    def in_this_process(run: GradingRun, _: float) -> Iterator[tuple[Any, Any, tuple[Any, ...], int]]:
+    def in_this_process(run: GradingRun) -> Iterator[tuple[Any, Any, tuple[Any, ...], int]]:
         with ThreadPoolExecutor(1) as executor:
             yield (
                 executor,

@@ -25,8 +25,15 @@ from lagrange.core.diagnostics import Source
 from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
 from lagsolve.grading.worker import CallFailedError, Limits, LostError, SetupError, StoppedError, Worker
 from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, MOST_PROBLEMS, POLL_SECONDS, TRIES
+
+
+@lru_cache(maxsize=MOST_PROBLEMS)
+def problem_of(source: Source) -> Problem:
+    """The problem of a file, which is not solved for it. Raises ProblemError."""
+    return read_problem(source)
 
 
 @lru_cache(maxsize=MOST_PROBLEMS)

@@ -10,7 +10,6 @@ from dataclasses import replace
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 from lagrange.answers.submissions import Graded, Submission
@@ -18,7 +17,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
 from lagsolve.command_group import write_stderr
 from lagsolve.grading.division import Asked, divided
-from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare
+from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare, problem_of
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.pool import Pool
@@ -28,7 +27,7 @@ from lagsolve.grading.students import Attempts, attributed, identity
 from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries, one_entry
 from lagsolve.grading.table import HEADER, TableRow, csv_text
 from lagsolve.grading.worker import Limits, SetupError
-from lagsolve.limits import AHEAD
+from lagsolve.limits import AHEAD, SETUP_SECONDS
 from lagsolve.written_files import unwritable, write_file
 
 
@@ -102,10 +101,8 @@ Outcome = tuple[str, int, Graded]
 
 def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     """The same, with what came out of those that were graded now and not found in the journal."""
-    start = perf_counter()
-    asked = tuple(Asked(label, _title(source), source) for label, source in run.problems)
-    setup_seconds = 60 + 20 * (perf_counter() - start)
-    if run.seeded and not any(grader(source).examiner.problem.vary for source in run.sources):
+    asked = tuple(Asked(label, problem_of(source).title, source) for label, source in run.problems)
+    if run.seeded and not any(problem_of(source).vary for source in run.sources):
         help_ = "say what varies, as `vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}}`"
         raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
     _refuse_pages_among_answers(run)
@@ -115,7 +112,7 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     batch = Batch(run, asked, unread)
     complete = False
     try:
-        with _executor(run, setup_seconds) as (executor, function, common, processes):
+        with _executor(run) as (executor, function, common, processes):
             batch.run(executor, function, common, processes * AHEAD)
         ordered = [batch.rows[e.name, n] for e in unread for n in range(len(asked))]
         rows = attributed(ordered, run.roster, run.platform, run.attempts)
@@ -123,6 +120,8 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
             write_file(run.csv, csv_text(rows))
         complete = True  # not before the table is written: if that fails, the work of the batch is in the journal
     except SetupError as error:
+        for source in run.sources:
+            grader(source)  # here it says why it cannot be solved, if that is no matter of limits
         the = "the problem" if len(asked) == 1 else "one of the problems"
         message = f"{the} cannot be solved within the limits of a submission: it {error}"
         raise ProblemError(Diagnostic("limits-too-low", message, help="raise --memory")) from None
@@ -136,21 +135,16 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     return rows, batch.outcomes
 
 
-def _title(source: Source) -> str:
-    """The title of a problem, which is solved here for the first time. Raises ProblemError."""
-    return grader(source).examiner.problem.title
-
-
 @contextmanager
-def _executor(run: GradingRun, setup_seconds: float) -> Iterator[tuple[Any, Any, tuple[Any, ...], int]]:
+def _executor(run: GradingRun) -> Iterator[tuple[Any, Any, tuple[Any, ...], int]]:
     """An executor, the function it runs with its further arguments, and the number of its processes."""
     if run.dask is not None:
         from lagsolve.grading.pool import cluster
 
         with cluster(run.dask) as (executor, threads):
-            yield executor, examine_within_limits, (run.sources, run.limits, setup_seconds), threads
+            yield executor, examine_within_limits, (run.sources, run.limits, SETUP_SECONDS), threads
         return
-    pool = Pool(run.jobs, run.limits, partial(prepare, run.sources), setup_seconds)
+    pool = Pool(run.jobs, run.limits, partial(prepare, run.sources), SETUP_SECONDS)
     try:
         yield pool, examine, (run.sources,), run.jobs
     finally:
@@ -219,7 +213,7 @@ class Batch:
                 self._note_unread(entry.name, parts)
                 continue
             for part in parts:
-                varies = grader(run.sources[part.problem]).examiner.problem.vary
+                varies = problem_of(run.sources[part.problem]).vary
                 submission = replace(part, seed=run.seed(entry.name) if varies else "")
                 under = key(submission, self._version, run.sources[part.problem].text, run.limits, run.hint)
                 row = self.journal.row(under)

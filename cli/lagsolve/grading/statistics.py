@@ -17,7 +17,7 @@ from pathlib import Path
 
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.printable import printable
-from lagsolve.grading.examine import grader
+from lagsolve.grading.examine import problem_of
 from lagsolve.grading.run import GradingRun
 from lagsolve.grading.students import counting
 from lagsolve.grading.table import ORDER, TableRow, cell
@@ -48,7 +48,7 @@ Cluster = tuple[str, int]
 
 def write_statistics(path: Path, run: GradingRun, rows: Sequence[TableRow]) -> None:
     """Writes the page, and beside it the CSV file. Raises ProblemError."""
-    titles = {label: grader(source).examiner.problem.title for label, source in run.problems}
+    titles = {label: problem_of(source).title for label, source in run.problems}
     counted = counting(rows)
     write_file(path, page(titles, counted))
     write_file(path.with_suffix(".csv"), table(titles, counted))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from lagrange.core.printable import json_text
-from lagsolve.grading.examine import grader
+from lagsolve.grading.examine import problem_of
 from lagsolve.grading.run import GradingRun, Outcome
 from lagsolve.grading.table import TableRow, csv_text
 from lagsolve.platforms import gradescope, marks, prairielearn
@@ -16,7 +16,7 @@ def written_as(
     format_: str, run: GradingRun, rows: Sequence[TableRow], outcomes: Sequence[Outcome], assignment: str | None
 ) -> str:
     """The text in a format of the command line."""
-    titles = [grader(source).examiner.problem.title for source in run.sources]
+    titles = [problem_of(source).title for source in run.sources]
     match format_:
         case "moodle":
             return marks.moodle(rows, run.roster)

@@ -13,17 +13,22 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.equilibria import check_equilibria
+from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.results import Solution
 
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 
 
 def check_impending(
-    alternatives: Sequence[Sequence[Fragment]], motions: Sequence[ImpendingMotion], reference: Reference
+    alternatives: Sequence[Sequence[Fragment]],
+    motions: Sequence[ImpendingMotion],
+    reference: Reference,
+    solution: Solution,
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
     own = [[[*a, *_forces_beside(a, m)] for a in alternatives] for m in motions]
@@ -42,8 +47,33 @@ def check_impending(
             complete = complete and check_equilibria(kept, [m.equilibrium], reference).verdict is Verdict.EQUIVALENT
         return AnswerVerdict(Verdict.EQUIVALENT if complete else Verdict.INCOMPLETE)
     columns = [[row[n].verdict for row in table] for n, _ in enumerate(alternatives)]
-    wrong = any(all(v is Verdict.WRONG for v in column) for column in columns)
-    return AnswerVerdict(Verdict.WRONG if wrong else Verdict.UNDECIDED)
+    wrong = [a for a, column in zip(alternatives, columns, strict=True) if all(v is Verdict.WRONG for v in column)]
+    if not wrong:
+        return AnswerVerdict(Verdict.UNDECIDED)
+    return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
+
+
+def _explained(
+    wrong: Sequence[Sequence[Fragment]],
+    motions: Sequence[ImpendingMotion],
+    reference: Reference,
+    solution: Solution,
+) -> str:
+    """What wrong limits are instead, in a sentence; empty if that is not found."""
+    from lagrange.answers.results.conditions import Stated, explained_limits
+    from lagrange.answers.results.contacts import explained_by_contacts
+
+    stated = [
+        Stated(f.text, c, True)
+        for a in wrong
+        for f in a
+        for c in read_answer(f, reference.scope).components
+        if isinstance(c, sp.Expr)
+    ]
+    relations = [r for m in motions for b in m.equilibrium.branches for r in b.relations]
+    coefficients = {c.coefficient for m in motions for c in m.contacts}
+    found = explained_limits(stated, [r.lhs - r.rhs for r in relations], coefficients)
+    return found or explained_by_contacts(stated, solution)
 
 
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:

@@ -8,6 +8,7 @@ undecided otherwise.
 
 from __future__ import annotations
 
+import math
 import random
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -17,6 +18,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.references import Reference
+from lagrange.answers.results.approximate import approximate
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
@@ -24,11 +26,13 @@ from lagrange.core.verdicts import all_hold
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
+from lagrange.mechanics.results import Solution
 
 SAMPLES = 400
+FIRST_SAMPLES = 20
 CLEAR = 1e-6
 """A slack counts as positive or negative if it is larger, relative to its terms at random numbers of order one."""
 
@@ -42,7 +46,9 @@ class _Stated:
     equation: bool
 
 
-def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference) -> AnswerVerdict:
+def check_rest(
+    stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
+) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
     try:
         read = [_read(c, reference) for f in stated for c in _each(f)]
@@ -52,8 +58,44 @@ def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], re
     order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
     verdicts = [_compared(read, r, reference.values) for r in rests]
     best = next(v for v in order if v in verdicts)
-    diagnosis = "" if best is not Verdict.INCOMPLETE else "some conditions are missing"
+    diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
+    if best in (Verdict.WRONG, Verdict.INCOMPLETE):
+        diagnosis = next(
+            filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
+        )
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
+
+
+def _explained(
+    stated: Sequence[_Stated],
+    rest: AtRest | Rolling,
+    verdict: Verdict,
+    solution: Solution,
+    values: Mapping[sp.Symbol, sp.Rational],
+) -> str:
+    """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
+    several cases has to hold."""
+    from lagrange.answers.results import conditions
+
+    given, cases = _in_parts(stated, rest, values)
+    if len(cases) != 1:
+        return ""
+    derived = [c for c in cases[0] if not c.equation]
+    wrong = [s for s in given if not any(_are_same(s, c) for c in derived)]
+    missing = [c.slack for c in derived if not any(_are_same(s, c) for s in given)]
+    laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
+    laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
+    if verdict is Verdict.WRONG:
+        if isinstance(rest, Rolling) and (found := _of_another_body(wrong, solution)):
+            return found
+        parts = [conditions.Stated(s.text, s.slack, s.equation) for s in wrong]
+        if found := conditions.explained_conditions(parts, missing, laws):
+            return found
+        from lagrange.answers.results.contacts import explained_by_contacts
+
+        return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
+    other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
+    return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
@@ -118,7 +160,27 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
     return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
 
 
-def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+def _of_another_body(stated: Sequence[_Stated], solution: Solution) -> str:
+    """The conditions of rolling for another moment of inertia, as a sentence; empty if they are none."""
+    from lagrange.answers.results.bodies import other_bodies
+    from lagrange.answers.results.conditions import is_limit
+
+    others = other_bodies(solution)
+    if others is None or not stated:
+        return ""
+    solved, changes = others
+    limits = [c.right - c.left for v in solved.views if v.rolling for case in v.rolling.cases for c in case]
+    for clause, rule in changes:
+        changed = [e.xreplace(dict(rule)) for e in limits]
+        if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
+            return f"this is the condition {clause}"
+    return ""
+
+
+def _in_parts(
+    stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]
+) -> tuple[list[_Stated], list[list[_Stated]]]:
+    """The stated conditions and those of each case, in the same coordinates and without absolute values."""
     numbers = dict(values)
 
     def valued(e: sp.Expr) -> sp.Expr:
@@ -134,6 +196,11 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         ]
         for case in rest.cases
     ]
+    return given, cases
+
+
+def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+    given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
         same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c)} for s in given]
         found = set().union(*same) if same else set()
@@ -190,12 +257,22 @@ def _without_modulus(s: _Stated) -> tuple[_Stated, ...]:
 def _are_same(a: _Stated, b: _Stated) -> bool:
     if a.equation is not b.equation or a.slack == 0 or b.slack == 0:
         return False
+    if not a.equation and _differ(a.slack, b.slack):
+        return False
     symbols = a.slack.free_symbols | b.slack.free_symbols
     try:
         sign = Signs({s for s in symbols if isinstance(s, sp.Symbol)}).of(shortest(a.slack / b.slack))
     except ZeroDivisionError:
         return False
     return sign is not None and (sign == 1 or a.equation)
+
+
+def _differ(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether one is positive where the other is negative, clearly: soon found, unlike the sign of their ratio."""
+    letters = sorted(_symbols(a) | _symbols(b), key=str)
+    draw = random.Random(7)
+    points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_SAMPLES))
+    return any(approximate(a, p) * approximate(b, p) < -CLEAR for p in points)
 
 
 def _has_limit(a: _Stated, b: _Stated) -> bool:
@@ -213,7 +290,7 @@ def _has_limit(a: _Stated, b: _Stated) -> bool:
     return False
 
 
-def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
     """Random numbers: acute angles, positive parameters, other symbols of either sign."""
     symbols = sorted({s for c in conditions for s in c.slack.free_symbols}, key=str)
     angles = {
@@ -226,20 +303,23 @@ def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, sp.Expr]]
             value = draw.uniform(0.02, 1.55) if s in angles else draw.lognormvariate(0, 0.8)
             if not s.is_positive and s not in angles and draw.random() < 0.5:
                 value = -value
-            point[s] = sp.Float(value)
+            point[s] = value
         yield point
 
 
-def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, float]) -> bool | None:
     verdicts = [_all_hold(case, point) for case in cases]
     return True if True in verdicts else None if None in verdicts else False
 
 
-def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, float]) -> bool | None:
     def holds(c: _Stated) -> bool | None:
-        value = c.slack.xreplace(dict(point)).evalf()
-        if c.equation or not value.is_real or not value.is_finite or abs(value) < CLEAR:
+        if c.equation:
             return None
-        return bool(value > 0)
+        value = approximate(c.slack, point)
+        if math.isnan(value):  # a function that is not known in floating point
+            exact = c.slack.xreplace({s: sp.Float(v) for s, v in point.items()}).evalf()
+            value = float(exact) if exact.is_real else math.nan
+        return None if not math.isfinite(value) or abs(value) < CLEAR else value > 0
 
     return all_hold(map(holds, conditions))

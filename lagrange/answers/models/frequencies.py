@@ -45,7 +45,7 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     letters = {s for e in squares for s in e.free_symbols}
     if any(base(s) in m.slots.coordinates or s == t for s in letters):
         return ""
-    draws = [_Numbers(m, at, seed) for seed in (1, 2)]
+    draws = [Numbers(m, at, seed) for seed in (1, 2)]
     for name, variation in models.variations:
         changed = variation.mechanics
         if name in _LIKELY and changed is not None and all(d.satisfied(squares, changed) for d in draws):
@@ -56,7 +56,7 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     return ""
 
 
-class _Numbers:
+class Numbers:
     """M and K of changed problems at random values of the parameters."""
 
     def __init__(self, m: Mechanics, at: Callable[[sp.Expr], sp.Expr], seed: int) -> None:

@@ -205,7 +205,7 @@ def rotation_left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(clause, "the kinetic energies: the bodies turn", m.inertia(lambda i: None if i.turning else i))
 
 
-_RATIOS = tuple(
+RATIOS = tuple(
     sp.Rational(p, q)
     for p, q in (
         (1, 2), (2, 1), (4, 5), (5, 4), (2, 5), (5, 2), (4, 3), (3, 4), (5, 3), (3, 5), (3, 2), (2, 3), (4, 1), (1, 4),
@@ -213,7 +213,7 @@ _RATIOS = tuple(
     )
 )  # fmt: skip
 """Moments of inertia of one standard body over that of another: 1, 1/2, 2/5, 2/3, 1/3, 1/12, 1/4 of m R²."""
-_BODIES = {
+BODIES = {
     sp.S.One: "a hoop",
     HALF: "a disc or solid cylinder",
     sp.Rational(2, 5): "a solid ball",
@@ -225,10 +225,10 @@ def other_inertia(m: Mechanics) -> Iterator[Variation]:
     """The moment of inertia of another standard body, or about another point."""
     for r in m.rotations:
         place = f"the moment of inertia of {called(r.name)}"
-        for ratio in _RATIOS:
+        for ratio in RATIOS:
             moments = [w for w in r.weights if w != 0]
             now = written(ratio * moments[0], m.slots) if len(set(moments)) == 1 else f"{ratio} of the right ones"
-            body = _BODIES.get((ratio * moments[0]).as_coeff_Mul()[0]) if len(moments[0].free_symbols) == 2 else None
+            body = BODIES.get((ratio * moments[0]).as_coeff_Mul()[0]) if len(moments[0].free_symbols) == 2 else None
             clause = f"with the moment of inertia {now} for {called(r.name)}" + (f", which {body} has" if body else "")
             yield Variation(clause, place, _changed(m, r, replace(r, factor=ratio)))
         yield from _about_another_point(m, r)

@@ -11,6 +11,7 @@ into these equations with one of them changed: where they hold, that change expl
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 
 import sympy as sp
 
@@ -211,9 +212,16 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         if ratio.is_number and 1 not in (above**2, below**2):
             return
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
-        parts += [f"there is a factor {_written(above)} too many"] if above != 1 else []
+        if above != 1:
+            there = above.free_symbols <= claim.free_symbols
+            parts.append(
+                f"there is a factor {_written(above)} too many" if there else f"it is not divided by {_written(above)}"
+            )
         if parts:
             yield " and ".join(parts)
+    for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):
+        if _same(claim, right.xreplace({p: q, q: p})):
+            yield f"this is the answer with {p} and {q} exchanged"
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
         yield f"the right answer does not depend on {', '.join(map(str, more))}"

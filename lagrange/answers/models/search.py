@@ -64,9 +64,12 @@ class Explanation:
 
 
 class Models:
-    """The variations of one system, made on first use, and the states at which answers are compared with them."""
+    """The variations of one system, made on first use, and the states at which answers are compared with them.
 
-    def __init__(self, system: System, values: dict[sp.Symbol, sp.Rational], mechanics: Callable[[], Mechanics | None]):
+    values  those that letters of the system have at these states: numbers of the file, or the state at the start
+    """
+
+    def __init__(self, system: System, values: dict[sp.Symbol, sp.Expr], mechanics: Callable[[], Mechanics | None]):
         self.system = system
         self.values = values
         self._mechanics = mechanics
@@ -118,7 +121,7 @@ class Models:
 
         def at(point: Point) -> ModelState:
             moving = state(point, configuration, symbols)
-            numbers = {s: moving.number(int(v.p), int(v.q)) for s, v in self.values.items() if v.is_Rational}
+            numbers = {s: moving.value(v) for s, v in self.values.items()}
             if numbers:
                 moving = moving.with_values(numbers)
             found = ModelState(moving, self.system)

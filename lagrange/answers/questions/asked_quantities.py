@@ -95,6 +95,7 @@ class _Claim:
         self.asked = asked
         self.solution = solution
         self.values = dict(reference.values)
+        self.own = reference.candidates[0] if reference.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
@@ -132,10 +133,13 @@ class _Claim:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
         from lagrange.answers.models.questions import explained_answer, explained_value
+        from lagrange.answers.results.starts import explained_at_start
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
+        if stated is not None and (changed := self._of_another_body(stated, of)):
+            return changed
         if stated is not None and (lost := explained_answer(self.asked, stated, of)):
             return lost
         for factor, how in _FACTORS if value is not None else ():
@@ -149,9 +153,29 @@ class _Claim:
                 continue
         if stated is None:
             return ""
+        if value is not None and self.own is not None and (changed := explained_at_start(value, self.asked, self.own)):
+            return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
         return next(filter(None, (explained_value(stated, v, fixed) for v in right)), "")
+
+    def _of_another_body(self, stated: sp.Expr, of: sp.Expr) -> str:
+        """The answer for another moment of inertia, as a sentence; empty if it is none."""
+        from lagrange.answers.results.bodies import other_bodies
+
+        others = other_bodies(self.solution)
+        if others is None:
+            return ""
+        solved, changes = others
+        values = [
+            v for a in solved.asked if a.question.name == self.asked.question.name for b in a.branches for v in b.values
+        ]
+        for clause, rule in changes:
+            for value in values:
+                right = of.xreplace({self.quantity: value.xreplace(dict(rule))})
+                if self._same(stated, right):
+                    return f"this is the answer {clause}"
+        return ""
 
     def _of_function(self, claim: sp.Expr) -> tuple[sp.Expr, sp.Expr | None]:
         """f and y where the equation is f(quantity) = y with a sine, cosine or tangent."""

@@ -68,7 +68,11 @@ def _verdict(claim: sp.Expr, derived: Hamiltonian, reference: Reference) -> tupl
         return Verdict.UNREADABLE, DIVIDES_BY_ZERO
     if same:
         return Verdict.EQUIVALENT, _TIME if difference.has(t) else _CONSTANT
-    return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.WRONG, "")
+    if same is None:
+        return Verdict.UNDECIDED, UNDECIDED
+    from lagrange.answers.models.questions import explained_value
+
+    return Verdict.WRONG, explained_value(claim, derived.function, {*slots.coordinates, *derived.momenta})
 
 
 def _scope(scope: Scope, derived: Sequence[Hamiltonian], declared: frozenset[str]) -> Scope:

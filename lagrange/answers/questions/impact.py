@@ -23,6 +23,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, sugges
 from lagrange.core.symbols import prime
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Problem
 
 ENERGY_LOST = "energy_lost"
 _NOT_DERIVED = "the problem does not ask for an impact"
@@ -38,10 +39,12 @@ def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> 
     if found is None:
         return AnswerVerdict(Verdict.UNDECIDED, name="impact", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
-    return check_each("impact", stated, lambda name, fragment: _judged(name, fragment, found, reference))
+    return check_each(
+        "impact", stated, lambda name, fragment: _judged(name, fragment, found, solution.problem, reference)
+    )
 
 
-def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Reference) -> Judged:
+def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Problem, reference: Reference) -> Judged:
     """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
     values = [*_values(name, fragment, found)]
     scope = replace(reference.scope, decimals="")
@@ -63,7 +66,17 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Re
         elif same:
             rounding = _ROUNDED if decimals_in([expression]) else ""
             return Verdict.EQUIVALENT, "; ".join(filter(None, [remark, rounding]))
-    return (Verdict.UNDECIDED, UNDECIDED) if undecided else (Verdict.WRONG, "")
+    if undecided:
+        return Verdict.UNDECIDED, UNDECIDED
+    from lagrange.answers.results.impacts import explained_impact
+
+    before = dict(zip(found.slots.velocities, found.velocities, strict=True))
+    claim = found.at(as_written(expression)).xreplace(before)
+    values_ = dict(reference.values)
+    why = explained_impact(
+        name, claim, values[0][0], found, problem, lambda e: found.surface.is_zero(e.xreplace(values_))
+    )
+    return Verdict.WRONG, why
 
 
 def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:

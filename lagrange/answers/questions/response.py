@@ -33,11 +33,26 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
     if not found:
         return AnswerVerdict(Verdict.UNDECIDED, name="response", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
-    return check_each("response", stated, lambda name, fragment: _judged(name, fragment, found, reference))
+    claims: dict[str, sp.Expr] = {}
+    verdict = check_each("response", stated, lambda name, fragment: _judged(name, fragment, found, reference, claims))
+    if verdict.verdict is not Verdict.WRONG or len(claims) < len(stated):
+        return verdict
+    from lagrange.answers.results.amplitudes import explained_amplitudes
+
+    together = next(filter(None, (explained_amplitudes(claims, r) for r in found)), "")
+    if not together:
+        return verdict
+    alone = all(e.diagnosis for e in verdict.equations if e.verdict is Verdict.WRONG)
+    if alone:
+        return verdict
+    plain = tuple(replace(e, diagnosis="") for e in verdict.equations)  # one cause for all of them
+    return replace(verdict, equations=plain, diagnosis=together)
 
 
-def _judged(name: str, fragment: Fragment, found: list[Response], reference: Reference) -> Judged:
-    """The verdict on one amplitude. Raises ProblemError, DivisionByZeroError."""
+def _judged(
+    name: str, fragment: Fragment, found: list[Response], reference: Reference, claims: dict[str, sp.Expr]
+) -> Judged:
+    """The verdict on one amplitude, which is added to `claims`. Raises ProblemError, DivisionByZeroError."""
     squares = {
         q.name: sp.Add(a**2, b**2)
         for r in found
@@ -56,6 +71,7 @@ def _judged(name: str, fragment: Fragment, found: list[Response], reference: Ref
     assert claim is not None  # without a sign of equality it is an expression
     if any(s.name == "t" for s in claim.free_symbols):
         return Verdict.WRONG, _MOVES
+    claims[name] = as_written(claim).xreplace(dict(reference.values))
     difference = (claim**2 - squares[name]).xreplace(dict(reference.values))
     same = is_zero(as_written(difference))
     if same is False and decimals_in([difference]):

@@ -47,6 +47,7 @@ def verdict_on(working: Working, reference: Reference, check: Check, *, moving: 
         and moving
         and all(_states_the_motion(equations[n], reference) for n in _wrong(verdict))
     ):
+        verdict = check(equations, True)
         judged = [replace(e, diagnosis=_SOLVED) if e.verdict is Verdict.WRONG else e for e in verdict.equations]
         judged = [replace(e, verdict=Verdict.UNDECIDED) if e.verdict is Verdict.WRONG else e for e in judged]
         verdict = replace(verdict, verdict=Verdict.UNDECIDED, equations=tuple(judged), diagnosis=_SOLVED)

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum, auto
+from functools import cached_property
 from typing import Any, TypeVar
 
 import sympy as sp
@@ -25,6 +26,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import symbols_in
 from lagrange.mechanics.constraints.constrained_system import is_pfaffian
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.limits import MOST_STATES_KEPT
 
 T = TypeVar("T")
 
@@ -69,6 +71,37 @@ class System:
         """d/dt of the velocity form of each constraint."""
         return self.configuration.accelerated_constraints
 
+    def moving(self, point: Point, symbols: Iterable[sp.Symbol]) -> Point:
+        """The `state` at a point of the configuration: the same one for all answers, with what was evaluated there."""
+        kept = self._moving.get(id(point))
+        if kept is None:
+            if len(self._moving) >= MOST_STATES_KEPT:
+                self._moving.clear()
+            kept = self._moving[id(point)] = point, state(point, self.configuration, symbols)
+        return kept[1]
+
+    @cached_property
+    def _moving(self) -> dict[int, tuple[Point, Point]]:
+        """The point with each id, and its state; an id is that of one point as long as the point is held."""
+        return {}
+
+    def rows(self, moving: Point, free: Sequence[sp.Symbol]) -> list[NumberRow]:
+        """The rows of the constraints and equations at a state, over (free, multipliers, accelerations, 1)."""
+        known = self._rows.get(id(moving))
+        if known is None or known[0] is not moving:
+            unknowns = (*self.multipliers, *self.configuration.slots.accelerations)
+            derived = (*self.accelerated_constraints, *self.equations)
+            if len(self._rows) >= MOST_STATES_KEPT:
+                self._rows.clear()
+            nothing = [moving.number(0)] * (len(unknowns) + 1)
+            rows = [nothing if row is None else row for row in moving.affine_each(derived, unknowns)]
+            known = self._rows[id(moving)] = moving, rows
+        return [[*(moving.number(0) for _ in free), *row] for row in known[1]]
+
+    @cached_property
+    def _rows(self) -> dict[int, tuple[Point, list[NumberRow]]]:
+        return {}
+
 
 def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> EquationComparison | None:
     """Compare the equations `answer` (each zero) with a system. None: undecided.
@@ -77,11 +110,14 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
 
     Raises DivisionByZeroError if the answer divides by an expression that is exactly zero.
     """
-    return agreed_in_motion(
-        system.configuration,
+    every = (*answer, *system.equations, *system.accelerated_constraints)
+    symbols = symbols_of(every)
+    return agreed(
+        system.configuration.states,
         lambda moving: _compared(moving, answer, system, free),
-        (*answer, *system.equations, *system.accelerated_constraints),
-        settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
+        every,
+        lambda comparison: Standing.CONTRADICTS in comparison.standings,
+        lambda point: system.moving(point, symbols),
     )
 
 
@@ -179,16 +215,15 @@ def _compared(
 ) -> EquationComparison:
     eliminated = len(free) + len(system.multipliers)
     unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
-    derived = (*system.accelerated_constraints, *system.equations)
-    affine = moving.affine_each((*derived, *answer), unknowns)
+    known = system.rows(moving, free)
+    affine = moving.affine_each(answer, unknowns)
     zero = [moving.number(0)] * (len(unknowns) + 1)
-    complete = [zero if row is None else row for row in affine]
-    known, rows = complete[: len(derived)], complete[len(derived) :]
+    rows = [zero if row is None else row for row in affine]
     constraints = known[: len(system.accelerated_constraints)]
     spaces = _Spaces(moving, constraints, known)
     standings = [
         Standing.NOT_LINEAR if linear is None else spaces.standing(row, len(free))
-        for row, linear in zip(rows, affine[len(derived) :], strict=True)
+        for row, linear in zip(rows, affine, strict=True)
     ]
     _judge_free(moving, standings, rows, spaces.known, len(free))
     counted = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]

@@ -63,3 +63,5 @@ SPOT_TRIALS = 8
 # steps for each; quadratic convergence reaches 20 digits in five or six from a good start.
 MOST_DEPENDENT_SETS = 24
 MOST_ITERATIONS = 30
+# States of motion that a system keeps for the comparisons after this one: three without branches, some forty with.
+MOST_STATES_KEPT = 64

@@ -1,0 +1,288 @@
+"""Wrong conditions of rest: what they are the conditions of.
+
+A condition is slack s ≥ 0, and its limit is s = 0. A stated one is put beside each derived one, changed as people get
+it wrong: the sense of the inequality, another meaning of a letter (`meanings`), two contacts whose limits are added up,
+a factor of one side, one term of the balance. Limits are the same where the value of a letter in which the changed one
+is linear makes the stated one vanish: at random numbers first, then exactly.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.answers.results.approximate import approximate
+from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
+from lagrange.core.records import record
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
+
+MOST_TERMS = 8
+"""Terms of a condition, multiplied out, in which one wrong term is sought."""
+
+_SAMPLES = 3
+_CLOSE = 1e-9
+_STEPS = 60
+
+
+@record
+class Stated:
+    """A stated condition that is none of the derived ones: its text and its slack; an equation where it vanishes."""
+
+    text: str
+    slack: sp.Expr
+    equation: bool
+
+
+def explained_conditions(
+    stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
+) -> str:
+    """What the stated conditions are instead, in a sentence; empty if that is not found.
+
+    derived       the slacks of the derived conditions, all of which have to hold
+    coefficients  those of friction
+    """
+    if not stated or not derived:
+        return ""
+    try:
+        if (together := _of_all(stated, derived, coefficients)) is not None:
+            return together
+    except _unknown:
+        pass
+    reasons: dict[str, str] = {}
+    for s in stated:
+        try:
+            reason = next(_reasons(s, derived, coefficients), "")
+        except _unknown:
+            continue
+        if reason:
+            reasons.setdefault(s.text, reason)
+    if len(reasons) == 1 and len({s.text for s in stated}) == 1:
+        return next(iter(reasons.values()))
+    return "; ".join(f"`{text_}`: {reason}" for text_, reason in reasons.items())
+
+
+_unknown = (NoPointError, UnsupportedError, DivisionByZeroError, ZeroDivisionError, sp.PolynomialError)
+
+
+def _of_all(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> str | None:
+    """The one meaning of the letters, or the sense of the inequalities, that makes all stated conditions right."""
+    limits = [_Limit(d) for d in derived]
+    if any(s.equation for s in stated):
+        return None
+    if all(any(limit.is_of(s.slack) for limit in limits) for s in stated):
+        return _REVERSED
+    if len(stated) < 2:
+        return None
+    for meaning in _meanings(stated, derived, coefficients):
+        changed = [_Limit(d.slack.xreplace(dict(meaning.rule))) for d in limits]
+        if all(any(c.is_of(s.slack) and c.sense(s.slack) > 0 for c in changed) for s in stated):
+            return _scaled_limit(meaning, stated[0].slack) or f"these are the conditions {meaning.clause}"
+    return None
+
+
+def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
+    """P <= 2 W for P <= W: with P/2 in place of P; empty for other changes."""
+    [(letter, value), *others] = meaning.rule.items()
+    factor = value / letter
+    if others or not factor.is_Rational or factor <= 0 or not isinstance(letter, sp.Symbol):
+        return ""
+    rate = sp.diff(slack, letter)
+    if letter in rate.free_symbols or rate == 0:
+        return ""
+    return f"the limit of {letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
+
+
+def _meanings(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> list[Meaning]:
+    letters, used = (set().union(*map(_symbols, es)) for es in (derived, [s.slack for s in stated]))
+    return [*with_waves_exchanged(derived), *other_meanings(letters, used, coefficients)]
+
+
+def explained_limits(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> str:
+    """The same for limits that are stated as equations: friction is about to give way."""
+    found = explained_conditions([replace(s, equation=False) for s in stated], derived, coefficients)
+    if _REVERSED in found or _AND_REVERSED in found:
+        return ""
+    return found.replace("this is the condition", "this is the limit").replace(
+        "these are the conditions", "these are the limits"
+    )
+
+
+def is_limit(slack: sp.Expr, stated: sp.Expr) -> bool:
+    """Whether a stated slack vanishes at the limit of another."""
+    try:
+        return _Limit(slack).is_of(stated)
+    except _unknown:
+        return False
+
+
+def is_other_sense(missing: sp.Expr, stated: sp.Expr, coefficients: Collection[sp.Expr]) -> bool:
+    """Whether a condition is another one for friction that acts the other way."""
+    rule = {mu: -mu for mu in coefficients}
+    return bool(rule) and _Limit(missing.xreplace(rule)).is_of(stated)
+
+
+def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[str]:
+    known = [_Limit(d) for d in derived]
+    for limit in known:
+        if limit.is_of(stated.slack):
+            yield _AN_EQUATION if stated.equation else _REVERSED
+    for limit in known:
+        yield from _of_sides(stated.slack, limit.slack)
+    meanings = _meanings([stated], derived, coefficients)
+    for limit in known:
+        for meaning in meanings:
+            if limit.slack.free_symbols.isdisjoint(meaning.rule):
+                continue
+            changed = _Limit(limit.slack.xreplace(dict(meaning.rule)))
+            if changed.is_of(stated.slack):
+                reversed_ = not stated.equation and changed.sense(stated.slack) < 0
+                said = _scaled_limit(meaning, stated.slack) or f"this is the condition {meaning.clause}"
+                yield f"{said}{_AND_REVERSED if reversed_ else ''}"
+    for n, a in enumerate(known):
+        for b in known[:n]:
+            if (total := a.added(b)) is not None and total.is_of(stated.slack):
+                yield _ADDED
+    for limit in known:
+        yield from _of_terms(stated.slack, limit.slack)
+
+
+_REVERSED = "the limit is right, and the inequality has the wrong sense"
+_AND_REVERSED = ", and with the wrong sense of the inequality"
+_AN_EQUATION = "this is the limit, and not the range in which the system rests"
+_ADDED = "the limits of two contacts are added: each of them has to hold by itself"
+
+
+@record
+class _Limit:
+    """slack = 0."""
+
+    slack: sp.Expr
+
+    @cached_property
+    def solved(self) -> tuple[sp.Symbol, sp.Expr] | None:
+        """A letter in which the limit is linear, and its value there; None if there is none."""
+        for form in (self.slack, _cleared(self.slack)):
+            for s in sorted(_symbols(form), key=str):
+                rate = sp.diff(form, s)
+                if s not in rate.free_symbols and rate != 0:
+                    return s, s - form / rate
+        return None
+
+    def is_of(self, other: sp.Expr) -> bool:
+        """Whether another slack vanishes at this limit: at random numbers, then exactly."""
+        shared = sorted(_symbols(self.slack) & _symbols(other), key=str)
+        if not shared or not all(self._seems_of(other, shared, seed) for seed in range(_SAMPLES)):
+            return False
+        if self.solved is None or self.solved[0] not in other.free_symbols:
+            return False
+        letter, value = self.solved
+        return is_zero(sp.expand(other.xreplace({letter: value}))) is True
+
+    def _seems_of(self, other: sp.Expr, letters: Sequence[sp.Symbol], seed: int) -> bool:
+        """Whether another slack vanishes where this one does, all letters but one having random values."""
+        point = _point(sp.Add(self.slack, other, evaluate=False), seed)
+        for letter in letters:
+            root = _root(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
+            if root is not None:
+                near = [abs(approximate(other, {**point, letter: root + d})) for d in (0.0, 0.1)]
+                return near[0] <= _CLOSE * (1 + near[1])
+        return False
+
+    def sense(self, other: sp.Expr) -> int:
+        """1 if the other slack has the sign of this one, −1 if it has the opposite one."""
+        points = [_point(sp.Add(self.slack, other, evaluate=False), seed) for seed in range(_SAMPLES)]
+        signs = {1 if approximate(self.slack, p) * approximate(other, p) > 0 else -1 for p in points}
+        return signs.pop() if len(signs) == 1 else 1
+
+    def added(self, other: _Limit) -> _Limit | None:
+        """s ≤ f + g, of s ≤ f and s ≤ g."""
+        for s in sorted(_symbols(self.slack) & _symbols(other.slack), key=str):
+            rates = [sp.diff(x, s) for x in (self.slack, other.slack)]
+            if all(s not in r.free_symbols and approximate(r, _point(r, 0)) < 0 for r in rates):
+                bounds = [s - x / r for x, r in zip((self.slack, other.slack), rates, strict=True)]
+                if all(sp.expand(b) != 0 for b in bounds):
+                    return _Limit(sp.Add(*bounds) - s)
+        return None
+
+
+def _cleared(e: sp.Expr) -> sp.Expr:
+    """A slack without denominators, tangents by sines and cosines, multiplied out."""
+    plain = e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+    return sp.expand(sp.fraction(sp.together(plain))[0])
+
+
+def _of_sides(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """The limit of a letter that is a multiple of the right one."""
+    own, other = (sp.Add.make_args(_cleared(e)) for e in (stated, right))
+    if len(own) != 2 or len(other) != 2:
+        return
+    ratios = [(a / b) / (other[0] / other[1]) for a, b in (own, own[::-1])]
+    for ratio in (r for r in ratios if r.is_Rational and r > 0 and r != 1):
+        of_term = [{s for s in _symbols(term) if sp.diff(term, s, 2) == 0} for term in other]
+        alone = [[s for s in of_term[n] if s not in of_term[1 - n]] for n in (0, 1)]
+        n = min((n for n in (0, 1) if alone[n]), key=lambda n: other[n].count_ops(), default=None)
+        if n is None:
+            return
+        letter = min(alone[n], key=str)
+        factor = ratio if n == 1 else 1 / ratio
+        yield f"the limit of {letter} is {_TIMES.get(factor, f'{factor} times')} what it should be"
+        return
+
+
+_TIMES = {sp.Integer(2): "twice", sp.Rational(1, 2): "half of"}
+
+
+def _of_terms(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """One term of the balance that is missing, has the wrong sign, or is another one."""
+    own, other = ([*sp.Add.make_args(_cleared(e))] for e in (stated, right))
+    if not 1 < len(other) <= MOST_TERMS or len(own) > MOST_TERMS:
+        return
+    for scale in dict.fromkeys(a / b for a in own for b in other):
+        scaled = [sp.powsimp(scale * b) for b in other]
+        lost, gained = [a for a in own if a not in scaled], [b for b in scaled if b not in own]
+        if max(len(lost), len(gained)) != 1 or len(gained) == len(other):
+            continue
+        term = gained[0] / scale if gained else None
+        if not lost and term is not None:
+            yield f"the term {_written(term)} is missing"
+        elif term is None:
+            yield f"the term {_written(lost[0] / scale)} does not belong there"
+        elif sp.expand(lost[0] + gained[0]) == 0:
+            yield f"the sign of the term {_written(term)} is wrong"
+        elif len(other) > 2:
+            yield f"{_written(lost[0] / scale)} stands where {_written(term)} belongs"
+
+
+def _written(term: sp.Expr) -> str:
+    return text(-term if term.could_extract_minus_sign() else term, Notation())
+
+
+def _symbols(e: sp.Expr) -> set[sp.Symbol]:
+    return {s for s in e.free_symbols if isinstance(s, sp.Symbol)}
+
+
+def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
+    """Random numbers of order one for all letters: acute angles."""
+    draw = random.Random(seed)
+    return {s: draw.uniform(0.3, 1.3) for s in sorted(_symbols(e), key=str)}
+
+
+def _root(function: Callable[[float], float], start: float) -> float | None:
+    """A zero of a function, by the secant rule; None if none is found."""
+    a, b = start, start + 0.1
+    fa, fb = function(a), function(b)
+    for _ in range(_STEPS):
+        if fb == fa or not math.isfinite(fb):
+            return None
+        a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
+        fb = function(b)
+        if abs(b - a) <= 1e-13 * (1 + abs(b)):
+            return b
+    return None

@@ -1,0 +1,167 @@
+"""Wrong velocities just after an impact, impulses and losses of energy: what they are instead.
+
+The velocities satisfy M (q' − q'_0) = Ĵ + Aᵀ λ and A q' + a = 0. A changed problem has another M: the moment of inertia
+of another body, a mass or a rotation that is left out. Its velocities are numbers at random values of the letters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
+from lagrange.answers.models.frequencies import Numbers
+from lagrange.answers.models.mechanics import Mechanics, mechanics_of
+from lagrange.answers.models.questions import explained_value
+from lagrange.answers.models.table import MODELS
+from lagrange.answers.results.meanings import other_meanings
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion
+from lagrange.problem.model import Problem
+
+
+def explained_impact(
+    name: str,
+    claim: sp.Expr,
+    value: sp.Expr,
+    found: ImpulsiveMotion,
+    problem: Problem,
+    vanishes: Callable[[sp.Expr], bool | None],
+) -> str:
+    """What a stated velocity, impulse or loss of energy is, in a sentence; empty if that is not found.
+
+    value     the right one
+    vanishes  whether an expression is zero in the position of the impact
+    """
+    try:
+        return next(_reasons(name, claim, value, found, problem, vanishes), "")
+    except (DivisionByZeroError, NoPointError, UnsupportedError, ZeroDivisionError):
+        return ""
+
+
+def _reasons(
+    name: str,
+    claim: sp.Expr,
+    value: sp.Expr,
+    found: ImpulsiveMotion,
+    problem: Problem,
+    vanishes: Callable[[sp.Expr], bool | None],
+) -> Iterator[str]:
+    before, after = found.kinetic
+    plain = name.strip().removesuffix("'")
+    velocities = {q.name: v for q, v in zip(found.slots.coordinates, found.before, strict=True)}
+    if name == "energy_lost":
+        for energy, when in ((before, "before"), (after, "after")):
+            if energy != 0 and vanishes(claim - energy):
+                yield f"this is the whole kinetic energy just {when} the impact, and not what is lost"
+        if vanishes(claim + value):
+            yield "its sign is wrong: what is lost is positive"
+    elif plain in velocities:
+        if vanishes(claim - velocities[plain]):
+            yield "this is the velocity just before the impact"
+        if (
+            before != 0
+            and value != 0
+            and vanishes(claim**2 * after - value**2 * before)
+            and not vanishes(before - after)
+        ):
+            yield "the kinetic energy is taken to be conserved, and in this impact some of it is lost"
+        if (why := _of_another_inertia(plain, claim, found, problem)) is not None:
+            yield f"this is the velocity {why}"
+    if value != 0 and vanishes(claim + value):
+        yield "its sign is wrong"
+    if why := explained_value(claim, value, set()):
+        yield why
+    for meaning in other_meanings(value.free_symbols, claim.free_symbols):
+        if vanishes(claim - value.xreplace(dict(meaning.rule))):
+            yield f"this is the result {meaning.clause}"
+    for p in sorted(value.free_symbols - claim.free_symbols, key=str):
+        if vanishes(claim - value.xreplace({p: sp.S.One})):
+            yield f"this is the result for {p} = 1"
+
+
+def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, problem: Problem) -> str | None:
+    """Of which changed inertia a velocity is, as the end of a sentence."""
+    m = mechanics_of(found.configuration, problem)
+    n = len(m.slots.coordinates)
+    if n > MOST_COORDINATES:
+        return None
+    number = [q.name for q in m.slots.coordinates].index(name)
+    draws = [_Draw(m, found, seed) for seed in (1, 2)]
+    claims = [d.numbers.number(claim) for d in draws]
+    for k, q in enumerate(m.slots.coordinates):
+        if found.before[k] != 0 and all(
+            (v := d.velocity(m, number, without=k)) is not None and _close(v, c)
+            for d, c in zip(draws, claims, strict=True)
+        ):
+            return f"without {q}' just before the impact"
+    for model in MODELS:
+        for variation in model.changes(m):
+            changed = variation.mechanics
+            if changed is None or changed.inertias == m.inertias or changed.kept != m.kept:
+                continue
+            if all(
+                (v := d.velocity(changed, number)) is not None and _close(v, c)
+                for d, c in zip(draws, claims, strict=True)
+            ):
+                return variation.clause
+    return None
+
+
+class _Draw:
+    """The impact at random values of the letters."""
+
+    def __init__(self, m: Mechanics, found: ImpulsiveMotion, seed: int) -> None:
+        self.numbers = Numbers(m, lambda e: found.at(e), seed)
+        still = dict(zip(found.slots.velocities, found.before, strict=True))
+        self.before = [self.numbers.number(v) for v in found.before]
+        self.blows = [-self.numbers.number(e.xreplace(still)) for e in found.balance]
+        self.rows = [[self.numbers.number(a) for a in row.coefficients] for row in found.rows]
+        after = dict(zip(found.slots.velocities, found.velocities, strict=True))
+        # With a restitution the right velocities have A q' ≠ −a, and so have those of another inertia.
+        self.drift = [-sum((a * self.numbers.number(after[v]) for a, v in zip(row, after, strict=True)), sp.S.Zero)
+                      for row in self.rows]  # fmt: skip
+
+    def velocity(self, m: Mechanics, number: int, without: int | None = None) -> sp.Expr | None:
+        """A velocity just after with the inertia of a changed problem, or without one of the velocities just before;
+        None if it is not determined."""
+        before = [sp.S.Zero if k == without else v for k, v in enumerate(self.before)]
+        n, r = len(self.before), len(self.rows)
+        mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
+        right = [
+            j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero)
+            for j, row in zip(self.blows, mass, strict=True)
+        ]
+        rows = [[*mass[i], *(-self.rows[j][i] for j in range(r)), right[i]] for i in range(n)]
+        rows += [[*self.rows[j], *[sp.S.Zero] * r, -self.drift[j]] for j in range(r)]
+        if any(not x.is_number or not x.is_finite for row in rows for x in row):
+            return None
+        return _solved(rows, number)
+
+
+def _solved(rows: list[list[sp.Expr]], number: int) -> sp.Expr | None:
+    """One of the unknowns of linear equations [A | b] in numbers, by elimination; None if it is not determined."""
+    work = [[*row] for row in rows]
+    pivots: dict[int, int] = {}
+    for column in range(len(rows[0]) - 1):
+        free = [n for n in range(len(work)) if n not in pivots.values()]
+        best = max(free, key=lambda n: abs(work[n][column]), default=None)
+        if best is None or abs(work[best][column]) < _SMALL:
+            continue
+        pivots[column] = best
+        work[best] = [x / work[best][column] for x in work[best]]
+        for n, row in enumerate(work):
+            if n != best and row[column] != 0:
+                work[n] = [x - row[column] * y for x, y in zip(row, work[best], strict=True)]
+    if number not in pivots:
+        return None
+    others = [x for c, x in enumerate(work[pivots[number]][:-1]) if c != number and abs(x) > _SMALL]
+    return None if others else work[pivots[number]][-1]
+
+
+def _close(a: sp.Expr, b: sp.Expr) -> bool:
+    return bool(a.is_number and b.is_number and abs(a - b) <= _SMALL * (1 + abs(b)))
+
+
+MOST_COORDINATES = 6
+_SMALL = sp.Float(10) ** -20
