@@ -38,6 +38,7 @@ from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
+from lagrange.problem.question_units import with_dimensions_compared
 from lagrange.problem.questions import read_impact, read_initial, read_questions, scope_of_questions
 from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
@@ -142,6 +143,8 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         vary=read_vary(root.section("vary"), parameters, diagnostics),
     )
     _check_whole(problem, root, diagnostics)
+    read = problem
+    problem = diagnostics.attempt(lambda: with_dimensions_compared(read, diagnostics.report)) or problem
     find = _find(root.get("find"), problem, diagnostics)
     if Find.IMPACT in find and impact is None and not root.has("impact"):
         message = "an impact is asked for, and the file has no `impact`"

@@ -22,6 +22,7 @@ from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
+from lagrange.core.units import Dimension
 from lagrange.core.vectors import Components, Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
@@ -382,21 +383,42 @@ ENERGY = sp.Symbol("energy", real=True)
 
 
 @record
+class Measured:
+    """A number with a unit in a place where an expression may stand, `2 m`.
+
+    number      in units of SI
+    dimension   that of its unit
+    fragment    where it stands
+    names       the names of the file that the unit is made of, if all its letters are such: 2 m may be a product, too
+    """
+
+    number: sp.Expr
+    dimension: Dimension
+    fragment: Fragment
+    names: tuple[str, ...] = ()
+
+
+@record
 class InitialValue:
-    """The value of a coordinate or velocity at t = 0."""
+    """The value of a coordinate or velocity at t = 0; `measured` where the file gives it as a number with a unit."""
 
     symbol: sp.Symbol
     value: sp.Expr
     span: Span
+    measured: Measured | None = None
 
 
 @record
 class Condition:
-    """An equation lhs = rhs that holds at the state that is asked about."""
+    """An equation lhs = rhs that holds at the state that is asked about.
+
+    measured  the right side, where the file gives it as a number with a unit
+    """
 
     lhs: sp.Expr
     rhs: sp.Expr
     span: Span
+    measured: Measured | None = None
 
     @property
     def function(self) -> sp.Expr:

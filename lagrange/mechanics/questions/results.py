@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
+from typing import TypeVar
 
 import sympy as sp
 
@@ -107,6 +108,15 @@ class AnswerBranch:
         signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
         excluded = {">": (-1, 0), "≥": (-1,), "<": (1, 0), "≤": (1,), "≠": (0,), "=": (1, -1)}
         return any(s in excluded[r] for s, r in signs)
+
+
+_Value = TypeVar("_Value", sp.Expr, float)
+
+
+def one_value(values: Sequence[_Value]) -> _Value | None:
+    """The value that is meant by several: of a value and its opposite it is the positive one. None: they differ."""
+    distinct, sizes = {*values}, {abs(v) for v in values}
+    return distinct.pop() if len(distinct) == 1 else sizes.pop() if len(sizes) == 1 else None
 
 
 @record
