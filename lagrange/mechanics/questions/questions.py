@@ -370,6 +370,8 @@ class _Search:
         if len(senses) != 1 or self._is_about_time or len(self.setting.slips) != 1 or self.setting.turnings:
             return unanswered
         [(v, sense)] = senses.items()
+        if not isinstance(v, sp.Symbol):
+            return unanswered
         rest = Condition(v, sp.S.Zero, self.question.span)
         turning = replace(self.question, quantity=base(v), when=(rest,), by=None)
         first = _Search(turning, self.setting).answer()

@@ -167,7 +167,7 @@ class Asked:
     integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
     open: tuple[sp.Symbol, ...] = ()
     initial: tuple[Substituted, ...] = ()
-    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    senses: Mapping[sp.Expr, int] = field(default_factory=dict)
     turning: Substituted | None = None
     opposite: sp.Symbol | None = None
     needs: str = ""
