@@ -225,7 +225,8 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
     blocks: list[Block] = []
     for r in friction_forces:
         begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
-        first: tuple[Part, ...] = (begin, math(r.coefficient), " times the magnitude of the reaction")
+        of_what = "resultant of these reactions" if r.also else "reaction"
+        first: tuple[Part, ...] = (begin, math(r.coefficient), f" times the magnitude of the {of_what}")
         second: tuple[Part, ...] = (
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
             "while the slip is not zero; without slip, static friction takes whatever value prevents it, up to a "
@@ -235,7 +236,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
-        if not isinstance(r.contact, Sign):
+        if not r.also and not isinstance(r.contact, Sign):
             relation = ">" if r.sign_of_force == 1 else "<"
             blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks

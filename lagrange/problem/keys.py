@@ -311,7 +311,13 @@ FORCES = {
         "Coulomb friction",
         (
             Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
-            Key("constraint", "name", "The constraint whose reaction presses.", required=True, example="surface"),
+            Key(
+                "constraint",
+                one_or_list("name"),
+                "The constraint whose reaction presses; a list, [a, b], of those whose resultant does.",
+                required=True,
+                example="surface",
+            ),
             _ON,
             Key("static", "expression", "The coefficient at rest: there friction takes any value up to static*N."),
             Key("at", "vector", "On a body: the point that touches."),

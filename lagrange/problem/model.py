@@ -246,6 +246,7 @@ class GeneralizedForce:
 class Friction:
     """Coulomb friction μ|R| against the slip, R being the reaction of a constraint; at rest at most `static` |R|.
 
+    `also` names further constraints on the same particle: R is then the resultant, as on a wire in space.
     `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
     in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the
     coefficient at rest, None where the file gives none.
@@ -262,6 +263,12 @@ class Friction:
     at: Vector | None = None
     toward: Vector | None = None
     static: sp.Expr | None = None
+    also: tuple[str, ...] = ()
+
+    @property
+    def constraints(self) -> tuple[str, ...]:
+        """All whose reactions press."""
+        return self.constraint, *self.also
 
 
 @record
