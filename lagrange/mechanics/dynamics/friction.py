@@ -288,6 +288,11 @@ def rough_contact(
 ) -> tuple[Reaction, str, Vector]:
     """The reaction that presses, what takes the opposite friction, and the point that touches."""
     reaction = rough_reaction(friction, newton, original)
+    if friction.also:
+        beside = [rough_reaction(replace(friction, constraint=name), newton, original) for name in friction.also]
+        if any(r.name == friction.on for r in original.rotations) or any(len([*r.acts_on]) > 1 for r in beside):
+            what = f"the friction `{friction.name}` on a resultant, other than on a particle by what is at rest,"
+            raise NotCoveredError(what, friction.span)
     opposite = other_side(friction, frictions, reaction, original)
     return reaction, opposite, place_of_contact(friction, reaction, opposite, original)
 

@@ -251,7 +251,7 @@ def motion(
     dragging = [(f.reaction.multiplier, f.generalized(f.slip if f.also else f.share)) for f in frictions]
     if not _is_unaffected(law, configuration, reactions, dragging, [r.multiplier for f in frictions for r in f.also]):
         resultant = next((f.friction for f in frictions if f.also), None)
-        if resultant is not None:
+        if resultant is not None and {*resultant.constraints} <= {*reactions.multipliers}:
             what = f"the friction `{resultant.name}` on the resultant of reactions that friction changes"
             raise NotCoveredError(what, resultant.span)
         reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
