@@ -31,7 +31,7 @@ from lagrange.problem.model import (
     Spring,
 )
 from lagrange.problem.sections import (
-    CONSTANT,
+    COEFFICIENT,
     ENERGY,
     FORCE,
     PLACE,
@@ -341,7 +341,7 @@ def _friction(f: _Entry) -> Force:
 
 def _belt(f: _Entry) -> Force:
     coefficient, angle, tight, slack = f.all_of(
-        lambda: f.scalar("belt", CONSTANT),
+        lambda: f.scalar("belt", COEFFICIENT),
         lambda: f.scalar("angle", POSITION),
         lambda: f.scalar("tight", FORCE, f.tensions),
         lambda: f.scalar("slack", FORCE, f.tensions),

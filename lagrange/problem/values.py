@@ -210,7 +210,10 @@ def no_values(problem: Problem) -> Values:
 def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
     from lagrange.values.quantities import Values
 
-    return Values(numbers, frozenset(p.symbol for p in problem.parameters), _all_known(problem))
+    known = _all_known(problem)
+    coordinates = {*problem.slots.coordinates}.union(*(c.coordinates for c in problem.choices))
+    angles = frozenset(q for q in coordinates if known.get(q) == NO_DIMENSION)
+    return Values(numbers, frozenset(p.symbol for p in problem.parameters), known, angles)
 
 
 # -- the command line --------------------------------------------------------------------------------------------------

@@ -69,11 +69,13 @@ class Values:
     numbers     exact, in units of SI, by parameter
     parameters  all parameters, with and without values
     units       the dimensions of parameters and coordinates, as far as the units of the file determine them
+    angles      the coordinates that are angles
     """
 
     numbers: Mapping[sp.Symbol, sp.Expr]
     parameters: frozenset[sp.Symbol]
     units: Mapping[sp.Symbol, Dimension]
+    angles: frozenset[sp.Symbol] = frozenset()
 
     def covers(self, *expressions: sp.Expr) -> bool:
         """Whether every parameter that occurs has a value."""
@@ -110,9 +112,7 @@ class Values:
     def _is_angle(self, expression: sp.Expr) -> bool:
         """Whether it is a sum of coordinates that are angles, or of their velocities, with numbers before them."""
         terms = (term.as_coeff_Mul()[1] for term in sp.Add.make_args(expression))
-        return all(
-            s.is_Symbol and base(s) not in self.parameters and self.units.get(base(s)) == NO_DIMENSION for s in terms
-        )
+        return all(s.is_Symbol and base(s) in self.angles for s in terms)
 
 
 def real_value(number: sp.Expr, digits: int = WORKING_DIGITS) -> sp.Float:

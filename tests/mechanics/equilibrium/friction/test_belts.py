@@ -137,7 +137,7 @@ def test_what_is_written(problem: Read) -> None:
         ("tight: T", "tight: Z", "unknown-symbol"),
         ("belt: mu", "belt: y", "coordinate-here"),
         ("angle: beta", "angle: T", "force-here"),
-        ("belt: mu", "belt: T", "not-constant"),
+        ("belt: mu", "belt: t", "time-here"),
     ],
 )
 def test_what_is_refused(problem: Read, old: str, new: str, code: str) -> None:
