@@ -58,7 +58,7 @@ class Setting:
 
     @cached_property
     def stated_slips(self) -> list[sp.Expr]:
-        """What must not be negative: slip in the sense of the file or of the start, coordinates whose modulus occurs."""
+        """What must not be negative: slip as in the file or at the start, and coordinates whose modulus occurs."""
         law = self.place.law
         forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
         stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]

@@ -74,7 +74,7 @@ class Place:
 class Meanings:
     """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
 
-    senses    the signs with which velocities, and speeds of slip, start, where |q'| or sign q' is replaced by means of them
+    senses    the signs with which velocities and speeds of slip start, where |q'| or sign q' is replaced by their means
     sides     the signs with which coordinates start, likewise for |q|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
