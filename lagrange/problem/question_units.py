@@ -30,8 +30,8 @@ def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
     """The problem, with each `2 m` read as its place demands. Raises ProblemError where two sides cannot be equal."""
     before = () if problem.impact is None else problem.impact.before
     conditions = [c for q in problem.questions for c in q.when]
-    stated = [*problem.initial, *before, *conditions]
-    units = (unit for x in (*problem.parameters, *problem.coordinates) if (unit := x.unit))
+    stated: list[InitialValue | Condition] = [*problem.initial, *before, *conditions]
+    units = [*(p.unit for p in problem.parameters), *(q.unit for q in problem.coordinates)]
     if not (stated or problem.questions) or not (any(s.measured for s in stated) or any(units)):
         return problem
     energy = unit_of("J")

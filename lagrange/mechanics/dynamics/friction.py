@@ -96,7 +96,7 @@ class FrictionForce:
         Of several reactions it is √(ΣN n)².
         """
         if self.also:
-            rule = self.configured
+            rule = dict(self.configured)
             units = [(r.force, r.per_unit(self.friction.on)) for r in self.pressing]
             return _length(((force, u.xreplace(rule)) for force, u in units if u is not None))
         unknown, normal = self.reaction.force, sp.S.One if self.reaction.named else self.normal
@@ -110,7 +110,7 @@ class FrictionForce:
     def resultant(self, values: Mapping[str, sp.Expr]) -> sp.Expr:
         """|Σ λ g| for the λ of each constraint."""
         directions = [(values[r.name], r.on(self.friction.on)) for r in self.pressing]
-        return _length((value, g.xreplace(self.configured)) for value, g in directions if g is not None)
+        return _length((value, g.xreplace(dict(self.configured))) for value, g in directions if g is not None)
 
     @property
     def sign_of_force(self) -> sp.Expr:

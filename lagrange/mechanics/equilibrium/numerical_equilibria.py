@@ -11,13 +11,15 @@ of Aᵀ in these rows does not vanish; what they admit elsewhere is excluded by 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, islice, product
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
+from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
@@ -25,7 +27,7 @@ from lagrange.values.numerical_roots import Root, real_roots, sign_at
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 MOST_UNKNOWNS = 4
-MOST_CHARTS = 3
+MOST_CHARTS = 2
 """So many choices of rows for the elimination of multipliers are tried, until the list is complete."""
 USUAL_SIZE = 10
 """Lengths are searched up to so many times the sum of the lengths in the problem."""
@@ -103,9 +105,14 @@ def _searched(
         return None
     searched = {u: _search(u, equations, e, values) for u in unknowns}
     box = [(-ROUND, ROUND) if s.is_circle else _outward(s) for s in searched.values()]
+    equations = [_with_known_signs(x, searched) for x in equations]
     roots = real_roots(equations, unknowns, box)
     forces = [values.put_in(f) for f in e.work.forces]
-    matrix = [] if second is None else [[values.put_in(x) for x in row] for row in second.matrix]
+    matrix = (
+        []
+        if second is None
+        else [[_with_known_signs(values.put_in(x), searched) for x in row] for row in second.matrix]
+    )
     found = []
     for root in _distinct(roots.roots, unknowns, searched):
         place = dict(zip(unknowns, root.values, strict=True))
@@ -115,6 +122,18 @@ def _searched(
             found.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
                                               _verdict(matrix, unknowns, root)))  # fmt: skip
     return NumericalEquilibria(tuple(found), searched, roots.complete)
+
+
+def _with_known_signs(x: sp.Expr, searched: Mapping[sp.Symbol, Searched]) -> sp.Expr:
+    """The expression with cos θ for |cos θ| where θ is searched between 0 and π/2."""
+    inner = {u: Bounded(u.name, s.low, s.high, (True, True)) for u, s in searched.items() if not s.is_circle}
+    rule: dict[sp.Expr, sp.Expr] = {}
+    for f in x.atoms(sp.Abs, sp.sign, sp.DiracDelta):
+        sign = sign_in_range(f.args[0].xreplace(inner))
+        if sign is not None:
+            size = sign * f.args[0]
+            rule[f] = size if isinstance(f, sp.Abs) else sp.Integer(sign) if isinstance(f, sp.sign) else sp.S.Zero
+    return x.xreplace(rule)
 
 
 def _search(u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: Values) -> Searched:

@@ -318,17 +318,17 @@ def _sign(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
     above = [(c.lhs - c.rhs) * (1 if c.relation in (">", "≥") else -1) for c in conditions if c.relation in "><≥≤"]
     sign = sign_of(rest, above)
     if sign is None:
-        sign = _by_squares(sp.factor_terms(rest))
+        sign = _by_squares(sp.factor_terms(rest), above)
     return None if sign is None else sign * (1 if number.evalf() > 0 else -1)
 
 
-def _by_squares(e: sp.Expr) -> int | None:
+def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
     """The sign of a product with sums A − B of two positive terms in it, A² − B² deciding: m v − √m √(m v² + b)."""
     sign = 1
     for f in sp.Mul.make_args(e):
         own = sign_of(f)
         if own is None and isinstance(f, sp.log):  # log u has the sign of u − 1
-            own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0]) == 1 else None
+            own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0], above) == 1 else None
         if own is None and f.is_Add and len(f.args) == 2:
             a, b = f.args
             of_a, of_b = sign_of(a), sign_of(b)
