@@ -38,11 +38,11 @@ from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
-from lagrange.problem.question_units import with_dimensions_compared
 from lagrange.problem.questions import read_impact, read_initial, read_questions, scope_of_questions
 from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
+from lagrange.problem.units.question_units import with_dimensions_compared
 from lagrange.problem.values import check_dimensions, with_settings
 from lagrange.problem.variants.vary import read_vary
 from lagrange.problem.yaml.composer import parse

@@ -238,7 +238,7 @@ def _is_ruled_out(
         return beginning.is_initial(state)
     if reason is Because.ARRIVAL:
         return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
-    return one and any(_is_behind(state, q, beginning) for q in beginning.slots.coordinates)
+    return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.slots.coordinates)
 
 
 def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
@@ -253,10 +253,10 @@ def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditi
     return sign == -way
 
 
-def _is_behind(state: State, q: sp.Symbol, beginning: Beginning) -> bool:
+def _is_behind(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
     """Whether a state is a turning point on the other side than that to which q starts."""
     start = beginning.direction(q)
-    return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning) == -(start or 0)
+    return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning, conditions) == -(start or 0)
 
 
 def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition] = ()) -> int | None:
@@ -347,7 +347,7 @@ def _with_direction(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
         start = beginning.direction(q)
         if start not in (1, -1) or len(b.states) != 1 or b.states[0].get(prime(q)) != 0:
             continue
-        if _way(b.states[0], q, beginning) is None and q in b.states[0] and q in beginning.initial:
+        if _way(b.states[0], q, beginning, b.conditions) is None and q in b.states[0] and q in beginning.initial:
             conditions.append(more_than_zero(start * (b.states[0][q] - beginning.initial[q])))
     new = {c.lhs - c.rhs for c in conditions}
     kept = [c for c in b.conditions if not (c.relation == "≠" and {c.lhs - c.rhs, c.rhs - c.lhs} & new)]
