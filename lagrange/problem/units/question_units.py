@@ -17,13 +17,12 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
 from lagrange.core.units import Dimension, Unit, in_si, split_number, unit_of
-from lagrange.document.math_writer import text
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Condition, InitialValue, Measured, Problem, Question
 from lagrange.problem.values import known_dimensions
 
 Known = Mapping[sp.Symbol, Dimension]
 Note = Callable[[Diagnostic], None]
-Term = tuple[str, Dimension]
+Term = tuple[sp.Expr | str, Dimension]
 
 
 def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
@@ -58,7 +57,7 @@ class _Reader:
 
     def value(self, stated: InitialValue) -> InitialValue:
         """An initial value."""
-        what = f"the value of `{text(stated.symbol)}`"
+        what = f"the value of `{stated.symbol}`"
         value = self._compared(stated.symbol, stated.value, stated.measured, stated.span, what)
         return replace(stated, value=value)
 
@@ -97,7 +96,7 @@ class _Reader:
     def _report(self, terms: list[Term], span: Span, what: str) -> None:
         if terms and (other := next((term for term in terms if term[1] != terms[0][1]), None)) is not None:
             message = f"{what} has the wrong dimension"
-            (first, own), (second, differing) = terms[0], other
+            (first, own), (second, differing) = ((_called(e), d) for e, d in (terms[0], other))
             help_ = f"`{first}` is {_in_words(own)}, and `{second}` is {_in_words(differing)}: correct one of them"
             self.errors.append(Diagnostic("unit-mismatch", message, span, help=help_))
 
@@ -116,7 +115,13 @@ def _terms(e: sp.Expr, known: Known) -> Iterator[Term]:
             continue
         found = dimension(term, known)
         if found is not None:
-            yield text(term), found
+            yield term, found
+
+
+def _called(term: sp.Expr | str) -> str:
+    from lagrange.document.math_writer import text
+
+    return term if isinstance(term, str) else text(term)
 
 
 def _term(measured: Measured) -> Term:

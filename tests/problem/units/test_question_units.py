@@ -72,3 +72,10 @@ def test_the_dimension_says_whether_a_letter_is_a_unit(problem: Callable[[str], 
         problem(scaled + "initial: {x: 2 m}\n")
     assert [d.code for d in error.value.diagnostics] == ["two-readings"]
     assert "`2*m`" in error.value.diagnostics[0].help
+
+
+def test_where_a_number_with_a_unit_belongs(problem: Callable[[str], Problem]) -> None:
+    with pytest.raises(ProblemError) as error:
+        problem(START.replace("mass: m", "mass: 2 kg"))
+    [found] = error.value.diagnostics
+    assert (found.code, "parameters: {a: {value: 2 kg}}" in found.help) == ("unknown-symbol", True)
