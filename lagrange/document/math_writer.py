@@ -169,6 +169,8 @@ class Writer:
     def _term(self, parts: OrderedProduct) -> Piece:
         if self.style.by_hand:
             _under_one_root(parts)
+        if not parts.numbers and len(parts.above) == 1 and isinstance(parts.above[0][0], UnitSymbol):
+            parts.numbers.append(sp.S.One)  # 1 m/s, not a unit alone
         above, below = self.order.factors(parts.above), self.order.factors(parts.below)
         if not below and not parts.divisors:
             piece = self._product(parts.numbers, above, is_term=True)

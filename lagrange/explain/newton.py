@@ -239,7 +239,8 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             blocks.append(prose(words))
             continue
         begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
-        first: tuple[Part, ...] = (begin, math(r.coefficient), " times the magnitude of the reaction")
+        of_what = "resultant of these reactions" if r.also else "reaction"
+        first: tuple[Part, ...] = (begin, math(r.coefficient), f" times the magnitude of the {of_what}")
         while_: tuple[Part, ...] = ("the slip is not zero",)
         if r.speed is not None and r.sense in (1, -1):
             while_ = (math(r.speed, ZERO, relation=">" if r.sense == 1 else "<"),)
@@ -251,7 +252,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
-        if not isinstance(r.contact, Sign):
+        if not r.also and not isinstance(r.contact, Sign):
             relation = ">" if r.sign_of_force == 1 else "<"
             blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks

@@ -8,7 +8,6 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import UnitSymbol
-from lagrange.core.units import unit_called
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
 from lagrange.explain.questions import angle_of, answer_label
@@ -215,7 +214,7 @@ def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
     own = dimension(left, values.units) if left.free_symbols else None
     if own is None:
         return "" if is_bare else right.unit
-    return right.unit if right.unit and own == dimension_of_unit(right.unit) else unit_called(own)
+    return right.unit if right.unit and own == dimension_of_unit(right.unit) else values.unit_of(left)
 
 
 def measured(quantity: Quantity, digits: int) -> Math:

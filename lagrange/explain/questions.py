@@ -21,6 +21,7 @@ from lagrange.mechanics.questions.results import (
     IntegralKind,
     Route,
     UsedIntegral,
+    one_value,
 )
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
@@ -260,16 +261,18 @@ def _angles(asked: Asked) -> Iterator[Math]:
 
 def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
     """θ = 48.19° for cos θ = 2/3, with values put in; None where it gives no angle by its cosine or the like."""
-    from lagrange.values.quantities import NotRealError, rounded, with_unit
+    from lagrange.values.quantities import NotRealError, is_exact, rounded, with_unit
 
     if not isinstance(b.lhs, sp.cos | sp.sin | sp.tan):
         return None
     angles = [v if values is None else values.put_in(v) for v in b.values]
-    degrees = {abs(v) * 180 / sp.pi for v in angles if v.is_number}
-    if len(degrees) != 1:
+    degrees = one_value([v * 180 / sp.pi for v in angles if v.is_number])
+    if degrees is None:
         return None
     try:
-        return math(asked.question.quantity, with_unit(rounded(degrees.pop(), digits), "°"), relation="≈")
+        shown = rounded(degrees, digits)
+        relation = "=" if is_exact(degrees, shown) else "≈"
+        return math(asked.question.quantity, with_unit(shown, "°"), relation=relation)
     except NotRealError:
         return None
 

@@ -203,7 +203,7 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
 
 def _forces(configuration: Configuration, frictions: Sequence[Friction], with_potential: bool) -> list[Block]:
     blocks: list[Block] = []
-    rough = {f.name: f.constraint for f in frictions}
+    rough = {f.name: f.constraints for f in frictions}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
@@ -217,7 +217,7 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction], with_po
             prose(f"{applied} {the(p.name)}{are(loads)}", *listed(names), ":"),
             display(Equation(sides, label=f"force-{p.name}")),
         ]
-        unknown = dict.fromkeys(rough[f.name] for f in loads if f.name in rough)
+        unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
         if unknown:
             whose = constraints_called(unknown)
             blocks.append(prose(f"The friction contains the multiplier of the reaction of {whose}, found below."))

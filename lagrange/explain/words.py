@@ -106,7 +106,7 @@ def branch_conditions(b: Branch) -> tuple[Part, ...]:
     """`where b ≤ a`; whether the equilibria of the branch are special or left open."""
     words: list[Part] = ["where ", *sign_conditions(b.conditions)] if b.conditions else []
     if b.special:
-        words.append("; every such position is then an equilibrium" if words else "then in every position")
+        words.append("; every such position is then an equilibrium" if words else "in any position")
     if b.left:
         words.append("; not solved in closed form" if words else "not solved in closed form")
     return tuple(words)

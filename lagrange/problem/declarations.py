@@ -42,9 +42,18 @@ def read_coordinates(node: Node | None, names: DeclaredNames) -> tuple[Coordinat
     return _declared(node, "coordinates", names, _coordinate)
 
 
-def read_unknowns(node: Node | None, names: DeclaredNames) -> tuple[sp.Symbol, ...]:
-    """A list of names of unknown forces."""
-    return _declared(node, "unknowns", names, _unknown)
+def read_unknowns(node: Node | None, names: DeclaredNames, forces: Node | None = None) -> tuple[sp.Symbol, ...]:
+    """A list of names of unknown forces. Of these, coefficients of friction in the section `forces` are positive."""
+    unknown = _declared(node, "unknowns", names, _unknown)
+    entries = forces.entries if isinstance(forces, MappingNode) else ()
+    coefficients = {
+        value.text.strip()
+        for _, force in entries
+        if isinstance(force, MappingNode)
+        for key, value in force.entries
+        if key.text in ("belt", "friction", "static") and isinstance(value, Scalar)
+    }
+    return tuple(sp.Symbol(s.name, positive=True) if s.name in coefficients else s for s in unknown)
 
 
 def _declared(

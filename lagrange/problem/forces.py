@@ -31,7 +31,7 @@ from lagrange.problem.model import (
     Spring,
 )
 from lagrange.problem.sections import (
-    CONSTANT,
+    COEFFICIENT,
     ENERGY,
     FORCE,
     PLACE,
@@ -46,7 +46,7 @@ from lagrange.problem.sections import (
     scalar_of,
 )
 from lagrange.problem.yaml.kinds import Form
-from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
 _EXAMPLE_OF_IMPULSE = "impulses: {blow: {on: P, vector: J*i}}"
@@ -164,7 +164,28 @@ class _Entry:
 
     def one_of(self, key: str, known: Sequence[str], kind: str, kinds: str) -> str:
         """The name of something that the file declares elsewhere."""
-        scalar = scalar_of(self.node(key), f"`{key}` of {self.what}")
+        return self._declared(scalar_of(self.node(key), f"`{key}` of {self.what}"), known, kind, kinds)
+
+    def several_of(self, key: str, known: Sequence[str], kind: str, kinds: str) -> tuple[str, ...]:
+        """One name, or a list of names, each different."""
+        node = self.node(key)
+        if not isinstance(node, ListNode):
+            return (self.one_of(key, known, kind, kinds),)
+        items = [
+            scalar_of(item, f"`{key}` of {self.what}") for item in items_of(node, f"`{key}` of {self.what}", "[a, b]")
+        ]
+        names = self.all_of(*(lambda i=i: self._declared(i, known, kind, kinds) for i in items))
+        for n, name in enumerate(names):
+            if name in names[:n]:
+                message = f"`{name}` stands twice in the `{key}` of {self.what}"
+                raise ProblemError(Diagnostic("declared-twice", message, items[n].span, help="keep one of the two"))
+        if not names:
+            raise ProblemError(
+                Diagnostic("empty-value", f"`{key}` of {self.what} is empty", node.span, help=f"name {kind}")
+            )
+        return tuple(names)
+
+    def _declared(self, scalar: Scalar, known: Sequence[str], kind: str, kinds: str) -> str:
         name = canonical(scalar.text, known)
         if name in known:
             return name
@@ -302,7 +323,7 @@ def _friction(f: _Entry) -> Force:
     constraints = f.context.constraints.known()
     coefficient, constraint, on, velocity, slip, contact, at, static = f.all_of(
         lambda: f.scalar("friction"),
-        lambda: f.one_of("constraint", constraints, "a constraint", "constraints"),
+        lambda: f.several_of("constraint", constraints, "a constraint", "constraints"),
         f.point,
         lambda: f.optional_vector("surface_velocity", RATE),
         f.slip,
@@ -314,12 +335,13 @@ def _friction(f: _Entry) -> Force:
     if static is not None:
         f.refuse_negative(static, "static", "a coefficient of friction is not negative")
     sense, toward = (slip, None) if isinstance(slip, int) else (None, slip)
-    return Friction(f.name, coefficient, constraint, on, f.span, velocity, sense, contact, at, toward, static)
+    first, *also = constraint
+    return Friction(f.name, coefficient, first, on, f.span, velocity, sense, contact, at, toward, static, (*also,))
 
 
 def _belt(f: _Entry) -> Force:
     coefficient, angle, tight, slack = f.all_of(
-        lambda: f.scalar("belt", CONSTANT),
+        lambda: f.scalar("belt", COEFFICIENT),
         lambda: f.scalar("angle", POSITION),
         lambda: f.scalar("tight", FORCE, f.tensions),
         lambda: f.scalar("slack", FORCE, f.tensions),

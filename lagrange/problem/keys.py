@@ -311,7 +311,7 @@ FORCES = {
         "Coulomb friction",
         (
             Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
-            Key("constraint", "name", "The constraint whose reaction presses.", required=True, example="surface"),
+            Key("constraint", one_or_list("name"), "What presses; of a list the sum.", required=True, example="wall"),
             _ON,
             Key("static", "expression", "The coefficient at rest: there friction takes any value up to static*N."),
             Key("at", "vector", "On a body: the point that touches."),

@@ -18,6 +18,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
 from lagrange.core.expression_size import Sizes
 from lagrange.core.symbols import base
+from lagrange.core.units import split_number, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.bounded_arithmetic import WorkBudget
 from lagrange.expressions.limits import MAX_CHARACTERS
@@ -157,7 +158,10 @@ class LoadContext:
             raise ProblemError(())
         self.diagnostics.report_all(_halved_primes(fragment))
         self._charge(fragment)
-        return reader(fragment, replace(scope, budget=self.budget), notes)
+        try:
+            return reader(fragment, replace(scope, budget=self.budget), notes)
+        except ProblemError as error:
+            raise _with_advice_on_units(error, fragment) from None
 
     def _charge(self, fragment: Fragment) -> None:
         """Counts the sizes of abbreviations wherever they are used; a derivative is about four times as large."""
@@ -186,6 +190,15 @@ class LoadContext:
         """Refuses quantities that do not belong into an equation."""
         for side in (equation.lhs, equation.rhs):
             self._check(side, fragment, what, allowed)
+
+
+def _with_advice_on_units(error: ProblemError, fragment: Fragment) -> ProblemError:
+    """The error; of `0.6 m` in an expression, where m is no name, it says where numbers with units belong."""
+    parts = split_number(fragment.text)
+    if parts is None or unit_of(parts[1]) is None or {d.code for d in error.diagnostics} != {"unknown-symbol"}:
+        return error
+    help_ = f"a number with its unit is the `value` of a parameter: `parameters: {{a: {{value: {fragment.text}}}}}`"
+    return ProblemError([replace(d, help=help_) for d in error.diagnostics[:1]])
 
 
 def _text(node: Node, what: str) -> Fragment:

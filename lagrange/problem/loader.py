@@ -42,6 +42,7 @@ from lagrange.problem.questions import read_impact, read_initial, read_questions
 from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
+from lagrange.problem.units.question_units import with_dimensions_compared
 from lagrange.problem.values import check_dimensions, with_settings
 from lagrange.problem.variants.vary import read_vary
 from lagrange.problem.yaml.composer import parse
@@ -85,7 +86,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         given = parameters
         parameters = diagnostics.attempt(lambda: with_settings(given, coordinates, settings)) or given
     functions = read_functions(root.section("functions"), context.names)
-    context.unknowns = read_unknowns(root.section("unknowns"), context.names)
+    context.unknowns = read_unknowns(root.section("unknowns"), context.names, root.get("forces"))
     context.values = {p.symbol: p.value for p in parameters if p.value is not None}
     context.scope = first_scope(parameters, coordinates, functions, context.unknowns)
     frame = read_frame(root.section("frame"), context)
@@ -142,6 +143,8 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         vary=read_vary(root.section("vary"), parameters, diagnostics),
     )
     _check_whole(problem, root, diagnostics)
+    read = problem
+    problem = diagnostics.attempt(lambda: with_dimensions_compared(read, diagnostics.report)) or problem
     find = _find(root.get("find"), problem, diagnostics)
     if Find.IMPACT in find and impact is None and not root.has("impact"):
         message = "an impact is asked for, and the file has no `impact`"

@@ -22,6 +22,7 @@ from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
+from lagrange.core.units import Dimension
 from lagrange.core.vectors import Components, Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
@@ -245,6 +246,7 @@ class GeneralizedForce:
 class Friction:
     """Coulomb friction μ|R| against the slip, R being the reaction of a constraint; at rest at most `static` |R|.
 
+    `also` names further constraints on the same particle: R is then the resultant, as on a wire in space.
     `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
     in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the
     coefficient at rest, None where the file gives none.
@@ -261,6 +263,12 @@ class Friction:
     at: Vector | None = None
     toward: Vector | None = None
     static: sp.Expr | None = None
+    also: tuple[str, ...] = ()
+
+    @property
+    def constraints(self) -> tuple[str, ...]:
+        """All whose reactions press."""
+        return self.constraint, *self.also
 
 
 @record
@@ -382,21 +390,42 @@ ENERGY = sp.Symbol("energy", real=True)
 
 
 @record
+class Measured:
+    """A number with a unit in a place where an expression may stand, `2 m`.
+
+    number      in units of SI
+    dimension   that of its unit
+    fragment    where it stands
+    names       the names of the file that the unit is made of, if all its letters are such: 2 m may be a product, too
+    """
+
+    number: sp.Expr
+    dimension: Dimension
+    fragment: Fragment
+    names: tuple[str, ...] = ()
+
+
+@record
 class InitialValue:
-    """The value of a coordinate or velocity at t = 0."""
+    """The value of a coordinate or velocity at t = 0; `measured` where the file gives it as a number with a unit."""
 
     symbol: sp.Symbol
     value: sp.Expr
     span: Span
+    measured: Measured | None = None
 
 
 @record
 class Condition:
-    """An equation lhs = rhs that holds at the state that is asked about."""
+    """An equation lhs = rhs that holds at the state that is asked about.
+
+    measured  the right side, where the file gives it as a number with a unit
+    """
 
     lhs: sp.Expr
     rhs: sp.Expr
     span: Span
+    measured: Measured | None = None
 
     @property
     def function(self) -> sp.Expr:

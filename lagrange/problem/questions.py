@@ -39,7 +39,17 @@ from lagrange.problem.declared_names import Namespace, canonical
 from lagrange.problem.forces import read_impulses
 from lagrange.problem.limits import MOST_QUESTIONS
 from lagrange.problem.load_context import LoadContext
-from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Condition, Constraint, Impact, InitialValue, Question
+from lagrange.problem.model import (
+    ENERGY,
+    KINETIC_ENERGY,
+    Choice,
+    Condition,
+    Constraint,
+    Impact,
+    InitialValue,
+    Measured,
+    Question,
+)
 from lagrange.problem.sections import (
     CONSTANT,
     STATE,
@@ -114,10 +124,11 @@ def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: I
         message = f"`{key.text}` is neither a coordinate nor a velocity"
         help_ = f"{at.state} has coordinates and velocities: `{at.example}`"
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
-    value = measured_in(node.fragment, scope, context.diagnostics.report) if isinstance(node, Scalar) else None
-    if value is None:
-        value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
-    return InitialValue(symbol, value, key.span)
+    measured = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
+    if measured is not None and not measured.names:
+        return InitialValue(symbol, measured.number, key.span, measured)
+    value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
+    return InitialValue(symbol, value, key.span, measured)
 
 
 def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tuple[Question, ...]:
@@ -166,28 +177,29 @@ def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tu
 
 
 def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
-    lhs, rhs = _sides(scalar.fragment, what, context, scope)
+    lhs, rhs, measured = _sides(scalar.fragment, what, context, scope)
     if isinstance(lhs, Vector) or isinstance(rhs, Vector):
         message = f"the `when` of {what} is an equation between vectors"
         help_ = "write an equation for each component"
         raise ProblemError(Diagnostic("vector-for-scalar", message, scalar.span, help=help_))
-    return Condition(lhs, rhs, scalar.span)
+    return Condition(lhs, rhs, scalar.span, measured)
 
 
-def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> tuple[Value, Value]:
+def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> tuple[Value, Value, Measured | None]:
     """The sides of a condition; the right one may be a number with its unit, `theta = 30 deg`."""
     left, equals, right = fragment.text.partition("=")
+    measured = None
     if equals and "=" not in right:
         start = len(left) + 1 + len(right) - len(right.lstrip())
-        number = measured_in(_part(fragment, right.strip(), start), scope, context.diagnostics.report)
-        if number is not None:
-            quantity = _part(fragment, left.strip(), len(left) - len(left.lstrip()))
-            value = context.read_quietly(read_value, quantity, scope, [])
-            context.check(EquationRead(value, sp.S.Zero), quantity, f"the `when` of {what}", STATE)
-            return value, number
+        measured = measured_in(_part(fragment, right.strip(), start), scope)
+    if measured is not None and not measured.names:
+        quantity = _part(fragment, left.strip(), len(left) - len(left.lstrip()))
+        value = context.read_quietly(read_value, quantity, scope, [])
+        context.check(EquationRead(value, sp.S.Zero), quantity, f"the `when` of {what}", STATE)
+        return value, measured.number, measured
     equation = context.equation(fragment, scope)
     context.check(equation, fragment, f"the `when` of {what}", STATE)
-    return equation.lhs, equation.rhs
+    return equation.lhs, equation.rhs, measured
 
 
 def _part(fragment: Fragment, text: str, start: int) -> Fragment:

@@ -66,6 +66,7 @@ _T, _Q, _V, _P, _D = (
     AllowedQuantity.DIFFERENTIAL,
 )
 CONSTANT = Allowed(frozenset(), "it is made of numbers and of names under `parameters:`", "not-constant")
+COEFFICIENT = Allowed(frozenset({_P}), "a belt and its drum do not change with position or time", "not-constant")
 MASS = Allowed(
     frozenset({_T, _Q}),
     "a mass depends on time and coordinates; a rate such as k*m*x' is integrated first: m_0*exp(k*x)",

@@ -8,7 +8,7 @@ parameter is used, as far as these determine it.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -29,6 +29,7 @@ from lagrange.problem.model import (
     Damper,
     Friction,
     GeneralizedForce,
+    Measured,
     Parameter,
     Potential,
     Problem,
@@ -137,24 +138,16 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
 
 
-def measured_in(fragment: Fragment, scope: Scope, note: Callable[[Diagnostic], None]) -> sp.Expr | None:
-    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in units of SI; None if it is no such text.
-
-    Where all the letters of the unit are names of the file, `2 m` is a product, which a note says.
-    """
+def measured_in(fragment: Fragment, scope: Scope) -> Measured | None:
+    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in units of SI; None if it is no such text."""
     parts = split_number(fragment.text)
-    if parts is None or unit_of(parts[1]) is None or split_number(parts[0]) is not None:
+    if parts is None or (unit := unit_of(parts[1])) is None or split_number(parts[0]) is not None:
         return None
-    letters = re.findall(r"[^\W\d_]+", parts[1])
-    if all(name in scope.names() for name in letters):
-        if "*" not in fragment.text:
-            names = ", ".join(f"`{name}`" for name in dict.fromkeys(letters))
-            product = "*".join((parts[0].strip(), parts[1]))
-            message = f"`{fragment.text}` is read as a product with {names}, which the file declares, not as a unit"
-            help_ = f"write `{product}` if this is meant; a value in `{parts[1]}` needs another name for {names}"
-            note(Diagnostic("read-as", message, fragment.whole, help=help_).as_note())
+    letters = tuple(dict.fromkeys(re.findall(r"[^\W\d_]+", parts[1])))
+    is_product = all(name in scope.names() for name in letters)
+    if is_product and "*" in fragment.text:
         return None
-    return _measured(fragment, None).number
+    return Measured(_measured(fragment, None).number, unit.dimension, fragment, letters if is_product else ())
 
 
 # -- ranges ------------------------------------------------------------------------------------------------------------
@@ -217,7 +210,10 @@ def no_values(problem: Problem) -> Values:
 def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
     from lagrange.values.quantities import Values
 
-    return Values(numbers, frozenset(p.symbol for p in problem.parameters), _all_known(problem))
+    known = _all_known(problem)
+    coordinates = {*problem.slots.coordinates}.union(*(c.coordinates for c in problem.choices))
+    angles = frozenset(q for q in coordinates if known.get(q) == NO_DIMENSION)
+    return Values(numbers, frozenset(p.symbol for p in problem.parameters), known, angles)
 
 
 # -- the command line --------------------------------------------------------------------------------------------------
@@ -312,11 +308,14 @@ def _known(problem: Problem, but: sp.Symbol | None = None) -> dict[sp.Symbol, Di
 
 def _all_known(problem: Problem) -> dict[sp.Symbol, Dimension]:
     """The dimensions that the units of the file give, and those that other symbols then need in their places."""
-    known = _known(problem)
-    if not known:
-        return {}
+    return known_dimensions(problem) if _known(problem) else {}
+
+
+def known_dimensions(problem: Problem) -> dict[sp.Symbol, Dimension]:
+    """The same, also where the file gives no units: a position is a length, the argument of a sine an angle."""
     from lagrange.values.dimensions import dimensions_needed
 
+    known = _known(problem)
     places = [(e, _dimension(unit)) for e, unit in _places(problem) if e.count_ops() <= LONGEST_PLACE]
     waves = {w.args[0] for e, _ in places for w in e.atoms(sp.sin, sp.cos, sp.tan)}
     angles = {angle: NO_DIMENSION for angle in waves if angle.is_Symbol and angle not in known}
@@ -335,7 +334,9 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
         yield from ((angle, "1") for angle in (body.angle, *body.angles) if angle is not None)
     yield from _components(problem.gravity, "m/s^2")
     sides = [(c.lhs, c.rhs) for c in problem.constraints]
-    yield from ((left / right, "1") for left, right in sides if left != 0 and right != 0)
+    for choice in problem.choices:
+        sides += [*(choice.substitute or {}).items()]
+    yield from ((left / right, "1") for left, right in sides if not left.is_number and not right.is_number)
     for f in problem.forces:
         match f:
             case AppliedForce():

@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.core.symbols import t
-
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.damped_modes import DampedModes
@@ -109,26 +107,32 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     """`number` and `unit` of an answer that has one value; of an angle and its opposite it is the positive one."""
     unknown = {"number": None, "unit": None}
     from lagrange.mechanics.questions.in_numbers import branches_with
+    from lagrange.mechanics.questions.results import one_value
 
     left = branches_with(asked, values)
     if len(left) != 1:
         return unknown
     [branch] = left
     if asked.how is not None and asked.how.value == "numerical":
-        unit = "s" if asked.question.quantity == t and values.units else values.unit_of(asked.question.quantity)
-        return unknown | {"number": float(branch.rhs), "unit": unit or None}
+        return unknown | {"number": float(branch.rhs), "unit": values.unit_of(asked.question.quantity) or None}
     if asked.question.by is not None:
         return unknown | quantity(branch.rhs, values, write)
     of_angle = branch.lhs != asked.question.quantity
     stated = branch.values if of_angle else (branch.rhs,)
-    measured = [values.quantity(v, is_angle=of_angle) for v in stated]
-    numbers = {abs(q.number) if of_angle else q.number for q in measured if q is not None and q.is_number}
-    if len(numbers) != 1 or None in measured:
+    measured = [values.quantity(v, is_angle=of_angle or _is_part_of_a_turn(v)) for v in stated]
+    numbers = [q.number for q in measured if q is not None and q.is_number]
+    number = one_value(numbers) if of_angle or len(numbers) == 1 else None
+    if number is None or None in measured:
         return unknown
-    unit = next(q.unit for q in measured if q is not None)
-    if asked.has_bare_numbers:  # `x = 2` hides a unit, and that of the quantity is sure
-        unit = values.unit_of(asked.question.quantity)
-    return {"number": numbers.pop(), "unit": unit or None}
+    unit = values.unit_of(asked.question.quantity)
+    if not unit and not asked.has_bare_numbers:  # `x = 2` hides a unit, and that of the quantity is sure
+        unit = next(q.unit for q in measured if q is not None)
+    return {"number": number, "unit": unit or None}
+
+
+def _is_part_of_a_turn(value: sp.Expr) -> bool:
+    """Whether it is a multiple of π, as angles are."""
+    return bool(value.has(sp.pi) and (value / sp.pi).is_Rational)
 
 
 def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write: Write) -> dict[str, Any]:

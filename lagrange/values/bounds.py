@@ -1,8 +1,8 @@
 """Inequalities in numbers: with the values of a problem, W (tan α − μ)/(1 + μ tan α) ≤ P is P ≥ 5.767 N.
 
-An inequality in which one symbol is left, or one sine, cosine or tangent of it, is solved for that, if it is linear
-there. For an acute angle a bound of its sine or tangent is one of the angle in the same sense, and of its cosine in the
-opposite one. If nothing is left, the inequality holds or it does not.
+An inequality in which one symbol is left, or one sine, cosine, tangent or exponential of it, is solved for that, if it
+is linear there. For an acute angle a bound of its sine or tangent is one of the angle in the same sense, and of its
+cosine in the opposite one. If nothing is left, the inequality holds or it does not.
 """
 
 from __future__ import annotations
@@ -60,6 +60,8 @@ def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound |
         return None
     [symbol] = in_numbers.free_symbols
     functions = [f for f in in_numbers.atoms(sp.sin, sp.cos, sp.tan) if f.args[0] == symbol]
+    if not functions and (growth := _growth(symbol, in_numbers)) is not None:
+        return _solved_for_exponent(symbol, growth, in_numbers)
     letter = sp.Dummy(real=True)
     wanted = functions[0] if len(functions) == 1 else symbol
     number, formula = (sp.expand(sp.together(e).xreplace({wanted: letter})) for e in (in_numbers, difference))
@@ -73,6 +75,26 @@ def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound |
     bound = Quantity(-rest / slope) if bound is None or not bound.is_number else bound
     relation = "≥" if sign > 0 else "≤"
     return Bound(wanted, relation, bound, _angle(wanted, relation, bound.formula))
+
+
+def _growth(symbol: sp.Symbol, e: sp.Expr) -> sp.Expr | None:
+    """k, where the symbol occurs in e^(k x) only."""
+    powers = [f for f in e.atoms(sp.exp) if symbol in f.free_symbols]
+    if len(powers) != 1 or symbol in e.xreplace({powers[0]: sp.S.One}).free_symbols:
+        return None
+    rate = powers[0].args[0] / symbol
+    return None if symbol in rate.free_symbols else rate
+
+
+def _solved_for_exponent(symbol: sp.Symbol, growth: sp.Expr, e: sp.Expr) -> Bound | None:
+    """A e^(k x) + B ≥ 0 as a bound of x: μ ≥ log(T_1/T_2)/β for a belt."""
+    letter = sp.Dummy(positive=True)
+    linear = sp.expand(e.xreplace({sp.exp(growth * symbol): letter}))
+    slope, rest = linear.coeff(letter, 1), linear.coeff(letter, 0)
+    if linear != sp.expand(slope * letter + rest) or slope == 0 or real_value(-rest / slope) <= 0:
+        return None
+    relation = "≥" if real_value(slope * growth) > 0 else "≤"
+    return Bound(symbol, relation, Quantity(sp.log(-rest / slope) / growth))
 
 
 def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> tuple[sp.Symbol, str, sp.Expr] | None:

@@ -368,6 +368,10 @@ def _evaluated(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic
         return above / below
     if isinstance(e, sp.Abs):
         return abs(parts[0])
+    if isinstance(e, sp.sign):  # the slope of a modulus, [-1, 1] across the kink
+        return iv.mpf(1) if parts[0].a > 0 else iv.mpf(-1) if parts[0].b < 0 else iv.mpf([-1, 1])
+    if isinstance(e, sp.DiracDelta) and (parts[0].a > 0 or parts[0].b < 0):
+        return iv.mpf(0)
     raise _NoValueError
 
 

@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.leading_signs import with_whole_contents
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import UnitSymbol, base
+from lagrange.core.symbols import UnitSymbol, base, t
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called
 from lagrange.values.dimensions import dimension
 from lagrange.values.limits import LARGEST_IN_NUMBERS, SPARE_DIGITS, WORKING_DIGITS
@@ -69,11 +69,13 @@ class Values:
     numbers     exact, in units of SI, by parameter
     parameters  all parameters, with and without values
     units       the dimensions of parameters and coordinates, as far as the units of the file determine them
+    angles      the coordinates that are angles
     """
 
     numbers: Mapping[sp.Symbol, sp.Expr]
     parameters: frozenset[sp.Symbol]
     units: Mapping[sp.Symbol, Dimension]
+    angles: frozenset[sp.Symbol] = frozenset()
 
     def covers(self, *expressions: sp.Expr) -> bool:
         """Whether every parameter that occurs has a value."""
@@ -102,10 +104,15 @@ class Values:
 
     def unit_of(self, expression: sp.Expr, is_angle: bool = False) -> str:
         """The unit of an expression; empty where the units given do not determine it."""
-        if not {base(s) for s in expression.free_symbols} & self.units.keys():
+        if not self.units or not {base(s) for s in expression.free_symbols} & {t, *self.units}:
             return unit_called(NO_DIMENSION, is_angle) if is_angle and expression.is_number else ""
         found = dimension(expression, self.units)
-        return "" if found is None else unit_called(found, is_angle)
+        return "" if found is None else unit_called(found, is_angle or self._is_angle(expression))
+
+    def _is_angle(self, expression: sp.Expr) -> bool:
+        """Whether it is a sum of coordinates that are angles, or of their velocities, with numbers before them."""
+        terms = (term.as_coeff_Mul()[1] for term in sp.Add.make_args(expression))
+        return all(s.is_Symbol and base(s) in self.angles for s in terms)
 
 
 def real_value(number: sp.Expr, digits: int = WORKING_DIGITS) -> sp.Float:

@@ -68,13 +68,3 @@ def test_a_mistake_is_an_error_with_its_place(text: str, code: str | None, probl
         problem(f"{START}{text}\n")
     assert all(d.span is not None for d in error.value.diagnostics)
     assert code is None or code in [d.code for d in error.value.diagnostics]
-
-
-def test_a_number_before_a_declared_letter_is_noted_as_a_product(problem: Callable[[str], Problem]) -> None:
-    """`x: 2 m` is twice the mass here, which somebody who thinks of metres should be told."""
-    read = problem(START + "initial: {x: 2 m}\nask: {one: {quantity: T, when: x = 3 m}}\n")
-    assert [str(v.value) for v in read.initial] == ["2*m"]
-    notes = [n for n in read.notes if n.code == "read-as"]
-    assert [n.message[:5] for n in notes] == ["`2 m`", "`3 m`"]
-    assert "`2*m`" in notes[0].help
-    assert not problem(START + "initial: {x: 2*m, y: 20 cm}\n").notes

@@ -114,6 +114,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "scalar-for-vector": ("Multiply by a unit vector, or list components.", problem("gravity: g")),
     "several-equals-signs": ("One equation at a time.", problem("constraints: {a: x = y = 0}")),
     "too-many-primes": ("Positions, velocities and accelerations are all there is.", "x''' = 0"),
+    "two-readings": ("Write `2*m` for the product; for a unit give the parameter another name.", File(
+        "title: Example\ncoordinates: [x]\nparameters: [m, c]\nparticles: {P: {mass: m, position: c*x*i}}\n"
+        "initial: {x: 2 m}\n")),
     "unexpected-character": ("This character means nothing here.", "theta'' @ gravity = 0"),
     "unexpected-equation": ("An expression is wanted here, without an equals sign.", problem("gravity: g = 0")),
     "unknown-function": ("Functions other than the known ones must be declared.", "arsinh(x) = 0"),

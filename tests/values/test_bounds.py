@@ -28,6 +28,8 @@ DOWN = math.radians(20) - math.atan(0.3)
         ((1 - mu * sp.tan(alpha)) * P, W * (sp.tan(alpha) + mu), P, "≤", 100 * math.tan(UP), "N"),
         (sp.S.One, mu * (mu + 2 * sp.tan(theta)), sp.tan(theta), "≥", (1 - 0.09) / 0.6, ""),
         (mu, sp.cos(theta), sp.cos(theta), "≥", 0.3, ""),
+        (W, 50 * sp.exp(2 * P), P, "≥", math.log(2) / 2, ""),
+        (W * sp.exp(-mu * P), sp.Integer(20), P, "≥", math.log(5) / 0.3, ""),
     ],
 )
 def test_what_is_left_is_bounded(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 import sympy as sp
@@ -65,6 +66,17 @@ def test_signs_at_a_root() -> None:
     assert sign_at(x - 1, [x], root) == 1
     assert sign_at(x - 2, [x], root) == -1
     assert sign_at(x**3 - 2, [x], root) is None
+
+
+def test_a_modulus_has_a_kink() -> None:
+    """20 |cos x| sin x − 4/3 |cos x| = 12 sin x has one root in (0, 0.5), by a table of its signs."""
+    f = 20 * sp.Abs(sp.cos(x)) * sp.sin(x) - sp.Rational(4, 3) * sp.Abs(sp.cos(x)) - 12 * sp.sin(x)
+    found = real_roots([f], [x], [(0, 1.2)])
+    table = [(n / 100, float(f.xreplace({x: sp.Float(n / 100)}))) for n in range(121)]
+    changes = [a for (a, left), (_, right) in pairwise(table) if left * right < 0]
+    assert found.complete
+    assert [math.floor(float(r.values[0]) * 100) / 100 for r in found.roots] == changes
+    assert len(changes) == 2
 
 
 def test_three_unknowns() -> None:

@@ -157,7 +157,11 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
     numerator, denominator = sp.fraction(sp.together(value))
     if sign_of(denominator) == -1:
         numerator, denominator = -numerator, -denominator
-    if sign_of(denominator) is None:
+    if sign_of(denominator) is None:  # d² − n² ≥ 0 has one factor of known sign: a/(a − l) with l > 0
+        for one, other in ((1, -1), (-1, 1)):
+            sign = sign_of(denominator + one * numerator)
+            if sign in (1, -1):
+                return not_negative(sign * (denominator + other * numerator))
         numerator, denominator = value, sp.S.One
     below, above = not_negative(denominator - numerator), not_negative(denominator + numerator)
     if below is None or above is None:

@@ -55,7 +55,7 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
     """The friction in each contact, and its bound."""
     for c in contacts:
         name = f"the friction {spoken(c.name)} on {the(c.friction.on)}"
-        bound = c.coefficient * c.normal * _magnitude(c)
+        bound = c.coefficient * (c.resultant({f: f for f, _ in c.units}) if c.also else c.normal * _magnitude(c))
         if len(c.components) == 1:
             [force], [tangent] = c.components, c.tangents
             first: tuple[Part, ...] = (f"At rest {name} is an unknown force ", math(force), " along ", math(tangent))
@@ -64,7 +64,8 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
             first = (f"At rest {name} is an unknown force with the components ", *listed(map(math, c.components)))
             size = sp.sqrt(sp.Add(*(f**2 for f in c.components)))
         opposite = f", with the opposite on {the(c.opposite)}" if c.opposite else ""
-        yield prose(*first, f"{opposite}, of at most the coefficient of static friction times the normal force: ",
+        pressed = f"resultant of the {len(c.units)} reactions" if c.also else "normal force"
+        yield prose(*first, f"{opposite}, of at most the coefficient of static friction times the {pressed}: ",
                     math(size, bound, relation="≤"), ".")  # fmt: skip
     pressing = [r for r in newton.reactions if r.constraint.side is not None]
     if pressing:

@@ -238,8 +238,11 @@ def _friction(view: InCoordinates) -> Iterator[Equation]:
         yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
     found = [b for m in view.impending or () for b in m.equilibrium.branches]
     for b in found:
-        words = ("at the limit",) if rest is not None else ()
-        yield from _branch(b, *words)
+        lines = _branch(b)
+        if rest is not None:
+            said = lines[-1].condition
+            lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
+        yield from lines
 
 
 def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:

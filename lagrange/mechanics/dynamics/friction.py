@@ -14,7 +14,8 @@ the mass centre. What the other side of the contact belongs to, if it moves, tak
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field, replace
 from itertools import combinations
 
 import sympy as sp
@@ -49,6 +50,8 @@ class FrictionForce:
     moved        shape (n,): ∂r_P/∂q_k for the file's coordinates, relative to the other body
     opposite     the particle or body on which the opposite force acts; empty if there is none
     beside       where that acts
+    also         the other reactions on the same particle, if R is their resultant; no sign is needed then
+    configured   the file's coordinates in those of the configuration
     """
 
     friction: Friction
@@ -64,6 +67,8 @@ class FrictionForce:
     moved: tuple[Vector, ...]
     opposite: str = ""
     beside: Vector | None = None
+    also: tuple[Reaction, ...] = ()
+    configured: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     def loads(self, magnitude: sp.Expr) -> list[Load]:
         """The force and its opposite, for a given |R|."""
@@ -86,15 +91,40 @@ class FrictionForce:
 
     @property
     def magnitude(self) -> sp.Expr:
-        """|R|: |N|, or |g| |λ| where the file has no name N for the force; ±N or |g| ±λ if the sign is known."""
+        """|R|: |N|, or |g| |λ| where the file has no name N for the force; ±N or |g| ±λ if the sign is known.
+
+        Of several reactions it is √(ΣN n)².
+        """
+        if self.also:
+            rule = dict(self.configured)
+            units = [(r.force, r.per_unit(self.friction.on)) for r in self.pressing]
+            return _length(((force, u.xreplace(rule)) for force, u in units if u is not None))
         unknown, normal = self.reaction.force, sp.S.One if self.reaction.named else self.normal
         return normal * (sp.Abs(unknown) if isinstance(self.contact, Sign) else self.sign_of_force * unknown)
+
+    @property
+    def pressing(self) -> tuple[Reaction, ...]:
+        """The reactions that press."""
+        return self.reaction, *self.also
+
+    def resultant(self, values: Mapping[str, sp.Expr]) -> sp.Expr:
+        """|Σ λ g| for the λ of each constraint."""
+        directions = [(values[r.name], r.on(self.friction.on)) for r in self.pressing]
+        return _length((value, g.xreplace(dict(self.configured))) for value, g in directions if g is not None)
 
     @property
     def sign_of_force(self) -> sp.Expr:
         """The sign of the unknown in which the reaction is written, N or λ."""
         side = self.reaction.constraint.side
         return sp.S.One if self.reaction.named and side is not None else self.contact
+
+
+def _length(parts: Iterable[tuple[sp.Expr, Vector]]) -> sp.Expr:
+    """|Σ a v|."""
+    total = Vector.zero()
+    for a, v in parts:
+        total = total + v.fixed() * a
+    return textbook_form(sp.sqrt(textbook_form(total.dot(total))))
 
 
 def friction_forces(
@@ -145,14 +175,18 @@ def solved_loads(
     loads: list[Load] = []
     signs = {}
     for f in frictions:
-        name = f.reaction.name
+        name = next((r.name for r in f.pressing if r.name not in reactions.multipliers), f.reaction.name)
         if name not in reactions.multipliers:
             message = f"the friction `{f.friction.name}` needs the reaction of `{name}`, which is not determined"
             help_ = "other constraints keep the same; remove those that follow from the others"
             raise ProblemError(Diagnostic("friction-undetermined", message, f.friction.span, help=help_))
         value = reactions.multipliers[name]
-        if value is None:
+        known = {r.name: v for r in f.pressing if (v := reactions.multipliers[r.name]) is not None}
+        if value is None or len(known) < len(f.pressing):
             raise NotCoveredError(f"the friction `{f.friction.name}`, whose reaction is too large,", f.friction.span)
+        if f.also:
+            loads += f.loads(f.resultant(known))
+            continue
         size = textbook_form(value * f.normal)
         magnitude = f.contact * size
         if isinstance(f.contact, Sign):
@@ -194,8 +228,23 @@ def _friction_force(
     coefficient = friction.coefficient.xreplace(rule)
     size = normal_size(direction, reaction, configuration)
     beside = point_on(configuration, opposite, place) if opposite else None
+    also = tuple(rough_reaction(replace(friction, constraint=name), newton, original) for name in friction.also)
     return FrictionForce(
-        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite, beside
+        friction,
+        reaction,
+        coefficient,
+        size,
+        slip,
+        speed,
+        sense,
+        along,
+        contact,
+        place,
+        moved,
+        opposite,
+        beside,
+        also,
+        rule,
     )
 
 
@@ -239,6 +288,11 @@ def rough_contact(
 ) -> tuple[Reaction, str, Vector]:
     """The reaction that presses, what takes the opposite friction, and the point that touches."""
     reaction = rough_reaction(friction, newton, original)
+    if friction.also:
+        beside = [rough_reaction(replace(friction, constraint=name), newton, original) for name in friction.also]
+        if any(r.name == friction.on for r in original.rotations) or any(len([*r.acts_on]) > 1 for r in beside):
+            what = f"the friction `{friction.name}` on a resultant, other than on a particle by what is at rest,"
+            raise NotCoveredError(what, friction.span)
     opposite = other_side(friction, frictions, reaction, original)
     return reaction, opposite, place_of_contact(friction, reaction, opposite, original)
 

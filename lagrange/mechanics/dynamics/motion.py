@@ -18,6 +18,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.displacements import Elimination
@@ -213,7 +214,7 @@ def law_of_motion(
 ) -> NewtonLaw:
     """Newton's law for the particles of a problem, in the file's coordinates."""
     taken = frozenset(problem.scope.names())
-    rough = frozenset(f.constraint for f in problem.forces if isinstance(f, Friction))
+    rough = frozenset(c for f in problem.forces if isinstance(f, Friction) for c in f.constraints)
     newton = newton_equations(configuration, problem.constraints, rank, taken, at_rest, rough)
     renamed = tuple(
         replace(c, reaction=r.multiplier) for c, r in zip(problem.constraints, newton.reactions, strict=True)
@@ -252,8 +253,13 @@ def motion(
         return Motion(equations, reactions, (), configuration, multipliers=multipliers)
     # |R| enters the applied forces, so the multipliers come first: as they are without friction, if friction does not
     # change them, otherwise from equations in which friction is proportional to λ.
-    dragging = [(f.reaction.multiplier, f.generalized(f.share)) for f in frictions]
-    if not _is_unaffected(law, configuration, reactions, dragging):
+    # Whether a resultant is changed is tried with any force along the slip.
+    dragging = [(f.reaction.multiplier, f.generalized(f.slip if f.also else f.share)) for f in frictions]
+    if not _is_unaffected(law, configuration, reactions, dragging, [r.multiplier for f in frictions for r in f.also]):
+        resultant = next((f.friction for f in frictions if f.also), None)
+        if resultant is not None and {*resultant.constraints} <= {*reactions.multipliers}:
+            what = f"the friction `{resultant.name}` on the resultant of reactions that friction changes"
+            raise NotCoveredError(what, resultant.span)
         reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
     loads, signs = solved_loads(frictions, reactions)
     final = replace(configuration, loads=(*configuration.loads, *loads))
@@ -294,13 +300,17 @@ def _is_left_out(law: NewtonLaw, configuration: Configuration) -> bool:
 
 
 def _is_unaffected(
-    law: NewtonLaw, configuration: Configuration, reactions: Reactions, dragging: Sequence[Dragging]
+    law: NewtonLaw,
+    configuration: Configuration,
+    reactions: Reactions,
+    dragging: Sequence[Dragging],
+    others: Sequence[sp.Symbol] = (),
 ) -> bool:
     """Whether the multipliers that friction needs are the same without it, as they are if it is tangential.
 
     Their values without friction must follow from the equations with friction at random states.
     """
-    multipliers = [symbol for symbol, _ in dragging]
+    multipliers = [*(symbol for symbol, _ in dragging), *others]
     if any(reactions.values.get(s) is None for s in multipliers):
         return False
     equations = written_out(law.system, configuration, dragging)
@@ -321,7 +331,7 @@ def _with_friction(
         [force] = (load.vector for load in loads if (load.name, load.on) == (f.friction.name, f.friction.on))
         total = [a + b for a, b in zip(total, f.generalized(force), strict=True)]
     solved = solved_reactions(law.system, law.newton, law.used, configuration, applied=total)
-    needed = {r.name: r.multiplier for r in law.used if r.name in {f.constraint for f in law.frictions}}
+    needed = {r.name: r.multiplier for r in law.used if r.name in {c for f in law.frictions for c in f.constraints}}
 
     def merged(now: Mapping[str, T], before: Mapping[str, T]) -> dict[str, T]:
         return {name: before[name] if name in needed else now[name] for name in now}

@@ -3,17 +3,23 @@
 The conditions have numbers in them and up to four unknowns. All their roots in a stated box are enclosed
 (`values.numerical_roots`); an angle that occurs in sines and cosines alone is searched once round the circle. Stability
 is read off the signs of the minors of the second variation over the enclosure of each root.
+
+The multipliers of constraints are eliminated first, since the conditions Q + Aᵀ λ = 0 are linear in them: there is a
+solution λ where all minors of order m + 1 of the matrix (Q, Aᵀ) vanish. Those with m given rows suffice where the minor
+of Aᵀ in these rows does not vanish; what they admit elsewhere is excluded by the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import combinations, product
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, islice, product
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
+from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
@@ -21,6 +27,8 @@ from lagrange.values.numerical_roots import Root, real_roots, sign_at
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 MOST_UNKNOWNS = 4
+MOST_CHARTS = 2
+"""So many choices of rows for the elimination of multipliers are tried, until the list is complete."""
 USUAL_SIZE = 10
 """Lengths are searched up to so many times the sum of the lengths in the problem."""
 WITHOUT_LENGTHS = 100
@@ -59,26 +67,73 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
     if e.given or all(not b.left for b in e.branches):
         return None
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
-    stated = [*e.required]
-    if e.binding:
-        unknowns = (*unknowns, *e.multipliers)
-        stated = [*e.balance(e.multipliers), *e.laws, *e.configuration.finite_constraints]
-    equations = [values.put_in(x) for x in stated]
+    if len(unknowns) > MOST_UNKNOWNS:
+        return None
+    forces = [values.put_in(f) for f in e.work.forces]
+    others = [values.put_in(x) for x in (*e.laws, *e.configuration.finite_constraints)]
+    columns = [[values.put_in(row.coefficients[k]) for row in e.binding] for k in range(len(forces))]
+    if not e.binding:
+        return _searched([values.put_in(x) for x in e.required], [], unknowns, e, second, values)
+    best = None
+    for rows in islice(combinations(range(len(forces)), len(e.binding)), MOST_CHARTS):
+        balance = [x for k in range(len(forces)) if k not in rows and (x := _minor(forces, columns, (*rows, k))) != 0]
+        rest = [_minor(forces, columns, c) for c in combinations(range(len(forces)), len(rows) + 1)]
+        found = _searched([*balance, *others], rest, unknowns, e, second, values)
+        if found is not None and (best is None or found.complete or len(found.found) > len(best.found)):
+            best = found
+        if best is not None and best.complete:
+            break
+    return best
+
+
+def _minor(forces: Sequence[sp.Expr], columns: Sequence[Sequence[sp.Expr]], rows: Sequence[int]) -> sp.Expr:
+    """The determinant of these rows of (Q, Aᵀ), without denominators that do not matter."""
+    return sp.numer(sp.together(sp.Matrix([[forces[k], *columns[k]] for k in rows]).det(method="berkowitz")))
+
+
+def _searched(
+    equations: Sequence[sp.Expr],
+    others: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    e: Equilibrium,
+    second: SecondVariation | None,
+    values: Values,
+) -> NumericalEquilibria | None:
+    """The roots of the equations at which the others may vanish too; None where the equations are too few or many."""
     used = {s for x in equations for s in x.free_symbols}
-    if len(unknowns) > MOST_UNKNOWNS or len(equations) != len(unknowns) or used != {*unknowns}:
+    if len(equations) != len(unknowns) or used != {*unknowns}:
         return None
     searched = {u: _search(u, equations, e, values) for u in unknowns}
     box = [(-ROUND, ROUND) if s.is_circle else _outward(s) for s in searched.values()]
+    equations = [_with_known_signs(x, searched) for x in equations]
     roots = real_roots(equations, unknowns, box)
     forces = [values.put_in(f) for f in e.work.forces]
-    matrix = [] if second is None or e.binding else [[values.put_in(x) for x in row] for row in second.matrix]
+    matrix = (
+        []
+        if second is None
+        else [[_with_known_signs(values.put_in(x), searched) for x in row] for row in second.matrix]
+    )
     found = []
     for root in _distinct(roots.roots, unknowns, searched):
         place = dict(zip(unknowns, root.values, strict=True))
+        if any(sign_at(x, unknowns, root) in (1, -1) for x in others):
+            continue
         if all(_is_finite(f.xreplace(place)) for f in forces):
             found.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
                                               _verdict(matrix, unknowns, root)))  # fmt: skip
     return NumericalEquilibria(tuple(found), searched, roots.complete)
+
+
+def _with_known_signs(x: sp.Expr, searched: Mapping[sp.Symbol, Searched]) -> sp.Expr:
+    """The expression with cos θ for |cos θ| where θ is searched between 0 and π/2."""
+    inner = {u: Bounded(u.name, s.low, s.high, (True, True)) for u, s in searched.items() if not s.is_circle}
+    rule: dict[sp.Expr, sp.Expr] = {}
+    for f in x.atoms(sp.Abs, sp.sign, sp.DiracDelta):
+        sign = sign_in_range(f.args[0].xreplace(inner))
+        if sign is not None:
+            size = sign * f.args[0]
+            rule[f] = size if isinstance(f, sp.Abs) else sp.Integer(sign) if isinstance(f, sp.sign) else sp.S.Zero
+    return x.xreplace(rule)
 
 
 def _search(u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: Values) -> Searched:
@@ -154,8 +209,6 @@ def _quantities(
 ) -> dict[sp.Symbol, Quantity]:
     found = {}
     for u, value in zip(unknowns, root.values, strict=True):
-        if u in e.multipliers:
-            continue
         angle = searched[u].is_circle or u in e.solution.letters.angles
         unit = "rad" if angle else unit_called(values.units[u]) if u in values.units else ""
         number: sp.Expr = value

@@ -30,6 +30,7 @@ class Arrivals:
     rule       the coordinates and velocities that the constraints express by the others
     when       the conditions, each zero
     parameter  the parameter that is asked for, if it is one
+    quantity   what is asked for
     """
 
     setting: Setting
@@ -37,11 +38,15 @@ class Arrivals:
     rule: Mapping[sp.Symbol, sp.Expr]
     when: tuple[sp.Expr, ...]
     parameter: sp.Symbol | None
+    quantity: sp.Expr
 
     def reached(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
         """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch."""
         kept: list[AnswerBranch] = []
         for b in branches:
+            if self._is_value_at_start(b):
+                kept.append(replace(b, conditions=()))
+                continue
             reach = Reach(Reached.OPEN)
             for n, state in enumerate(b.states):
                 reach = self._reach_of(state, b)
@@ -92,6 +97,15 @@ class Arrivals:
         if not all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in at_start):
             return False
         return all(is_zero(e.xreplace(found) - initial[s]) is True for s, e in state.items() if s in initial)
+
+    def _is_value_at_start(self, b: AnswerBranch) -> bool:
+        """Whether the conditions hold at t = 0 with the same value, so that the motion need not get there again."""
+        if self.parameter is not None or len(b.values) != 1:
+            return False
+        initial, moving = self.setting.initial, {*self.setting.place.moving}
+        start = {t: sp.S.Zero, **initial}
+        values = [e.xreplace(start) for e in (self.quantity - b.values[0], *self.when)]
+        return all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in values)
 
     def _is_equilibrium(self, state: Values) -> bool:
         """Whether the motion only approaches a state: velocities and accelerations vanish there."""

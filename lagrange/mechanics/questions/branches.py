@@ -238,7 +238,7 @@ def _is_ruled_out(
         return beginning.is_initial(state)
     if reason is Because.ARRIVAL:
         return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
-    return one and any(_is_behind(state, q, beginning) for q in beginning.slots.coordinates)
+    return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.slots.coordinates)
 
 
 def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
@@ -253,10 +253,10 @@ def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditi
     return sign == -way
 
 
-def _is_behind(state: State, q: sp.Symbol, beginning: Beginning) -> bool:
+def _is_behind(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
     """Whether a state is a turning point on the other side than that to which q starts."""
     start = beginning.direction(q)
-    return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning) == -(start or 0)
+    return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning, conditions) == -(start or 0)
 
 
 def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition] = ()) -> int | None:
@@ -318,17 +318,17 @@ def _sign(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
     above = [(c.lhs - c.rhs) * (1 if c.relation in (">", "≥") else -1) for c in conditions if c.relation in "><≥≤"]
     sign = sign_of(rest, above)
     if sign is None:
-        sign = _by_squares(sp.factor_terms(rest))
+        sign = _by_squares(sp.factor_terms(rest), above)
     return None if sign is None else sign * (1 if number.evalf() > 0 else -1)
 
 
-def _by_squares(e: sp.Expr) -> int | None:
+def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
     """The sign of a product with sums A − B of two positive terms in it, A² − B² deciding: m v − √m √(m v² + b)."""
     sign = 1
     for f in sp.Mul.make_args(e):
         own = sign_of(f)
         if own is None and isinstance(f, sp.log):  # log u has the sign of u − 1
-            own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0]) == 1 else None
+            own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0], above) == 1 else None
         if own is None and f.is_Add and len(f.args) == 2:
             a, b = f.args
             of_a, of_b = sign_of(a), sign_of(b)
@@ -347,7 +347,7 @@ def _with_direction(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
         start = beginning.direction(q)
         if start not in (1, -1) or len(b.states) != 1 or b.states[0].get(prime(q)) != 0:
             continue
-        if _way(b.states[0], q, beginning) is None and q in b.states[0] and q in beginning.initial:
+        if _way(b.states[0], q, beginning, b.conditions) is None and q in b.states[0] and q in beginning.initial:
             conditions.append(more_than_zero(start * (b.states[0][q] - beginning.initial[q])))
     new = {c.lhs - c.rhs for c in conditions}
     kept = [c for c in b.conditions if not (c.relation == "≠" and {c.lhs - c.rhs, c.rhs - c.lhs} & new)]

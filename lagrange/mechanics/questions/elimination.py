@@ -3,19 +3,21 @@
 The equations are solved for the state in closed form, branch by branch (`algebra.closed_forms`), and the quantity is
 taken at the points of each branch. A velocity that occurs in even powers only is eliminated as its square w, which
 must not be negative; both signs of the velocity are then points. Values that conditions give outright (θ = π) are
-substituted first, so that an angle keeps its number of turns.
+substituted first, so that an angle keeps its number of turns. Where a coordinate occurs in one exponential or tangent
+only, e^(−a x) or tan a x, that is the unknown, y, and x = −log(y)/a: for x between the places where it is infinite.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
-from lagrange.algebra.closed_forms.signs import SignCondition, not_negative, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
@@ -73,7 +75,43 @@ def eliminated(
         solved = solutions(equations, sought, first=tuple(squares.values()), beside=(wanted,))
     except (NotAlgebraicError, DivisionByZeroError):
         return Eliminated()
-    return _of_branches(solved, wanted, given, unknowns, squares, called)
+    found = _of_branches(solved, wanted, given, unknowns, squares, called)
+    if found.branches or found.never:
+        return found
+    return _through_one_function(equations, wanted, given, unknowns, called) or found
+
+
+def _through_one_function(
+    equations: Sequence[sp.Expr], wanted: sp.Expr, given: State, unknowns: Sequence[sp.Symbol], called: sp.Expr
+) -> Eliminated | None:
+    """The quantity where it is the only unknown, in e^(c x) or tan(c x); None where it is not."""
+    used = set().union(*(e.free_symbols for e in equations)) & {*unknowns}
+    if used != {wanted} or not isinstance(wanted, sp.Symbol) or wanted != called:
+        return None
+    waves = {f for e in equations for f in e.atoms(sp.exp, sp.tan) if wanted in f.free_symbols}
+    rates = {f.args[0] / wanted for f in waves}
+    if len({f.func for f in waves}) != 1 or any(wanted in r.free_symbols for r in rates):
+        return None
+    rate = min(rates, key=lambda r: (abs(r.as_coeff_Mul()[0]), str(r)))
+    grows = all(isinstance(f, sp.exp) for f in waves)
+    letter = sp.Dummy("y", positive=True) if grows else sp.Dummy("y", real=True)
+    powers = {f: f.args[0] / wanted / rate for f in waves}
+    if not all(n.is_Integer and (grows or n == 1) for n in powers.values()):
+        return None
+    plain = [sp.numer(sp.together(e.xreplace({f: letter**n for f, n in powers.items()}))) for e in equations]
+    if any(wanted in e.free_symbols for e in plain):
+        return None
+    found = eliminated(plain, letter, [letter], [], letter)
+    branches = []
+    for b in found.branches:
+        [value] = b.values
+        sign = sign_of(value)
+        if grows and sign in (0, -1):
+            continue
+        conditions = (*b.conditions, more_than_zero(value)) if grows and sign is None else b.conditions
+        place = (sp.log(value) if grows else sp.atan(value)) / rate
+        branches.append(AnswerBranch(called, place, (place,), ({**given, wanted: place},), conditions))
+    return replace(found, branches=tuple(branches), never=found.solved and not branches)
 
 
 def _may_vanish(e: sp.Expr) -> bool:

@@ -299,7 +299,9 @@ class _Search:
             return self._after_turning(route, used)
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
-            arrivals = Arrivals(self.setting, self._beginning, self.rule, tuple(self.when), self.parameter)
+            arrivals = Arrivals(
+                self.setting, self._beginning, self.rule, tuple(self.when), self.parameter, self.quantity
+            )
             branches = arrivals.reached(branches) or self._at_the_start(lasting)
         if not branches:
             raise ProblemError(never_holds(self.question))
@@ -368,6 +370,8 @@ class _Search:
         if len(senses) != 1 or self._is_about_time or len(self.setting.slips) != 1 or self.setting.turnings:
             return unanswered
         [(v, sense)] = senses.items()
+        if not isinstance(v, sp.Symbol):
+            return unanswered
         rest = Condition(v, sp.S.Zero, self.question.span)
         turning = replace(self.question, quantity=base(v), when=(rest,), by=None)
         first = _Search(turning, self.setting).answer()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
+from typing import TypeVar
 
 import sympy as sp
 
@@ -109,6 +110,15 @@ class AnswerBranch:
         return any(s in excluded[r] for s, r in signs)
 
 
+_Value = TypeVar("_Value", sp.Expr, float)
+
+
+def one_value(values: Sequence[_Value]) -> _Value | None:
+    """The value that is meant by several: of a value and its opposite it is the positive one. None: they differ."""
+    distinct, sizes = {*values}, {abs(v) for v in values}
+    return distinct.pop() if len(distinct) == 1 else sizes.pop() if len(sizes) == 1 else None
+
+
 @record
 class Substituted:
     """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'²."""
@@ -157,7 +167,7 @@ class Asked:
     integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
     open: tuple[sp.Symbol, ...] = ()
     initial: tuple[Substituted, ...] = ()
-    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    senses: Mapping[sp.Expr, int] = field(default_factory=dict)
     turning: Substituted | None = None
     opposite: sp.Symbol | None = None
     needs: str = ""

@@ -54,16 +54,17 @@ class Setting:
     @cached_property
     def slips(self) -> list[sp.Expr]:
         """Velocities that must not be negative: those of slip in a sense that the file states, or that was taken."""
-        return [*(sense * v for v, sense in self.known.senses.items()), *self.stated_slips]
+        return [*(sense * v for v, sense in self.known.senses.items() if v.is_Symbol), *self.stated_slips]
 
     @cached_property
     def stated_slips(self) -> list[sp.Expr]:
-        """What must not be negative: slip in the sense of the file, and coordinates whose modulus occurs."""
+        """What must not be negative: slip as in the file or at the start, and coordinates whose modulus occurs."""
         law = self.place.law
         forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
         stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
         sides = self.known.sides
         rule = {e: v for q, s in sides.items() for e, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
+        stated += [s * e for e, s in self.known.senses.items() if not e.is_Symbol]
         return [*(e.xreplace(rule) for e in stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:

@@ -23,7 +23,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import prime, t
+from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import Conserved
@@ -33,7 +33,7 @@ from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem
 
 Values = Mapping[sp.Symbol, sp.Expr]
-Senses = Mapping[sp.Symbol, int]
+Senses = Mapping[sp.Expr, int]
 
 
 @record
@@ -74,7 +74,7 @@ class Place:
 class Meanings:
     """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
 
-    senses    the signs with which velocities start, where |q'| or sign q' is replaced by means of them
+    senses    the signs with which velocities and speeds of slip start, where |q'| or sign q' is replaced by their means
     sides     the signs with which coordinates start, likewise for |q|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
@@ -83,7 +83,7 @@ class Meanings:
     accelerations: Values
     reactions: Mapping[sp.Symbol, sp.Expr | None]
     energies: Values = field(default_factory=dict)
-    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    senses: Senses = field(default_factory=dict)
     sides: Mapping[sp.Symbol, int] = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
     held: bool = False
@@ -197,7 +197,7 @@ def with_senses(
     values     numbers for the parameters, which decide what letters leave open
     frictions  whose coefficients at rest hold for the start, if they are given
     """
-    senses: dict[sp.Symbol, int] = dict(given or {})
+    senses: dict[sp.Expr, int] = dict(given or {})
     starting: list[SignCondition] = []
     held = False
     at_rest = {f.coefficient: f.static for f in frictions if f.static is not None and f.coefficient.is_Symbol}
@@ -224,6 +224,10 @@ def with_senses(
         if way in (1, -1):
             senses[v] = way
     expressions = [e for e in (*known.accelerations.values(), *known.reactions.values()) if e is not None]
+    for slip in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Add}:
+        way = sign(slip.xreplace(dict(initial))) if any(base(s) != s for s in slip.free_symbols & {*initial}) else None
+        if way in (1, -1):  # x' − R θ' of a ball that is thrown along a lane
+            senses[slip] = way
     sides = {
         q: way
         for q in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Symbol}

@@ -86,7 +86,7 @@ def test_a_condition_with_a_root_is_stated_without_it_where_that_is_shorter() ->
 
 
 @pytest.mark.parametrize(
-    "value", [a / b, x, (a - b) / (a + b), 1 + a, -1 - a, 2 * a / (a + b), a / sp.sqrt(a**2 + b**2)]
+    "value", [a / b, x, (a - b) / (a + b), 1 + a, -1 - a, 2 * a / (a + b), a / sp.sqrt(a**2 + b**2), a / (a - b)]
 )
 def test_where_an_arc_cosine_exists(value: sp.Expr) -> None:
     conditions = between_minus_one_and_one(value)

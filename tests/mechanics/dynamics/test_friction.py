@@ -191,6 +191,29 @@ def test_a_sphere_in_space_by_hand(problem: Read) -> None:
         assert abs((here - expected).evalf(30)) < 1e-25
 
 
+def test_a_curve_in_space_by_hand(problem: Read) -> None:
+    """m r'' = −m g k + R − μ |R| v/|v|, R being the part of m r'' + m g k across the curve (x, x², x³)."""
+    found = solution(
+        problem,
+        "parameters: [m, g, mu]\ncoordinates: [x, y, z]\nparticles: {P: {mass: m, position: '[x, y, z]'}}\n"
+        "constraints: {wall: y = x^2, floor: z = x*y}\ngravity: '[0, 0, -g]'\n"
+        "forces: {rub: {friction: mu, constraint: [wall, floor], on: P}}\n"
+        "generalized_coordinates: {one: {coordinates: [x]}}\n",
+    )
+    x, rate, mass, g, mu = sp.Rational(1, 2), sp.Rational(-3, 4), 2, 10, sp.Rational(1, 3)
+    along, bend = sp.Matrix([1, 2 * x, 3 * x**2]), sp.Matrix([0, 2, 6 * x]) * rate**2
+    square = along.dot(along)
+    load = bend + sp.Matrix([0, 0, g])
+    across = load - along * load.dot(along) / square
+    expected = -load.dot(along) / square - mu * across.norm() * sp.sign(rate) / sp.sqrt(square)
+    values = {"x": x, "y": x**2, "z": x**3, "m": mass, "g": g, "mu": mu}
+    values |= {"x'": rate, "y'": 2 * x * rate, "z'": 3 * x**2 * rate}
+    [equation] = found.choices[0].dynamics.equations.expressions
+    values["x''"] = expected
+    here = equation.xreplace({s: sp.sympify(values[s.name]) for s in equation.free_symbols})
+    assert abs(here.evalf(30)) < 1e-25
+
+
 def test_friction_does_virtual_work(problem: Read) -> None:
     """The generalized force of x: m g sin α and the friction."""
     found = solution(problem, INCLINE.format(more=", slip: positive, contact: positive"))
@@ -217,6 +240,9 @@ forces: {{rub: {{friction: mu, {rest}}}}}
         ("constraint: ceiling, on: P", "unknown-name", "ceiling"),
         ("constraint: wall, on: Q", "friction-place", "does not act on `Q`"),
         ("constraint: floor, on: P", "friction-undetermined", "not determined"),
+        ("constraint: [wall, floor], on: P", "friction-undetermined", "not determined"),
+        ("constraint: [wall, wall], on: P", "declared-twice", "stands twice"),
+        ("constraint: [], on: P", "empty-value", "is empty"),
     ],
 )
 def test_what_is_refused(problem: Read, rest: str, code: str, says: str) -> None:

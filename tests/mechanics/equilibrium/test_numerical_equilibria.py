@@ -87,6 +87,37 @@ def test_one_unknown(
     assert "numerical" in terminal.text(result.derivation, result.notation, 100)
 
 
+def test_multipliers_are_no_unknowns() -> None:
+    """A particle on a sphere, in Cartesian coordinates: the gradient of V is normal to the sphere at each position."""
+    text = """title: Particle on a sphere, with a spring
+parameters: {m: {value: 1 kg}, g: {value: 9.81 m/s^2}, R: {value: 1 m}, c: {value: 20 N/m}}
+coordinates: [x, y, z]
+particles: {P: {mass: m, position: x*i + y*j + z*k}}
+constraints: {sphere: x^2 + y^2 + z^2 = R^2}
+gravity: -g*k
+forces: {s: {spring: c, between: [P, 2*R*i], length: R/2}}
+find: equilibrium
+"""
+    found = as_object(reported(text))
+    assert found["equilibrium_searched"]["complete"]
+
+    def pull(angle: float) -> float:
+        """The force along the circle y = 0 at x = cos φ, z = sin φ."""
+        x, z = math.cos(angle), math.sin(angle)
+        length = math.hypot(2 - x, z)
+        tension = 20 * (length - 0.5) / length
+        return -tension * (2 - x) * z - (tension * z + 9.81) * x
+
+    signs = []
+    for n in range(360):
+        a, b = (math.radians(d) for d in (n - 180.5, n - 179.5))
+        if pull(a) * pull(b) <= 0:
+            signs.append((math.cos((a + b) / 2), "stable" if pull(a) > pull(b) else "unstable"))
+    shown = [(p["coordinates"]["x"]["number"], p["stability"]) for p in found["equilibrium_in_numbers"]]
+    assert [s for _, s in shown] == [s for _, s in sorted(signs)] == ["unstable", "stable"]
+    assert all(abs(a - b) < 0.02 for (a, _), (b, _) in zip(shown, sorted(signs), strict=True))
+
+
 def test_two_unknowns() -> None:
     result = reported(BARS)
     found = positions(result)

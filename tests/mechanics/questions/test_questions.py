@@ -139,7 +139,7 @@ CASES = [
     (ATWOOD, "", "{quantity: \"a'\", when: a = h}", "sqrt(2*g*h*(m1 - m2)/(m1 + m2))", Route.INTEGRALS),
     (ATWOOD, "", "{quantity: T, when: a = h}", "2*m1*m2*g/(m1 + m2)", Route.STATE),
     (ATWOOD, "", "{quantity: t, when: a = h}", "sqrt(2*h*(m1 + m2)/(g*(m1 - m2)))", Route.SOLUTION),
-    (BALL, "", "{quantity: y, when: \"y' = 0\"}", "m/(2*c)*log(1 + c*v**2/(m*g))", Route.SOLUTION),
+    (BALL, "", "{quantity: y, when: \"y' = 0\"}", "m/(2*c)*log(1 + c*v**2/(m*g))", Route.INTEGRALS),
     (BALL, "", "{quantity: t, when: \"y' = 0\"}", "sqrt(m/(c*g))*atan(v*sqrt(c/(m*g)))", Route.SOLUTION),
     (TOPPLING, "", "{quantity: \"theta'\", when: theta = pi/2}", "sqrt(3*g/l)", Route.INTEGRALS),
     (TOPPLING, "", "{quantity: H, by: theta}", "3*m*g*sin(theta)*(3*cos(theta) - 2)/4", Route.INTEGRALS),

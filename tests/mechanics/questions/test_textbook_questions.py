@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+import sympy as sp
 
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
@@ -127,3 +128,75 @@ answers: {ask: {x_t: -0.0002772}}
     [answer] = as_object(found)["asked"]
     assert answer["number"] == pytest.approx(0.05 * math.exp(-1) * (math.cos(w / 2) + 2 / w * math.sin(w / 2)))
     assert [a["verdict"] for a in as_object(found)["answers"]] == ["equivalent"]
+
+
+def test_the_sense_of_the_slip_at_the_start(problem: Read) -> None:
+    """A spinning cylinder put on a floor: x' = μ g t meets R θ' = R w − 2 μ g t, after R w/(3 μ g), at R w/3."""
+    cylinder = BALL.replace("2/5*m*R^2", "m*R^2/2").replace("angle: theta", "angle: -theta").replace(", slip: i", "")
+    cylinder = cylinder.replace("x': v", "x': 0").replace("theta': 0}", "theta': 30 rad/s}")
+    read = problem(
+        cylinder
+        + """ask:
+  time: {quantity: t, when: "x' = R*theta'"}
+  speed: {quantity: "x'", when: "x' = R*theta'"}
+  later: {quantity: x, by: t}
+"""
+    )
+    found = asked(read)
+    assert found["time"]["number"] == pytest.approx(0.1 * 30 / (3 * 0.1 * 9.81))
+    assert (found["time"]["unit"], found["speed"]["unit"]) == ("s", "m/s")
+    assert found["speed"]["number"] == pytest.approx(1)
+    assert len(found["later"]["conditions"]) == 1
+    told = report(read)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "that is ẋ = 1 m/s" in page
+    assert "The motion begins with R θ̇ − ẋ > 0" in page
+
+
+PENDULUM = """
+title: Pendulum
+parameters: {m: {value: 2}, l: {value: 3}, g: {value: 9.81}, v: positive}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*cos(theta)*i + l*sin(theta)*j}}
+gravity: -g*j
+"""
+
+
+def test_an_angle_has_its_sign_in_numbers(problem: Read) -> None:
+    """Let go horizontally it falls to negative angles: l θ'^2 = g at sin θ = −1/2, that is −30°, and θ'' = 0 at −90°."""
+    read = problem(
+        PENDULUM
+        + """initial: {theta: 0, theta': 0}
+ask: {low: {quantity: theta, when: "theta'' = 0"}, half: {quantity: theta, when: "l*theta'^2 = g"}}
+"""
+    )
+    found = asked(read)
+    assert {a["unit"] for a in found.values()} == {"rad"}
+    assert [a["number"] for a in found.values()] == pytest.approx([-math.pi / 2, -math.pi / 6])
+    told = report(read)
+    assert "θ = −30°" in " ".join(terminal.text(told.derivation, told.notation, 100).split())
+
+
+def test_what_holds_at_the_start_needs_no_return(problem: Read) -> None:
+    read = PENDULUM + "initial: {theta: -pi/2, theta': v/l}\nask: {a: {quantity: T_kinetic, when: theta = -pi/2}}\n"
+    assert asked(problem(read))["a"]["conditions"] == []
+
+
+@pytest.mark.parametrize(
+    ("potential", "turn", "conditions"),
+    [
+        ("U*tan(a*x)^2", lambda u: math.atan(u), 0),
+        ("U*(1 - exp(-a*x))^2", lambda u: -math.log(1 - u), 1),
+        ("U*(exp(2*a*x) - 2*exp(a*x))", lambda u: math.log(1 + u), 0),
+    ],
+)
+def test_turning_points_by_hand(potential: str, turn: Callable[[float], float], conditions: int, problem: Read) -> None:
+    """With m v²/2 = U u² they are at tan a x = u, e^(−a x) = 1 − u, e^(a x) = 1 + u."""
+    text = "title: Well\nparameters: [m, U, a, v]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+    text += f"forces: {{f: {{potential: {potential}}}}}\ninitial: {{x: 0, x': v}}\n"
+    solution = solve(problem(text + 'ask: {turn: {quantity: x, when: "x\' = 0"}}\n'))
+    [branch] = solution.asked[0].branches
+    values = {"m": 2, "U": 4, "a": 3, "v": 1}
+    here = branch.rhs.xreplace({s: sp.Integer(values[s.name]) for s in branch.rhs.free_symbols})
+    assert float(here) == pytest.approx(turn(0.5) / 3)
+    assert len(branch.conditions) == conditions

@@ -104,9 +104,39 @@ def _solved_for(symbol: sp.Expr, reduced: sp.Expr, signs: Signs) -> RestConditio
     rate, rest = _linear(symbol, reduced)
     sense = signs.of(rate)
     if symbol in rest.free_symbols or sense not in (1, -1):
-        return None
+        limit = solved_for_exponent(reduced, symbol)
+        if limit is None or any(signs.of(part) != 1 for part in (limit.slope, limit.growth, limit.ratio)):
+            return None
+        return RestCondition(limit.value, symbol)
     bound = without_leading_minus(_in_tangents(shortest(-rest / rate)))
     return RestCondition(bound, symbol) if sense == 1 else RestCondition(symbol, bound)
+
+
+@record
+class InExponent:
+    """slope (e^(growth x) − ratio) = 0, solved for x."""
+
+    slope: sp.Expr
+    growth: sp.Expr
+    ratio: sp.Expr
+
+    @property
+    def value(self) -> sp.Expr:
+        """log(ratio)/growth, as for the coefficient of a belt: log(T_1/T_2)/β."""
+        return sp.log(self.ratio) / self.growth
+
+
+def solved_for_exponent(e: sp.Expr, symbol: sp.Expr) -> InExponent | None:
+    """The exponent where the symbol is in one exponential only, in which e is linear; None where it is not."""
+    powers = [f for f in e.atoms(sp.exp) if symbol in f.free_symbols]
+    if len(powers) != 1:
+        return None
+    letter = sp.Dummy(positive=True)
+    slope, rest = _linear(letter, e.xreplace({powers[0]: letter}))
+    growth = powers[0].args[0] / symbol
+    if slope == 0 or {symbol, letter} & (slope.free_symbols | rest.free_symbols | growth.free_symbols):
+        return None
+    return InExponent(slope, growth, sp.factor(-rest / slope))
 
 
 def _linear(symbol: sp.Expr, e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

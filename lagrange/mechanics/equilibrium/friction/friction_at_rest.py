@@ -35,7 +35,7 @@ from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, unit_toward
+from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
@@ -74,6 +74,8 @@ class RoughContact:
     components   F, along these
     generalized  for each component, shape (n,): its generalized forces for the file's coordinates, for F = 1
     sign         of that unknown, +1 or −1; None if it is not known
+    also         the other reactions on the same particle, if N is the size of their resultant
+    units        in this case, of each of them: the force in which it is written, and the reaction for 1 of that
     """
 
     friction: Friction
@@ -86,6 +88,8 @@ class RoughContact:
     components: tuple[sp.Symbol, ...]
     generalized: tuple[tuple[sp.Expr, ...], ...]
     sign: int | None
+    also: tuple[Reaction, ...] = ()
+    units: tuple[tuple[sp.Symbol, Vector], ...] = ()
 
     @property
     def name(self) -> str:
@@ -97,7 +101,15 @@ class RoughContact:
         rule = dict(position)
         rows = tuple(tuple(shortest(e.xreplace(rule)) for e in row) for row in self.generalized)
         coefficient, normal = self.coefficient.xreplace(rule), self.normal.xreplace(rule)
-        return replace(self, coefficient=coefficient, normal=normal, generalized=rows) if rule else self
+        units = tuple((force, unit.xreplace(rule)) for force, unit in self.units)
+        return replace(self, coefficient=coefficient, normal=normal, generalized=rows, units=units) if rule else self
+
+    def resultant(self, forces: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+        """The size of the resultant of all reactions, for given forces."""
+        total = [sp.S.Zero] * 3
+        for force, unit in self.units:
+            total = [a + forces[force] * b for a, b in zip(total, unit.fixed().components, strict=True)]
+        return sp.sqrt(shortest(sp.Add(*(a**2 for a in total))))
 
 
 @record
@@ -194,6 +206,8 @@ def _contact(
     side = reaction.constraint.side
     sign = friction.contact if side is None else 1 if reaction.named else side
     assert friction.static is not None
+    also = tuple(rough_reaction(replace(friction, constraint=name), newton, original) for name in friction.also)
+    units = [(r.force, r.per_unit(friction.on)) for r in (reaction, *also)] if also else []
     size = sp.S.One if reaction.named else normal_size(direction.xreplace(rule), reaction, configuration)
     return RoughContact(
         friction,
@@ -206,6 +220,8 @@ def _contact(
         tuple(components),
         tuple(tuple(shortest(t.dot(p)) for p in moved) for t in tangents),
         sign,
+        also,
+        tuple((force, unit.xreplace(rule)) for force, unit in units if unit is not None),
     )
 
 
@@ -326,9 +342,8 @@ class _System:
         for c in contacts:
             columns |= {f: list(row) for f, row in zip(c.components, c.generalized, strict=True)}
             if len(c.components) > 1:
-                normal = c.reaction.on(c.friction.on)
-                assert normal is not None
-                extra.append(dict(zip(c.components, map(write, normal.fixed().components), strict=True)))
+                normals = (r.on(c.friction.on) for r in (c.reaction, *c.also))
+                extra += [dict(zip(c.components, map(write, n.fixed().components), strict=True)) for n in normals if n]
         for r in newton.reactions:
             form = without_root(r.row, original.slots).coefficients
             columns[r.force] = [shortest(write(a * r.per_force)) for a in form]
@@ -489,7 +504,7 @@ def _determined(
 ) -> tuple[RestCondition, ...] | None:
     """The bounds themselves; None if one of them never holds."""
     conditions: list[RestCondition] = []
-    rough = {c.reaction.name for c in contacts}
+    rough = {c.reaction.name for c in contacts if not c.also}
     for r in newton.reactions:
         if r.constraint.side is None or r.name in rough:
             continue
@@ -503,6 +518,9 @@ def _determined(
     for c in contacts:
         pressed = shortest(c.normal * solved.forces[c.reaction.force] * (1 if c.sign is None else c.sign))
         friction = tuple(shortest(solved.forces[f]) for f in c.components)
+        if c.also:
+            conditions += bounded_by(friction, c.resultant(solved.forces), c.coefficient, True, signs) or ()
+            continue
         if (
             len(friction) == 1
             and c.sign is not None

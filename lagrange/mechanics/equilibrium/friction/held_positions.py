@@ -18,8 +18,10 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
     finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
     used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
-    if not used or len(used) > len(finite) or any(f.count_ops() > LONGEST_SLACK for f in finite):
+    if not used or any(f.count_ops() > LONGEST_SLACK for f in finite):
         return {}
+    if len(used) > len(finite):
+        return _held_outright(configuration)
     turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
     try:
         solved = solutions(finite, used)
@@ -33,6 +35,17 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
         if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
             found.append(values)
     return found[0] if len(found) == 1 else {}
+
+
+def _held_outright(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that a constraint of their own holds: ρ = R."""
+    held: dict[sp.Symbol, sp.Expr] = {}
+    for f in configuration.finite_constraints:
+        own = f.free_symbols & {*configuration.slots.coordinates}
+        slope = f.diff(*own) if len(own) == 1 else sp.S.Zero
+        if slope.is_number and slope != 0:
+            held |= {q: -f.xreplace({q: sp.S.Zero}) / slope for q in own}
+    return held
 
 
 def equal_angles(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:

@@ -21,6 +21,7 @@ from itertools import combinations, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
@@ -36,7 +37,12 @@ from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
-from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, Wanted, not_negative
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
+    RestCondition,
+    Wanted,
+    not_negative,
+    solved_for_exponent,
+)
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact, each_contact_once, rough_contacts
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
@@ -238,6 +244,7 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
         n
         for n, b in enumerate(resting.branches)
         if not (b.special and any(signs.of(r.residual) in (1, -1) for r in b.relations))
+        and not any(r.lhs.is_positive and signs.of(r.rhs) in (0, -1) for r in b.relations)
     ]
     known = Wanted(coefficients=tuple(c.coefficient for c in contacts))
     branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
@@ -247,6 +254,7 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
 
 def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs) -> Branch:
     """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
+    b = _coefficients_solved(b, resting)
     if not b.special:
         return b
     relations = []
@@ -256,6 +264,18 @@ def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs
             written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
     return replace(b, relations=tuple(relations))
+
+
+def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:
+    """The branch with the law of a belt solved for an unknown coefficient: μ = log(T_1/T_2)/β."""
+    stated = {r.lhs: r.rhs for r in b.relations if r.lhs.is_Symbol}
+    left, relations = [], list(b.relations)
+    for e in b.left:
+        limits = {s: solved_for_exponent(e.xreplace(stated), s) for s in resting.forces if s not in stated}
+        solved = [Relation(s, limit.value) for s, limit in limits.items() if limit is not None]
+        left += [] if solved else [e]
+        relations += solved[:1]
+    return replace(b, relations=tuple(relations), left=tuple(left))
 
 
 def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs) -> bool:

@@ -122,6 +122,14 @@ def test_answers(problem: Read, text: str, answers: str, verdicts: str) -> None:
     assert {a.name: a.verdict.value for a in compared_answers(solution)} == {"rest": verdicts, "equilibrium": verdicts}
 
 
+def test_a_coefficient_among_the_unknowns(problem: Read) -> None:
+    text = GIVEN.replace("[m, g, P, mu, beta]", "[m, g, P, beta]").replace("[T]", "[T, mu]")
+    written = in_json.as_object(report(problem(text)))
+    assert written["rest"]["conditions"] == ["log(m*g/P)/beta <= mu"]
+    [motion] = written["impending"]
+    assert "mu = log(m*g/P)/beta" in motion["equilibrium"][0]
+
+
 def test_what_is_written(problem: Read) -> None:
     told = report(problem(CAPSTAN))
     assert in_json.as_object(told)["rest"]["conditions"] == ["m*g*exp(-mu*beta) <= P"]
@@ -137,7 +145,7 @@ def test_what_is_written(problem: Read) -> None:
         ("tight: T", "tight: Z", "unknown-symbol"),
         ("belt: mu", "belt: y", "coordinate-here"),
         ("angle: beta", "angle: T", "force-here"),
-        ("belt: mu", "belt: T", "not-constant"),
+        ("belt: mu", "belt: t", "time-here"),
     ],
 )
 def test_what_is_refused(problem: Read, old: str, new: str, code: str) -> None:

@@ -215,9 +215,28 @@ def test_the_conditions_are_those_of_a_linear_program(problem: Read, text: str, 
     assert seen == {True, False}
 
 
+HELIX = """title: Bead on a rough helical wire
+parameters: [m, g, R, c, mu, F]
+coordinates: [rho, phi, z]
+frame: {type: cylindrical, coordinates: [rho, phi, z]}
+particles: {P: {mass: m, position: rho*e_rho + z*k}}
+constraints:
+  cylinder: {equation: rho = R, reaction: A}
+  thread: {equation: z = c*phi, reaction: B}
+gravity: -g*k
+forces:
+  rub: {friction: mu, static: mu, constraint: [cylinder, thread], on: P}
+  push: {on: P, vector: F*e_rho}
+find: equilibrium
+"""
+"""At rest F_t = m g c/√(R² + c²) along the wire, across it A = −F and B = m g R/√(R² + c²)."""
+
+
 @pytest.mark.parametrize(
     ("text", "conditions"),
     [
+        (HELIX, ["m*c*g/sqrt(m^2*g^2*R^2 + c^2*F^2 + F^2*R^2) <= mu"]),
+        (HELIX.replace("  push: {on: P, vector: F*e_rho}\n", ""), ["c/R <= mu"]),
         (SMOOTH, ["tan(theta)/2 <= mu_A"]),
         (COLLAR, ["h/(2*a) <= mu"]),
         (BOOK, ["W/(2*P) <= mu"]),

@@ -1,0 +1,1 @@
+"""Dimensions of what a problem file states."""
