@@ -315,9 +315,12 @@ class Writer:
             or any(e != 1 for _, e in parts.above)
         ):
             return None
-        if parts.divisors or parts.below:
-            return self.piece(argument).code if self.style.stacked else None
-        symbols = [base for base, _ in self.order.factors(parts.above)]
+        above, below = self.order.factors(parts.above), self.order.factors(parts.below)
+        if (parts.divisors or below) and not self.style.stacked:
+            return None
+        if self.style.stacked and self._is_one_fraction(parts, above, below):
+            return self.piece(argument).code
+        symbols = [base for base, _ in (*below, *above)]
         if not all(isinstance(s, sp.Symbol | sp.NumberSymbol) for s in symbols) or self._ends_within(symbols):
             return None
         if self.style.stacked or not symbols:
@@ -326,8 +329,15 @@ class Writer:
             return None
         return "".join([*(self.style.number(n).code for n in parts.numbers), *(self.piece(s).code for s in symbols)])
 
+    def _is_one_fraction(self, parts: OrderedProduct, above: list[BasePower], below: list[BasePower]) -> bool:
+        """Whether nothing is written before or after its line: x/2 and x/l, not ½ x y or (g/l) t."""
+        if below:
+            before, _, after = self._split(above, below)
+            return not before and not after
+        return bool(parts.divisors) and len(above) == 1 and _is_letter(above[0])
+
     def _ends_within(self, symbols: list[sp.Expr]) -> bool:
-        """Whether a reader would end the argument within this product: sin θφ is taken as φ sin θ, and sin ωẋ as ẋ sin ω."""
+        """Whether a reader would end the argument within it: sin θφ is taken as φ sin θ, sin ωẋ as ẋ sin ω."""
         *first, last = symbols or [sp.S.One]
         moving = any(isinstance(s, sp.Symbol) and self.notation.kind(s) in _ENDING for s in first)
         return moving or (bool(first) and isinstance(last, sp.Symbol) and last.name.endswith("'"))
