@@ -354,7 +354,7 @@ def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | 
         return None if y is None else [-sum(row[k] * y[i] for i, row in enumerate(J)) for k in range(n)]
     columns = [[row[k] for row in J] for k in range(n)]
     step = point.solution(_products(columns), [-sum(map(mul, column, f)) for column in columns])
-    zero = point.number(1, 10**ZERO_DIGITS) * max(map(abs, f))
+    zero = point.number(1, 10**ZERO_DIGITS) * (1 + max(map(abs, f)))
     return step if all(abs(sum(map(mul, row, step)) + x) < zero for row, x in zip(J, f, strict=True)) else None
 
 

@@ -14,7 +14,7 @@ So the values of V_θθ at four φ give V_uu, V_uv and V_vv, and the equation it
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
@@ -63,6 +63,34 @@ def _without(q: sp.Symbol, point: Values, solution: SolutionSet) -> Values:
 def _all_vanish(effects: list[sp.Expr], solution: SolutionSet, point: Values) -> bool:
     try:
         return all(is_zero(solution.at(point, e)) for e in effects)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return False
+
+
+def is_only_of_chart(
+    forces: dict[sp.Symbol, sp.Expr], solution: SolutionSet, b: Branch, idle: Iterable[sp.Symbol]
+) -> bool:
+    """Whether a branch is no equilibrium: at a pole where no φ meets a force, and another force vanishes for some only.
+
+    forces  Q_k of the free displacements, by coordinate
+
+    An explicit c φ²/2 is a torsion spring: φ is then more than a name of directions, and must have its value.
+    """
+    idle = tuple(idle)
+    if b.left or b.special or not b.points or not any(r.residual.has(*idle) for r in b.equations if idle):
+        return False
+    own, others = [forces[q] for q in idle if q in forces], [f for q, f in forces.items() if q not in idle]
+    for p in b.points:
+        for q in idle:
+            p = _without(q, p, solution)
+        if not _all_vanish(own, solution, p) or not any(_differs(f, solution, p) for f in others):
+            return False
+    return True
+
+
+def _differs(force: sp.Expr, solution: SolutionSet, point: Values) -> bool:
+    try:
+        return is_zero(solution.at(point, force)) is False
     except (NotAlgebraicError, DivisionByZeroError):
         return False
 

@@ -30,6 +30,7 @@ particles: {P: {mass: m, position: l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(ph
 gravity: -g*k
 find: equilibrium
 """
+TORSION = "forces: {spring: {potential: m*g*l*(phi - 1)^2}}"
 CRANK = """
 title: Crank and slider pushed towards the axis
 parameters: [F, l, r]
@@ -50,9 +51,10 @@ def idle(text: str) -> list[str]:
 @pytest.mark.parametrize(
     ("text", "names"),
     [
-        (CYLINDRICAL, ["phi", "phi", "", ""]),  # ρ = 0 with φ = ±π/2; then ρ = ±F/k
+        (CYLINDRICAL, ["", ""]),  # ρ = ±F/k; and ρ = 0 with φ = ±π/2 is no equilibrium
         (SPHERICAL, ["phi", "phi"]),
-        (CROSS_WIND, ["phi", "phi", "", ""]),
+        (SPHERICAL + TORSION, ["phi", "phi"]),
+        (CROSS_WIND, ["", ""]),
         (CHAIN, [""]),
         (CRANK, ["", "", "", ""]),  # dead centres: δφ moves nothing at φ = 0, but φ has a position of its own
     ],
@@ -72,7 +74,8 @@ def test_it_is_said() -> None:
     """Without a horizontal force every φ serves at the pole; with one the pole is no equilibrium of a free particle."""
     assert "the coordinates are singular there" in words(SPHERICAL)
     assert "fixed by other means" not in words(SPHERICAL)
-    assert "fixed by other means" in words(CYLINDRICAL)
+    assert "it is no equilibrium" in words(CYLINDRICAL)
+    assert "fixed by other means" in words(SPHERICAL + TORSION)
     assert "singular" not in words(CHAIN)
 
 
