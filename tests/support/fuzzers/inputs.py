@@ -271,7 +271,7 @@ def journal(seed: int) -> str:
     rng = random.Random(seed)
     path, text = _journal()
     damaged = bytearray(_mutated(text, rng).encode("utf-8", "surrogatepass"))
-    for _ in range(rng.randrange(3)):
+    for _ in range(rng.randrange(3) if damaged else 0):
         damaged[rng.randrange(len(damaged))] = rng.randrange(256)
     path.write_bytes(bytes(damaged))
     again = Journal(path)
