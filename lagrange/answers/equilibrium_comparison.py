@@ -116,9 +116,25 @@ class EquilibriumComparison:
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)
         self.special = [b for b in solution.branches if b.special] if generic else []
+        if e.poles:  # nor the poles of a chart at which there is no equilibrium
+            self.special += [b for b in branches if self._is_pole(b)]
+            branches = [b for b in branches if b not in self.special]
         self.points = self._distinct([(n, p) for n, b in enumerate(branches) for p in self._points_of(b)])
         self.left = [b for b in branches if b.left]
         self.branches = branches
+
+    def _is_pole(self, b: Branch) -> bool:
+        """Whether all points of a branch are among those that were left out as poles."""
+        poles = [p for pole in self.equilibrium.poles for p in pole.points]
+        return bool(b.points) and not b.left and all(any(self._is_at(p, q) for q in poles) for p in b.points)
+
+    def _is_at(self, p: Values, pole: Values) -> bool:
+        known = self.equilibrium.solution
+        functions = [f for u in self.unknowns for f in ((sp.cos(u), sp.sin(u)) if u in self.angles else (u,))]
+        try:
+            return all(is_zero(self.solution.at(p, f) - known.at(pole, f).xreplace(self.values)) for f in functions)
+        except NotAlgebraicError:
+            return False
 
     def _points_of(self, b: Branch) -> list[Values]:
         """The points of a branch in closed form; a relation between parameters gives one of them a value."""

@@ -43,6 +43,7 @@ TEXT, UNICODE, BOLD, LATEX, WIDE_LATEX = Text(), Unicode(), BoldVectors(), Latex
 NOTHING = Notation()
 _CONSTANT = {SymbolKind.PARAMETER, SymbolKind.SIGN}
 _POSITION = {SymbolKind.COORDINATE, *_CONSTANT}
+_ENDING = {SymbolKind.COORDINATE, SymbolKind.TIME}
 
 
 def text(expression: Mathematics, notation: Notation = NOTHING) -> str:
@@ -306,25 +307,42 @@ class Writer:
         return self.piece(argument)
 
     def _bare(self, argument: sp.Expr) -> str | None:
-        """The argument of sin without parentheses: θ, 2θ, ωt; None if it needs them."""
+        """The argument of sin without parentheses: θ, 2θ, ωt; None if it needs them, as a number does in sin(2) x."""
         parts = product(argument)
         if (
             parts.negative
+            or argument.is_Number
             or len(parts.numbers) > 1
             or isinstance(argument, sp.Add)
             or any(e != 1 for _, e in parts.above)
         ):
             return None
-        if parts.divisors or parts.below:
-            return self.piece(argument).code if self.style.stacked else None
-        symbols = [base for base, _ in self.order.factors(parts.above)]
-        if not all(isinstance(s, sp.Symbol | sp.NumberSymbol) for s in symbols):
+        above, below = self.order.factors(parts.above), self.order.factors(parts.below)
+        if (parts.divisors or below) and not self.style.stacked:
+            return None
+        if self.style.stacked and self._is_one_fraction(parts, above, below):
+            return self.piece(argument).code
+        symbols = [base for base, _ in (*below, *above)]
+        if not all(isinstance(s, sp.Symbol | sp.NumberSymbol) for s in symbols) or self._ends_within(symbols):
             return None
         if self.style.stacked or not symbols:
             return self.piece(argument).code
         if not all(WrittenName.of(s.name).is_tight for s in symbols[:-1] if isinstance(s, sp.Symbol)):
             return None
         return "".join([*(self.style.number(n).code for n in parts.numbers), *(self.piece(s).code for s in symbols)])
+
+    def _is_one_fraction(self, parts: OrderedProduct, above: list[BasePower], below: list[BasePower]) -> bool:
+        """Whether nothing is written before or after its line: x/2 and x/l, not ½ x y or (g/l) t."""
+        if below:
+            before, _, after = self._split(above, below)
+            return not before and not after
+        return bool(parts.divisors) and len(above) == 1 and _is_letter(above[0])
+
+    def _ends_within(self, symbols: list[sp.Expr]) -> bool:
+        """Whether a reader would end the argument within it: sin θφ is taken as φ sin θ, sin ωẋ as ẋ sin ω."""
+        *first, last = symbols or [sp.S.One]
+        moving = any(isinstance(s, sp.Symbol) and self.notation.kind(s) in _ENDING for s in first)
+        return moving or (bool(first) and isinstance(last, sp.Symbol) and last.name.endswith("'"))
 
     def _unspecified(self, function: Unspecified) -> Piece:
         head = self.style.name(function.name)

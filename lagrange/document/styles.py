@@ -136,8 +136,7 @@ class Text:
         """The code between two factors."""
         if after.code[0] in " °":  # a unit
             return ""
-        numbers = before.code[-1].isdigit() and after.code[0].isdigit()
-        return self.between_numbers if numbers or before.code == "0" else self.times
+        return self.between_numbers if after.code[0].isdigit() or before.code == "0" else self.times
 
     def applied(self, function: str, argument: str, raised: bool) -> Piece:
         """A function with a short argument, where it needs no parentheses."""

@@ -16,6 +16,8 @@ from lagrange.mechanics.results import InCoordinates, Solution
 
 LONGEST_FORMULA = 30
 """The most operations of an acceleration that is written before its value."""
+LONGEST_SOLVED = 4 * LONGEST_FORMULA
+"""The most operations of an equation that is solved for it: one of 3,000 takes more than ten seconds."""
 LONGEST_SPOT = 20
 """The most numbers of a spot value that a reader may want to type."""
 
@@ -86,6 +88,8 @@ def _formula(view: InCoordinates, acceleration: sp.Symbol) -> list[sp.Expr]:
     if view.motion is None or len(view.motion.equations) != 1 or view.configuration.rows:
         return []
     equation = view.motion.equations[0].expression
+    if equation.count_ops() > LONGEST_SOLVED:
+        return []
     factor = equation.diff(acceleration)
     if factor == 0 or factor.has(acceleration):
         return []

@@ -43,6 +43,7 @@ from lagrange.expressions.tokens import Token, TokenKind
 _SIGNS = "+-*/=,|"
 _WORDS = re.compile(r"[A-Za-z0-9_ ]*")
 _OF_TIME = re.compile(r"\s*(?:\(\s*t\s*\)|\\left\s*\(\s*t\s*\\right\s*\))")
+_EXPONENTIAL = re.compile(r"e\s*\^|\\mathrm\s*\{\s*[ed]\s*\}")  # and a differential
 _NUMERIC_FRACTION = re.compile(r"\\[tdc]?frac(?:\s*[0-9]|\s*\{[0-9]{1,9}\}){2}")
 
 _D = r"(?:d|\\mathrm\s*\{\s*d\s*\}|\\mathrm\s+d|\\text\s*\{d\}|\{\s*\\rm\s+d\s*\}|\\rm\s+d|\\dd(?![A-Za-z]))"
@@ -375,8 +376,12 @@ class LatexLexer:
             role = self.scope.role(name)
             if role is Role.UNDECLARED and name in NAMED_FUNCTIONS:
                 return "function"
+            if _EXPONENTIAL.match(scanner.text, scanner.at, scanner.limit) and not self.names.is_declared("e"):
+                return "apart"
             return "apart" if role in (Role.VECTOR, Role.FUNCTION) else "name"
         if command in FUNCTIONS or command in ACCENTS or command in VECTORS:
+            return "apart"
+        if _EXPONENTIAL.match(scanner.text, scanner.at, scanner.limit):
             return "apart"
         return "apart" if command in ("operatorname", "partial", "delta", "sqrt") else "name"
 

@@ -20,6 +20,7 @@ from tests.support.statics_texts import (
     ATWOOD,
     BEAD,
     CHAIN,
+    CROSS_WIND,
     INCLINES,
     LEVER,
     PENDULUM,
@@ -243,6 +244,12 @@ def test_answers_of_the_file() -> None:
     bad = good.replace('["theta = pi"], ', "")
     assert check_own_answers(read(bad)).verdict is INCOMPLETE
     assert not report(read(bad)).holds
+
+
+def test_poles_of_the_coordinates_are_not_asked_for() -> None:
+    """At θ = 0 the conditions hold for tan φ = −1, but the wind is not balanced there."""
+    both = '[["tan(theta) = sqrt(2)", "phi = pi/4"], ["tan(theta) = -sqrt(2)", "phi = -3*pi/4"]]'
+    assert check_own_answers(read(CROSS_WIND + f"answers: {{equilibrium: {both}}}\n")).verdict is EQUIVALENT
 
 
 def test_numbers_of_the_file_count() -> None:

@@ -159,7 +159,13 @@ SPELLED = [
     (c * (x + l * (a * cos(th1 - th2) + b)), "c*(x + l*(b + a*cos(theta_1 - theta_2)))",
      "c {x + l [b + a cos(θ₁ − θ₂)]}", r"c \{x + l [b + a \cos(\theta_{1} - \theta_{2})]\}"),
     (sin(mul(2, 2, th)), "sin(2*2*theta)", "sin(2·2 θ)", r"\sin(2 \cdot 2 \theta)"),
-    (cos(sp.S.One), "cos(1)", "cos 1", r"\cos 1"),
+    (cos(sp.S.One), "cos(1)", "cos(1)", r"\cos(1)"),
+    (sin(th1 * th2), "sin(theta_1*theta_2)", "sin(θ₁ θ₂)", r"\sin(\theta_{1} \theta_{2})"),
+    (sin(th * D(x)), "sin(theta*x')", "sin(θ ẋ)", r"\sin(\theta \dot{x})"),
+    (sin(omega / l * (l - x)), "sin(omega*(l - x)/l)", "sin((ω/l) (l − x))", r"\sin\left( \frac{\omega}{l} (l - x) \right)"),
+    (sin(g * t / l), "sin(g*t/l)", "sin((g/l) t)", r"\sin\frac{g}{l} t"),
+    (sin(alpha * th), "sin(alpha*theta)", "sin αθ", r"\sin\alpha \theta"),
+    (2 ** sp.Rational(3, 4) * sqrt(x) / 2, "2^(3/4)*sqrt(x)/2", "½·2^(3/4) √x", r"\tfrac{1}{2} \cdot 2^{3/4} \sqrt{x}"),
 ]  # fmt: skip
 
 

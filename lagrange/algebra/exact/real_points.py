@@ -17,6 +17,7 @@ will do. Reference: Gauss–Newton for underdetermined systems in any book on nu
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from operator import mul
 from random import Random
 from typing import Any, Self
 
@@ -342,9 +343,20 @@ def _iterate(
 
 
 def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | None:
-    """−Jᵀ y with J Jᵀ y = f. J of shape (m, n), f of shape (m,)."""
-    normal = [[sum(a * b for a, b in zip(r, s, strict=True)) for s in J] for r in J]
-    y = point.solution(normal, f)
-    if y is None:
-        return None
-    return [-sum(row[k] * y[n] for n, row in enumerate(J)) for k in range(len(J[0]))]
+    """The smallest dx with J dx = −f; None where there is none. J of shape (m, n), f of shape (m,).
+
+    It is −Jᵀ y with J Jᵀ y = f. Where there are more equations than unknowns Jᵀ J dx = −Jᵀ f is the smaller system; it
+    always has solutions, which have to be tried.
+    """
+    m, n = len(J), len(J[0])
+    if m <= n:
+        y = point.solution(_products(J), f)
+        return None if y is None else [-sum(row[k] * y[i] for i, row in enumerate(J)) for k in range(n)]
+    columns = [[row[k] for row in J] for k in range(n)]
+    step = point.solution(_products(columns), [-sum(map(mul, column, f)) for column in columns])
+    zero = point.number(1, 10**ZERO_DIGITS) * (1 + max(map(abs, f)))
+    return step if all(abs(sum(map(mul, row, step)) + x) < zero for row, x in zip(J, f, strict=True)) else None
+
+
+def _products(rows: list[list[Any]]) -> list[list[Any]]:
+    return [[sum(map(mul, r, s)) for s in rows] for r in rows]

@@ -340,6 +340,12 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
             "Where that division is impossible, the second variation is that of V minus the constraints, each times "
             "its multiplier, in the displacements that are free there."
         )
+    for theta, phi in dict.fromkeys(s.pole for s in second.verdicts if s.minors and s.pole):
+        yield prose(
+            "Where the coordinates are singular, every displacement is made up of ", math(variation(theta)), " at ",
+            math(phi, sp.S.Zero), " and at ", math(phi, sp.pi / 2), "; the minors there are those for these two",
+            *(() if len(second.coordinates) == 2 else (" and the other coordinates",)), "."
+        )  # fmt: skip
     suffix = suffix_of(equilibrium.configuration.name)
     judged = [(Ref(f"equilibrium{suffix}-{n}"), s) for n, s in enumerate(second.verdicts, start=1) if s.minors]
     sentences = paragraph(*(prose("At ", place, *_freely(s), " ", *_verdict(s, one)) for place, s in judged))

@@ -6,11 +6,15 @@ equilibrium, and sufficient only if it holds for every φ: a horizontal force is
 Q_θ = F l cos φ vanishes for φ = π/2.
 
 A crank at its dead centre is no pole. There ∂r/∂φ vanishes for one value of φ, not for all.
+
+Whether V has a minimum at a pole is decided in other coordinates, u = θ cos φ and v = θ sin φ. Half a turn of φ
+exchanges δθ and −δθ, and since V is a function of the position, V_θθ = V_uu cos² φ + 2 V_uv sin φ cos φ + V_vv sin² φ.
+So the values of V_θθ at four φ give V_uu, V_uv and V_vv, and the equation itself is tested for all φ.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import sympy as sp
 
@@ -61,3 +65,74 @@ def _all_vanish(effects: list[sp.Expr], solution: SolutionSet, point: Values) ->
         return all(is_zero(solution.at(point, e)) for e in effects)
     except (NotAlgebraicError, DivisionByZeroError):
         return False
+
+
+def is_only_of_chart(
+    forces: dict[sp.Symbol, sp.Expr], solution: SolutionSet, b: Branch, idle: Iterable[sp.Symbol]
+) -> bool:
+    """Whether a branch is no equilibrium: at a pole where no φ meets a force, and another force vanishes for some only.
+
+    forces  Q_k of the free displacements, by coordinate
+
+    An explicit c φ²/2 is a torsion spring: φ is then more than a name of directions, and must have its value.
+    """
+    idle = tuple(idle)
+    if b.left or b.special or not b.points or not any(r.residual.has(*idle) for r in b.equations if idle):
+        return False
+    own, others = [forces[q] for q in idle if q in forces], [f for q, f in forces.items() if q not in idle]
+    for p in b.points:
+        for q in idle:
+            p = _without(q, p, solution)
+        if not _all_vanish(own, solution, p) or not any(_differs(f, solution, p) for f in others):
+            return False
+    return True
+
+
+def _differs(force: sp.Expr, solution: SolutionSet, point: Values) -> bool:
+    try:
+        return is_zero(solution.at(point, force)) is False
+    except (NotAlgebraicError, DivisionByZeroError):
+        return False
+
+
+def radius_at(configuration: Configuration, solution: SolutionSet, b: Branch, phi: sp.Symbol) -> sp.Symbol | None:
+    """The coordinate whose displacements half a turn of φ reverses at a pole, and no other's; None if there is none."""
+    reversed_: list[sp.Symbol] = []
+    for k, q in enumerate(configuration.slots.coordinates):
+        if q == phi:
+            continue
+        effects = [e for e in _effects(configuration, k) if e != 0]
+        opposite = [e.xreplace({phi: phi + sp.pi}) for e in effects]
+        same = [e - o for e, o in zip(effects, opposite, strict=True)]
+        if all(_all_vanish(same, solution, _without(phi, p, solution)) for p in b.points):
+            continue
+        against = [e + o for e, o in zip(effects, opposite, strict=True)]
+        if not all(_all_vanish(against, solution, _without(phi, p, solution)) for p in b.points):
+            return None
+        reversed_.append(q)
+    return reversed_[0] if len(reversed_) == 1 else None
+
+
+def without_pole(matrix: Sequence[Sequence[sp.Expr]], theta: int, phi: int, name: sp.Symbol) -> list[list[sp.Expr]]:
+    """V'' at a pole with respect to θ cos φ, θ sin φ and the others, from that in the coordinates; [] if it is not of
+    that form. `theta` and `phi` are the places of the coordinates in the matrix, `name` is φ.
+    """
+
+    def at(e: sp.Expr, part: sp.Rational) -> sp.Expr:
+        return e.xreplace({name: part * sp.pi})
+
+    quarter, half = sp.Rational(1, 4), sp.Rational(1, 2)
+    others = [k for k in range(len(matrix)) if k not in (theta, phi)]
+    second = matrix[theta][theta]
+    mixed = (at(second, quarter) - at(second, 3 * quarter)) / 2
+    first, last = at(second, sp.S.Zero), at(second, half)
+    c, s = sp.cos(name), sp.sin(name)
+    rest = [second - (first * c**2 + 2 * mixed * s * c + last * s**2)]
+    along = [(at(matrix[theta][k], sp.S.Zero), at(matrix[theta][k], half)) for k in others]
+    rest += [matrix[theta][k] - (u * c + v * s) for k, (u, v) in zip(others, along, strict=True)]
+    rest += [matrix[k][j] - at(matrix[k][j], sp.S.Zero) for k in others for j in others]
+    if not all(is_zero(e) for e in rest):
+        return []
+    rows = [[first, mixed, *(u for u, _ in along)], [mixed, last, *(v for _, v in along)]]
+    rows += [[u, v, *(at(matrix[k][j], sp.S.Zero) for j in others)] for k, (u, v) in zip(others, along, strict=True)]
+    return rows

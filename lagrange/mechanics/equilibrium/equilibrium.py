@@ -42,7 +42,7 @@ from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
-from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates
+from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_only_of_chart
 from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.mechanics.equilibrium.within_ranges import within
 
@@ -220,15 +220,22 @@ def without_poles(e: Equilibrium, original: Equilibrium) -> Equilibrium:
     At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ. The file's
     coordinates, in `original`, have no pole there and decide.
     """
-    poles, kept = [], []
-    for b, idle in zip(e.branches, e.idle, strict=False):
-        if idle and not b.left and _is_unbalanced(b, e, original):
-            poles.append(b)
-        else:
-            kept.append((b, idle))
-    if not poles:
+    return _split_off(
+        e,
+        [
+            bool(idle) and not b.left and _is_unbalanced(b, e, original)
+            for b, idle in zip(e.branches, e.idle, strict=False)
+        ],
+    )
+
+
+def _split_off(e: Equilibrium, at_poles: Sequence[bool]) -> Equilibrium:
+    """The equilibria with some branches among the poles."""
+    if not any(at_poles):
         return e
-    return replace(e, branches=tuple(b for b, _ in kept), idle=tuple(idle for _, idle in kept), poles=tuple(poles))
+    kept = [(b, idle) for b, idle, pole in zip(e.branches, e.idle, at_poles, strict=True) if not pole]
+    poles = (*e.poles, *(b for b, pole in zip(e.branches, at_poles, strict=True) if pole))
+    return replace(e, branches=tuple(b for b, _ in kept), idle=tuple(idle for _, idle in kept), poles=poles)
 
 
 def _is_unbalanced(b: Branch, e: Equilibrium, original: Equilibrium) -> bool:
@@ -349,7 +356,12 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     applied = loads(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
     found = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
-    return replace(found, outside=outside)
+    free = (coordinates[k] for k in e.elimination.independent)
+    balances = dict(zip(free, e.independent_forces, strict=True))
+    return _split_off(
+        replace(found, outside=outside),
+        [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
+    )
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:

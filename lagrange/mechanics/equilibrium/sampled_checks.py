@@ -157,11 +157,13 @@ class Samples:
                 try:
                     point = self.point(values, number)
                     stable = _claimed(point, b, s)
-                    sign = self._sign(point) if stable is not None and left[stable] else None
+                    sign = self._sign(point, bool(s.pole)) if stable is not None and left[stable] else None
                 except (InadmissibleError, UnsupportedError, DivisionByZeroError):
                     continue
                 if stable is None or sign is None:
                     continue
+                if s.pole and sign == 1 and not stable:
+                    continue  # V may be less at another φ
                 left[stable] -= 1
                 yield sign == (1 if stable else -1)
 
@@ -196,8 +198,11 @@ class Samples:
         angle = self.resting.solution.letters.angles.get(q)
         return angle.letters if angle is not None else ()
 
-    def _sign(self, point: RealPoint) -> int | None:
-        """1 where S is positive definite, −1 where it takes negative values, None where a minor is too small."""
+    def _sign(self, point: RealPoint, at_pole: bool = False) -> int | None:
+        """1 where S is positive definite, −1 where it takes negative values, None where a minor is too small.
+
+        at_pole  without the displacement that moves nothing
+        """
         size = len(self.slots.coordinates)
         rows = point.matrix(self.rows)
         if rows:
@@ -211,6 +216,9 @@ class Samples:
             basis = [[point.number(int(n == k)) for n in range(size)] for k in range(size)]
         hessian = point.matrix(self.hessian)
         table = [[_product(a, hessian, c) for c in basis] for a in basis]
+        if at_pole:
+            moving = [k for k, row in enumerate(table) if not all(map(point.arithmetic.vanishes, row))]
+            table = [[table[k][j] for j in moving] for k in moving]
         return _definiteness(point, table)
 
 

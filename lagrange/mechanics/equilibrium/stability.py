@@ -11,6 +11,8 @@ parameters leave open becomes a condition. If V'' of a single coordinate vanishe
 not vanish decides; with several coordinates a second variation that is never negative and vanishes somewhere leaves the
 question undecided.
 
+At a pole of the coordinates V_kj is that in other coordinates (`chart_poles`).
+
 Where a pivot of the displacements vanishes at an equilibrium (a bead at the lowest point of x² + y² = l²), other
 displacements are free there, and V_kj is that of V − Σ λ f with the multipliers λ of the equilibrium, for A δq = 0.
 """
@@ -34,6 +36,7 @@ from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
+from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
@@ -61,6 +64,7 @@ class Stability:
     principal   a negative principal minor, if it decides and is not among the leading ones
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
+    pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
     """
 
     verdict: StabilityVerdict
@@ -71,6 +75,7 @@ class Stability:
     principal: sp.Expr | None = None
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
+    pole: tuple[sp.Symbol, ...] = ()
 
     @property
     def is_always_stable(self) -> bool:
@@ -214,6 +219,8 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
     if any(x is None for x in entries):
         return Stability(StabilityVerdict.UNDECIDED)
     width = len(matrix)
+    if any(idle and o is b for o, idle in zip(e.branches, e.idle, strict=False)):
+        return _at_pole([entries[n * width : (n + 1) * width] for n in range(width)], b, e)
     if width == 1 and entries[0] is not None and is_zero(entries[0]):
         return _by_higher_derivatives(matrix[0][0], b, e)
     shorter = _of_first_harmonic(matrix[0][0], entries[0], b, e) if width == 1 else None
@@ -241,6 +248,19 @@ def _of_first_harmonic(second: sp.Expr, value: sp.Expr | None, b: Branch, e: Equ
     forms = (constant, e.work.textbook.form(constant), sp.factor(sp.expand_trig(constant)))
     shorter = min(map(shortest_form, forms), key=lambda x: int(x.count_ops())) / sp.cos(q)
     return shorter if shorter.count_ops() < value.count_ops() else None
+
+
+def _at_pole(values: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:
+    """The verdict where a coordinate φ moves nothing: in coordinates that are regular there, if φ is an angle."""
+    [idle] = (idle for o, idle in zip(e.branches, e.idle, strict=False) if o is b)
+    free = [e.configuration.slots.coordinates[k] for k in e.elimination.independent]
+    phi = idle[0]
+    theta = radius_at(e.configuration, e.solution, b, phi) if len(idle) == 1 else None
+    if {phi, theta} <= {*free} and not any(r.residual.has(phi) for r in b.equations):
+        regular = without_pole(values, free.index(theta), free.index(phi), phi)
+        if regular:
+            return replace(definiteness(regular, b, e), pole=(theta, phi))
+    return definiteness(values, b, e)
 
 
 def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -> StabilityVerdict:

@@ -7,7 +7,7 @@ from itertools import combinations, pairwise
 import pytest
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Fields, NoPointError, Surface, agreed
+from lagrange.algebra.exact.zero_test import Fields, NoPointError, Surface, agreed, has_real_point
 from lagrange.core.symbols import Sign, Unspecified, prime, t
 
 sin, cos, tan, sqrt, pi = sp.sin, sp.cos, sp.tan, sp.sqrt, sp.pi
@@ -164,6 +164,16 @@ def test_both_signs_of_a_root_that_a_choice_carries() -> None:
     e = (sigma * sqrt(l**2 - y**2)) ** 2 + y**2 - l**2
     assert Surface().is_zero(e) is True
     assert Surface().is_zero(sigma * sqrt(l**2 - y**2) - sqrt(l**2 - y**2)) is False
+
+
+def test_more_equations_than_unknowns() -> None:
+    """Newton's iteration finds the point that two unknowns have in common in forty equations, and none in forty-one."""
+    lines = [n * (sp.exp(x) - 2) + (n**2 - 5) * (sp.exp(y) - x - 3) for n in range(40)]
+    common, none = Surface(lines, [x, y]), Surface([*lines, sp.exp(x + y) + 1], [x, y])
+    assert has_real_point(common)
+    point = common.real_point()
+    assert point.arithmetic.vanishes(point.value(sp.exp(x) - 2))
+    assert not has_real_point(none)
 
 
 def test_no_point_is_undecided() -> None:

@@ -30,6 +30,7 @@ particles: {P: {mass: m, position: l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(ph
 gravity: -g*k
 find: equilibrium
 """
+TORSION = "forces: {spring: {potential: m*g*l*(phi - 1)^2}}"
 CRANK = """
 title: Crank and slider pushed towards the axis
 parameters: [F, l, r]
@@ -50,9 +51,10 @@ def idle(text: str) -> list[str]:
 @pytest.mark.parametrize(
     ("text", "names"),
     [
-        (CYLINDRICAL, ["phi", "phi", "", ""]),  # ρ = 0 with φ = ±π/2; then ρ = ±F/k
+        (CYLINDRICAL, ["", ""]),  # ρ = ±F/k; and ρ = 0 with φ = ±π/2 is no equilibrium
         (SPHERICAL, ["phi", "phi"]),
-        (CROSS_WIND, ["phi", "phi", "", ""]),
+        (SPHERICAL + TORSION, ["phi", "phi"]),
+        (CROSS_WIND, ["", ""]),
         (CHAIN, [""]),
         (CRANK, ["", "", "", ""]),  # dead centres: δφ moves nothing at φ = 0, but φ has a position of its own
     ],
@@ -72,8 +74,60 @@ def test_it_is_said() -> None:
     """Without a horizontal force every φ serves at the pole; with one the pole is no equilibrium of a free particle."""
     assert "the coordinates are singular there" in words(SPHERICAL)
     assert "fixed by other means" not in words(SPHERICAL)
-    assert "fixed by other means" in words(CYLINDRICAL)
+    assert "it is no equilibrium" in words(CYLINDRICAL)
+    assert "fixed by other means" in words(SPHERICAL + TORSION)
     assert "singular" not in words(CHAIN)
+
+
+BOWL = """
+title: A bowl
+parameters: [k, c]
+coordinates: [{coordinates}]
+let: {{X: {X}, Y: {Y}}}
+particles: {{P: {{mass: 1, position: X*i + Y*j{more}}}}}
+forces: {{field: {{potential: {potential}}}}}
+find: equilibrium
+"""
+POLAR = {"coordinates": "rho, phi", "X": "rho*cos(phi)", "Y": "rho*sin(phi)", "more": ""}
+CARTESIAN = {"coordinates": "x, y", "X": "x", "Y": "y", "more": ""}
+ON_A_CART = {"coordinates": "z, rho, phi", "X": "rho*cos(phi)", "Y": "rho*sin(phi)", "more": " + z*k"}
+CARTESIAN_ON_A_CART = {"coordinates": "z, x, y", "X": "x", "Y": "y", "more": " + z*k"}
+
+
+def verdict_at_rest(chart: dict[str, str], potential: str) -> tuple[str, set[str]]:
+    """The verdict on the place where all but an azimuth vanishes, and the conditions, without their sides."""
+    solution = solve(read_problem(Source("problem.yaml", BOWL.format(potential=potential, **chart))))
+    e, second = solution.own.equilibrium, solution.own.stability
+    assert e is not None
+    assert second is not None
+    [found] = [s for b, s in zip(e.branches, second.verdicts, strict=True) if all(r.rhs == 0 for r in b.relations)]
+    assert solution.holds
+    return found.verdict.value, {str(abs(sp.factor(c.lhs - c.rhs).subs({"k": 1, "c": 3}))) for c in found.conditions}
+
+
+@pytest.mark.parametrize(
+    "potential",
+    [
+        "k*X^2/2 + k*Y^2/2",
+        "-k*X^2/2 - c*Y^2/2",
+        "k*X^2/2 - c*Y^2/2",
+        "k*X^2 + k*Y^2 + c*X*Y",
+        "k*X^2 + c*Y^2 + (k + c)*X*Y",
+    ],
+)
+def test_stability_at_a_pole_is_that_in_cartesian_coordinates(potential: str) -> None:
+    assert verdict_at_rest(POLAR, potential) == verdict_at_rest(CARTESIAN, potential)
+
+
+@pytest.mark.parametrize("potential", ["k*X^2 + k*Y^2 + k*z^2 - k*z*X", "k*X^2 + k*Y^2 + k*z^2 - 3*k*z*X"])
+def test_stability_at_a_pole_beside_another_coordinate(potential: str) -> None:
+    assert verdict_at_rest(ON_A_CART, potential) == verdict_at_rest(CARTESIAN_ON_A_CART, potential)
+
+
+def test_without_all_directions_nothing_is_decided() -> None:
+    """With Y = X φ no displacement along j is among the δX, and V = k X² would seem to have a strict minimum."""
+    fan = {"coordinates": "x, phi", "X": "x", "Y": "x*phi", "more": ""}
+    assert verdict_at_rest(fan, "k*X^2")[0] == "undecided"
 
 
 def test_the_poles_of_a_choice_are_no_equilibria_where_the_forces_do_not_balance() -> None:

@@ -6,21 +6,31 @@ but the project's own leaves it, and is a fault.
 
 from __future__ import annotations
 
+import atexit
 import random
 import re
+import shutil
 import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from unittest.mock import patch
 
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, GaveUpError, ProblemError, Source
+from lagrange.core.vectors import Vector
+from lagrange.document.math_writer import LATEX, TEXT, UNICODE, Writer
+from lagrange.document.notation import Notation
 from lagrange.explain.report import report
+from lagrange.expressions.reader import Scope, read_equation
 from lagrange.problem.loader import load, read_problem
 from lagsolve.grading.journal import Journal
 from lagsolve.grading.table import TableRow
+from tests.support.expression_texts import EQUATIONS, scope
 from tests.support.paths import PROBLEMS
 
 TOKEN = re.compile(r"\s+|\w+|.", re.DOTALL)
@@ -121,11 +131,25 @@ def _of_problem(text: str) -> str:
     return "given up" if solved.solution.given_up else "solved" if solved.holds else "solved in part"
 
 
+@cache
+def _shipped() -> list[str]:
+    return [path.read_text(encoding="utf-8") for path in sorted(PROBLEMS.glob("*/*.yaml"))]
+
+
 def mutated_problem(seed: int) -> str:
     """A shipped problem file with a few tokens changed."""
     rng = random.Random(seed)
-    path = rng.choice(sorted(PROBLEMS.glob("*/*.yaml")))
-    return _of_problem(_mutated(path.read_text(encoding="utf-8"), rng))
+    return _of_problem(_mutated(rng.choice(_shipped()), rng))
+
+
+def read_file(seed: int) -> str:
+    """A shipped problem file with a few tokens changed, which is only read."""
+    rng = random.Random(seed)
+    try:
+        read_problem(Source("fuzz.yaml", _mutated(rng.choice(_shipped()), rng)))
+    except ProblemError as error:
+        return _refused(error)
+    return "read"
 
 
 def problem_by_grammar(seed: int) -> str:
@@ -160,32 +184,107 @@ def answer(seed: int) -> str:
     return str(judged.verdict)
 
 
+@cache
+def _names() -> tuple[Scope, dict[str, Writer]]:
+    names = scope("k", "alpha", "omega", "a_1")
+    moving = names.slots.coordinates
+    notation = Notation(moving, prescribed=names.slots.prescribed, parameters=tuple(names.scalars.values()))
+    return names, {
+        "text": Writer(TEXT, notation),
+        "terminal": Writer(UNICODE, notation),
+        "latex": Writer(LATEX, notation),
+    }
+
+
+def read_text(seed: int) -> str:
+    """An equation, mutated or random, read and written in three styles, each of which is read back as the same."""
+    rng = random.Random(seed)
+    if rng.random() < 0.5:
+        text = _mutated(rng.choice(TEXTS), rng)
+    else:
+        text = f"{_expression(rng, rng.randint(1, 3), ATOMS)} = {rng.choice(ATOMS)}"
+    names, writers = _names()
+    try:
+        read = read_equation(Fragment.of(text), names, [], latex=True)
+    except ProblemError as error:
+        return _refused(error)
+    if isinstance(read.lhs, Vector) or isinstance(read.rhs, Vector):
+        return "a vector"
+    for style, writer in writers.items():
+        written = f"{writer.plain(read.lhs)} = {writer.plain(read.rhs)}"
+        try:
+            again = read_equation(Fragment.of(f"${written}$" if style == "latex" else written), names, [], latex=True)
+        except ProblemError as error:
+            if style == "terminal" or error.diagnostics[0].code in ("exponent-too-large", "nested-too-deep"):
+                continue  # ln x and [x + y] are for the eye
+            raise ValueError(f"{style}: `{written}` of `{text}` is not read: {error}") from None
+        sides = ((again.lhs, read.lhs), (again.rhs, read.rhs))
+        if not all(isinstance(a, sp.Expr) and isinstance(b, sp.Expr) and _equal(a, b) for a, b in sides):
+            raise ValueError(f"{style}: `{written}` of `{text}` is read as {again.lhs} = {again.rhs}")
+    return "read back"
+
+
+def _equal(a: sp.Expr, b: sp.Expr) -> bool:
+    return a == b or sp.expand(a - b) == 0 or is_zero(a - b) is not False
+
+
+TEXTS = [*EQUATIONS, *ANSWERS]
+ATOMS = [
+    "x",
+    "y",
+    "theta",
+    "theta_1",
+    "u'",
+    "x''",
+    "theta'",
+    "t",
+    "m",
+    "l",
+    "g",
+    "omega",
+    "alpha",
+    "a_1",
+    "2",
+    "1/3",
+    "0.5",
+    "pi",
+]
+
 ROWS = [TableRow(f"{n}.txt", Verdict.WRONG, 1, 2, 1, "a remark", 0.5, f"{n}.md") for n in range(3)]
+
+
+@cache
+def _journal() -> tuple[Path, str]:
+    """A file for journals, and what it has for these rows as they are."""
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    path = folder / "marks.csv.journal"
+    written = Journal(path)
+    for n, row in enumerate(ROWS):
+        written.add(f"k{n}", row)
+    written.close(complete=False)
+    return path, path.read_text(encoding="utf-8")
 
 
 def journal(seed: int) -> str:
     """The journal of a batch with a few bytes changed."""
     rng = random.Random(seed)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "marks.csv.journal")
-        written = Journal(path)
-        for n, row in enumerate(ROWS):
-            written.add(f"k{n}", row)
-        written.close(complete=False)
-        text = _mutated(path.read_text(encoding="utf-8"), rng)
-        damaged = bytearray(text.encode("utf-8", "surrogatepass"))
-        for _ in range(rng.randrange(3)):
-            damaged[rng.randrange(len(damaged))] = rng.randrange(256)
-        path.write_bytes(bytes(damaged))
-        again = Journal(path)
-        found = [again.row(f"k{n}") for n in range(len(ROWS))]
-        again.close(complete=False)
+    path, text = _journal()
+    damaged = bytearray(_mutated(text, rng).encode("utf-8", "surrogatepass"))
+    for _ in range(rng.randrange(3) if damaged else 0):
+        damaged[rng.randrange(len(damaged))] = rng.randrange(256)
+    path.write_bytes(bytes(damaged))
+    again = Journal(path)
+    found = [again.row(f"k{n}") for n in range(len(ROWS))]
+    again.close(complete=False)
     return f"{len(ROWS) - found.count(None)} rows read"
 
 
 KINDS: dict[str, Callable[[int], str]] = {
     "problems": mutated_problem,
     "grammar": problem_by_grammar,
+    "files": read_file,
+    "texts": read_text,
     "answers": answer,
     "journals": journal,
 }
