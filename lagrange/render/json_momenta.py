@@ -188,7 +188,7 @@ def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
         }
         if s is not None:
             stability = s.judgement.stability
-            squares = [f.square for f in s.frequencies]
+            squares = [f.square for f in s.frequencies] if s.long_square is None else [s.long_square]
             entry["linear"] = [f"{write(e)} = 0" for e in s.equations]
             entry["frequencies"] = [None if w is None else write(sp.sqrt(w)) for w in squares]
             entry["stability"] = stability.verdict.value
