@@ -224,7 +224,7 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
     on_stage("Newton's law")
     law, configuration = _law(solution, method=method), solution.own.configuration
     check_constant_inertia(law.problem, configuration)
-    works = works_of_reactions(law.newton, configuration, solution.own.elimination)
+    works = tuple(works_of_reactions(law.newton, configuration, solution.own.elimination))
     checks = [*solution.checks, *check_workless(works, configuration)]
     moving: list[InCoordinates] = []
     for view in solution.views:
@@ -234,15 +234,14 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
         checks += _checks_of_motion(view, moving[0] if moving else view, law)
         moving.append(view)
     own, *choices = moving
-    return replace(
-        solution,
-        problem=law.problem,
-        law=law,
-        works=tuple(works),
-        own=own,
-        choices=tuple(choices),
-        checks=tuple(checks),
+    moved = replace(
+        solution, problem=law.problem, law=law, works=works, own=own, choices=tuple(choices), checks=tuple(checks)
     )
+    if all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving):
+        return moved
+    from lagrange.mechanics.nearby.long_reactions import with_long_reactions
+
+    return with_long_reactions(moved)
 
 
 def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete: bool) -> InCoordinates:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
+    from lagrange.mechanics.nearby.long_reactions import LongReactions
     from lagrange.mechanics.nearby.stable_range import StableRange
     from lagrange.mechanics.results import InCoordinates, Solution
 
@@ -49,6 +50,8 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
         found |= long_equations(solution.long_equations, write)
     if solution.linear_motion is not None:
         found["linear_motion"] = linear_motion(solution.linear_motion, write)
+    if solution.long_reactions is not None:
+        found["long_reactions"] = long_reactions(solution.long_reactions, write)
     if solution.impact is not None:
         found["impact"] = impact(solution.impact, write)
     return found
@@ -70,6 +73,16 @@ def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -
     for v in validities(configuration.variable_masses, configuration.slots):
         if v.name == m.name and v.symbol is not None:
             result["valid"] = f"{write(v.symbol)} {'>' if v.above else '<'} {write(v.bound)}"
+    return result
+
+
+def long_reactions(found: LongReactions, write: Write) -> dict[str, Any]:
+    """Multipliers `by_accelerations`; with values the forces, or multipliers, as `numbers` at a `state`."""
+    result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in found.by_accelerations.items()}}
+    if found.at is not None:
+        result["state"] = {s.name: float(e) for s, e in found.at.state.items()}
+        result["accelerations"] = {s.name.rstrip("'"): float(e) for s, e in found.at.accelerations.items()}
+        result["numbers"] = {name: float(x) for name, x in found.numbers.items()}
     return result
 
 

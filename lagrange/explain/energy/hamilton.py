@@ -39,7 +39,8 @@ def _integrated(found: Hamiltonian) -> Iterable[Block]:
         names = [math(q) for q in found.integrated]
         nowhere = plural(len(names), " does not appear in the energies: the remaining coordinates are free.",
                          " do not appear in the energies: the remaining coordinates are free.")  # fmt: skip
-        yield paragraph(prose("The constraints on velocities integrate to ", *listed(relations), "."),
+        yield paragraph(prose(plural(len(relations), "The constraint on velocities integrates to ",
+                                     "The constraints on velocities integrate to "), *listed(relations), "."),
                         prose(*listed(names), nowhere))  # fmt: skip
 
 

@@ -46,4 +46,3 @@ def integrated(motion: EquationsOfMotion) -> tuple[EquationsOfMotion, Mapping[sp
     equations = tuple(replace(e, expression=e.expression.xreplace(rates)) for e in motion.final)
     elimination = Elimination(tuple(range(len(free))), (), (), (), (), ())
     return replace(motion, configuration=reduced, elimination=elimination, equations=equations, closed=None), expressed
-

@@ -1,0 +1,74 @@
+"""Accelerations and reactions at one state, in numbers, where nobody would write them down in letters.
+
+With the coefficients E of d'Alembert's principle at the state, and d/dt (a·q' + a_t) = a·q'' + c,
+
+    M q'' + E_0 = Σ λ a ,        a·q'' = −c
+
+are linear equations for q'' and λ. Lagrange's equations, with the derivatives of T at the same state, check them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import sympy as sp
+
+from lagrange.algebra.exact.linear_algebra import solution
+from lagrange.core.records import record
+from lagrange.core.symbols import t
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.nearby.checks import lagrange_in_numbers
+from lagrange.mechanics.nearby.expansions import Expansions
+from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, SHOWN_DIGITS
+from lagrange.mechanics.nearby.linear_equations import first_order
+from lagrange.mechanics.nearby.reference import Reference
+
+
+@record
+class StateInNumbers:
+    """What happens at one state.
+
+    state          coordinates and velocities, by symbol
+    accelerations  by symbol
+    multipliers    by name of the constraint; without those of redundant ones
+    agrees         whether Lagrange's equations hold with these
+    """
+
+    state: Mapping[sp.Symbol, sp.Expr]
+    accelerations: Mapping[sp.Symbol, sp.Expr]
+    multipliers: Mapping[str, sp.Expr]
+    agrees: bool
+
+
+def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | None:
+    """Accelerations and multipliers at a state; None where they are not determined. Raises NotCoveredError."""
+    slots = configuration.slots
+    rows = [configuration.rows[k] for k in near.used]
+    if any(t in a.free_symbols for row in rows for a in (*row.coefficients, row.drift)):
+        return None
+    about = Expansions(slots, near.values)
+    n, zero = about.size, about.reals.number(0)
+    linear = first_order(configuration, about, [about.number(v) for v in slots.velocities])
+    forms = [linear.rows[k] for k in near.used]
+    table = [[*linear.mass[k], *(-form[k] for form in forms)] for k in range(n)]
+    table += [[*form, *(zero for _ in forms)] for form in forms]
+    right = [-e for e in linear.balance] + [-linear.misfit[k] for k in near.used]
+    found = solution(about.reals, table, right)
+    if found is None:
+        return None
+    left = lagrange_in_numbers(configuration, about, [about.number(v) for v in slots.velocities], found[:n])
+    loads = [sum((m * form[k] for m, form in zip(found[n:], forms, strict=True)), zero) for k in range(n)]
+    scale = max([1, *map(abs, (*left, *loads))])
+    agrees = all(abs(a - b) < CHECKED_REMAINDER * scale for a, b in zip(left, loads, strict=True))
+    names = [row.name for row in rows]
+    return StateInNumbers(
+        {s: near.values[s] for s in (*slots.coordinates, *slots.velocities)},
+        {s: _number(x) for s, x in zip(slots.accelerations, found[:n], strict=True)},
+        {name: _number(x) for name, x in zip(names, found[n:], strict=True)},
+        agrees,
+    )
+
+
+def _number(x: Any) -> sp.Expr:
+    return sp.S.Zero if abs(x) < CHECKED_REMAINDER else sp.Float(x, SHOWN_DIGITS)

@@ -1,0 +1,142 @@
+"""Reactions that are too long as functions of position and velocity, of chains of rods in their own coordinates.
+
+Newton's equations give them in terms of the accelerations, in a few letters: at the end of a chain by m r'', before it
+by two of these. Of the n equations Σ_j λ_j a_jk = D_k as many are used as there are reactions, those
+with the simplest coefficients. Where all parameters have values, the numbers at a state are found as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.core.records import record
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check
+from lagrange.mechanics.dynamics.motion import NewtonLaw
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.nearby.accelerations import StateInNumbers, at_state
+from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
+from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.mechanics.results import Solution
+
+CHECK = "the reactions in numbers satisfy Lagrange's equations"
+
+
+@record
+class LongReactions:
+    """Reactions that are not written down as functions of position and velocity.
+
+    lost              those
+    by_accelerations  the multipliers in terms of accelerations, by name; without those that are long even so
+    at                the state for which numbers are known; None without values
+    from_initial      whether it is the state with which the motion begins
+    numbers           of the forces, or multipliers, at this state, by name
+    """
+
+    lost: tuple[Reaction, ...]
+    by_accelerations: Mapping[str, sp.Expr]
+    at: StateInNumbers | None
+    from_initial: bool
+    numbers: Mapping[str, sp.Expr]
+
+
+def with_long_reactions(solution: Solution) -> Solution:
+    """The solution with the reactions that were too long in every set of coordinates."""
+    law = solution.law
+    found = None if law is None or law.frictions else _long_reactions(solution, law)
+    if found is None:
+        return solution
+    checks = solution.checks
+    if found.at is not None:
+        checks = (*checks, Check(CHECK, found.at.agrees, "in numbers, at one state: T differentiated"))
+    return replace(solution, long_reactions=found, checks=checks)
+
+
+def _long_reactions(solution: Solution, law: NewtonLaw) -> LongReactions | None:
+    solved = [v.dynamics.reactions for v in solution.views if v.dynamics and v.dynamics.reactions]
+    lost = tuple(
+        r for r in law.used if solved and all(r.name in s.multipliers and s.multipliers[r.name] is None for s in solved)
+    )
+    if not lost:
+        return None
+    configuration = solution.own.configuration
+    by_accelerations = _by_accelerations(law, configuration, lost)
+    at, from_initial = _at(solution, configuration)
+    numbers = {}
+    if at is not None:
+        values = {p.symbol: p.value for p in law.problem.parameters if p.value is not None} | dict(at.state)
+        for r in lost:
+            if r.name in at.multipliers:
+                factor = r.single.factor if r.single is not None else sp.S.One
+                numbers[r.name] = sp.N(factor.xreplace(values) * at.multipliers[r.name])
+    return LongReactions(lost, by_accelerations, at, from_initial, numbers)
+
+
+def _by_accelerations(law: NewtonLaw, configuration: Configuration, lost: Sequence[Reaction]) -> dict[str, sp.Expr]:
+    """The multipliers from as many equations Σ λ_j a_jk = D_k, the simplest ones."""
+    size, used = len(configuration.slots.coordinates), law.used
+    accelerations = configuration.slots.accelerations
+    rows = [[-e for e in row[size:]] for row in law.system.rows[:size]]
+    balance = [
+        sp.Add(*(m * a for m, a in zip(row[:size], accelerations, strict=True)), -b)
+        for row, b in zip(law.system.rows[:size], law.system.right, strict=False)
+    ]
+    chosen: list[int] = []
+    for k in sorted(range(size), key=lambda k: (sum(e.count_ops() for e in rows[k]), balance[k].count_ops())):
+        if configuration.states.rank([rows[i] for i in (*chosen, k)]) == len(chosen) + 1:
+            chosen.append(k)
+        if len(chosen) == len(used):
+            break
+    letters = {sp.Dummy(f"D_{k}", real=True): balance[k] for k in chosen}
+    solved = solved_linear([rows[k] for k in chosen], [*letters], configuration.states) or []
+    names = {r.name for r in lost}
+    found = {}
+    for r, value in zip(used, solved, strict=False):
+        if value is not None and r.name in names:
+            written = sp.Add(*(value.coeff(d) * e for d, e in letters.items()))
+            if written.count_ops() <= LONGEST_BY_ACCELERATIONS:
+                found[r.name] = textbook_form(written)
+    return found
+
+
+def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumbers | None, bool]:
+    """The numbers at the state with which the motion begins, or at the one that equations of motion are tried at."""
+    problem, spot = solution.problem, solution.own.spot
+    if any(p.value is None for p in problem.parameters) or configuration.slots.prescribed:
+        return None, False
+    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    try:
+        if problem.initial:
+            near = _stated(configuration, {i.symbol: i.value for i in problem.initial}, parameters)
+            if near is not None:
+                return at_state(configuration, near), True
+        if spot is None:
+            return None, False
+        slots = configuration.slots
+        free = [slots.coordinates[k] for k in solution.own.elimination.independent]
+        rates = [slots.velocities[k] for k in solution.own.elimination.independent]
+        stated = {s: spot.values[s] for s in (*free, *rates) if s in spot.values}
+        start = {s: e for s, e in spot.values.items() if s in slots.coordinates}
+        return at_state(configuration, reference(configuration, stated, parameters, start)), False
+    except (ProblemError, NotCoveredError):
+        return None, False
+
+
+def _stated(
+    configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr], parameters: Mapping[sp.Symbol, sp.Expr]
+) -> Reference | None:
+    """The state that `initial` determines; None where it leaves something open."""
+    known = {s: e for s, e in stated.items() if s in configuration.slots.coordinates + configuration.slots.velocities}
+    try:
+        near = reference(configuration, known, parameters)
+    except ProblemError:
+        return None
+    slots = configuration.slots
+    open_ = [k for k in near.placed if slots.coordinates[k] not in known]
+    return None if open_ or any(slots.velocities[k] not in known for k in near.independent) else near
