@@ -8,12 +8,14 @@ import sympy as sp
 
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Equation, Part
+from lagrange.document.derivation import Block, Detail, Equation, Part
 from lagrange.explain.words import constraints_called, plural
 from lagrange.mechanics.nearby.long_reactions import LongReactions
 from lagrange.values.quantities import rounded_in
 
 ZERO = sp.S.Zero
+LONGEST = 250
+"""The most operations of all reactions in terms of accelerations that a page shows without --detail full."""
 
 
 def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
@@ -22,7 +24,13 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
     words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
     words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
     if found.by_accelerations:
-        yield prose(f"{words} In terms of the accelerations, Newton's equations give")
+        detail = Detail.FULL if sum(e.count_ops() for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
+        if detail is Detail.FULL:
+            yield prose(f"{words} In terms of the accelerations, Newton's equations give them in fewer: "
+                        "--detail full shows these.")  # fmt: skip
+            yield prose("They are", detail=detail)
+        else:
+            yield prose(f"{words} In terms of the accelerations, Newton's equations give")
         yield display(
             *(
                 Equation((r.multiplier, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
@@ -30,6 +38,7 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
                 if r.name in found.by_accelerations
             ),
             boxed=True,
+            detail=detail,
         )
     else:
         yield prose(words)
