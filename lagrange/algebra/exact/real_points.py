@@ -161,6 +161,11 @@ class RealPoint(Point):
         return type(self)(self.graph, self.reals, self.signs, self.spread)
 
 
+def symmetric_eigensystem(matrix: list[list[Any]]) -> tuple[Any, Any]:
+    """The eigenvalues of a symmetric matrix, and a matrix whose columns are orthonormal eigenvectors."""
+    return _mp.eigsy(_mp.matrix(matrix))
+
+
 def exponential(value: Any) -> Any:
     """e^value. Raises InadmissibleError where it is very large or very small."""
     if abs(value) > LARGEST_REAL_EXPONENT:
