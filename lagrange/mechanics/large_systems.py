@@ -31,12 +31,15 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
 
 def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the equations of motion in abbreviations."""
+    from lagrange.mechanics.nearby.accelerations import at_start, check_state
     from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
 
     on_stage("equations of motion")
     found = long_equations(solution.problem, solution.own.configuration)
     checks = check_long_equations(found, solution.own.configuration)
-    return replace(solution, long_equations=found, checks=(*solution.checks, *checks))
+    start = at_start(solution.problem, solution.own.configuration)
+    checks += [check_state(start, "accelerations")] if start is not None else []
+    return replace(solution, long_equations=found, at_start=start, checks=(*solution.checks, *checks))
 
 
 def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> Solution:

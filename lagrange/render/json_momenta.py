@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.nearby.accelerations import StateInNumbers
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
     from lagrange.mechanics.nearby.long_reactions import LongReactions
@@ -48,6 +49,9 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
         found["response"] = response(forced.forced, forced.response, write) | _named(forced)
     if solution.long_equations is not None:
         found |= long_equations(solution.long_equations, write)
+    if solution.at_start is not None:
+        multipliers = {name: float(x) for name, x in solution.at_start.multipliers.items()}
+        found["at_start"] = at_state(solution.at_start) | {"multipliers": multipliers}
     if solution.linear_motion is not None:
         found["linear_motion"] = linear_motion(solution.linear_motion, write)
     if solution.long_reactions is not None:
@@ -80,10 +84,17 @@ def long_reactions(found: LongReactions, write: Write) -> dict[str, Any]:
     """Multipliers `by_accelerations`; with values the forces, or multipliers, as `numbers` at a `state`."""
     result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in found.by_accelerations.items()}}
     if found.at is not None:
-        result["state"] = {s.name: float(e) for s, e in found.at.state.items()}
-        result["accelerations"] = {s.name.rstrip("'"): float(e) for s, e in found.at.accelerations.items()}
+        result |= at_state(found.at)
         result["numbers"] = {name: float(x) for name, x in found.numbers.items()}
     return result
+
+
+def at_state(found: StateInNumbers) -> dict[str, Any]:
+    """`state` and `accelerations`, numbers by name."""
+    return {
+        "state": {s.name: float(e) for s, e in found.state.items()},
+        "accelerations": {s.name.rstrip("'"): float(e) for s, e in found.accelerations.items()},
+    }
 
 
 def long_equations(found: LongEquations, write: Write) -> dict[str, Any]:

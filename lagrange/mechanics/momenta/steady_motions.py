@@ -166,10 +166,11 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         whatever = _at_any_rate(general, partial(conditions[0], rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
         known = [b.equations for b in whatever.branches]
+        others_at = ((r, _only(resting(r), lambda b: b.equations not in known)) for r in excluded)
         families = (
             family(solved, resting(solved)),
             *([family({}, whatever)] if known else []),
-            *(family(r, _only(resting(r), lambda b: b.equations not in known)) for r in excluded),
+            *(family(r, at_rest) for r, at_rest in others_at if at_rest.branches or not known),
         )
     turning = tuple(slots.coordinates[k] for k in cyclic)
     return SteadyMotions(motion, form, turning, general, families, complete)

@@ -15,14 +15,17 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import solution
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.nearby.checks import lagrange_in_numbers
 from lagrange.mechanics.nearby.expansions import Expansions
 from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, SHOWN_DIGITS
 from lagrange.mechanics.nearby.linear_equations import first_order
-from lagrange.mechanics.nearby.reference import Reference
+from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.problem.model import Problem
 
 
 @record
@@ -68,6 +71,28 @@ def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | 
         {name: _number(x) for name, x in zip(names, found[n:], strict=True)},
         agrees,
     )
+
+
+def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
+    """What happens at t = 0; None where parameters have no value, or `initial` does not determine the state."""
+    if not problem.initial or any(p.value is None for p in problem.parameters) or configuration.slots.prescribed:
+        return None
+    slots = configuration.slots
+    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    known = {*slots.coordinates, *slots.velocities}
+    stated = {i.symbol: i.value for i in problem.initial if i.symbol in known}
+    try:
+        near = reference(configuration, stated, parameters)
+        left_open = [slots.coordinates[k] for k in near.placed if slots.coordinates[k] not in stated]
+        left_open += [slots.velocities[k] for k in near.independent if slots.velocities[k] not in stated]
+        return None if left_open else at_state(configuration, near)
+    except (ProblemError, NotCoveredError):
+        return None
+
+
+def check_state(found: StateInNumbers, what: str) -> Check:
+    """Lagrange's equations at the state, with the derivatives of T in numbers."""
+    return Check(f"the {what} in numbers satisfy Lagrange's equations", found.agrees, "in numbers: T differentiated")
 
 
 def _number(x: Any) -> sp.Expr:

@@ -17,15 +17,12 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.nearby.accelerations import StateInNumbers, at_state
+from lagrange.mechanics.nearby.accelerations import StateInNumbers, at_start, at_state, check_state
 from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
-from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.mechanics.nearby.reference import reference
 from lagrange.mechanics.results import Solution
-
-CHECK = "the reactions in numbers satisfy Lagrange's equations"
 
 
 @record
@@ -54,7 +51,7 @@ def with_long_reactions(solution: Solution) -> Solution:
         return solution
     checks = solution.checks
     if found.at is not None:
-        checks = (*checks, Check(CHECK, found.at.agrees, "in numbers, at one state: T differentiated"))
+        checks = (*checks, check_state(found.at, "reactions"))
     return replace(solution, long_reactions=found, checks=checks)
 
 
@@ -110,33 +107,18 @@ def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumber
     problem, spot = solution.problem, solution.own.spot
     if any(p.value is None for p in problem.parameters) or configuration.slots.prescribed:
         return None, False
+    start = at_start(problem, configuration)
+    if start is not None:
+        return start, True
+    if spot is None:
+        return None, False
     parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     try:
-        if problem.initial:
-            near = _stated(configuration, {i.symbol: i.value for i in problem.initial}, parameters)
-            if near is not None:
-                return at_state(configuration, near), True
-        if spot is None:
-            return None, False
         slots = configuration.slots
         free = [slots.coordinates[k] for k in solution.own.elimination.independent]
         rates = [slots.velocities[k] for k in solution.own.elimination.independent]
         stated = {s: spot.values[s] for s in (*free, *rates) if s in spot.values}
-        start = {s: e for s, e in spot.values.items() if s in slots.coordinates}
-        return at_state(configuration, reference(configuration, stated, parameters, start)), False
+        near = {s: e for s, e in spot.values.items() if s in slots.coordinates}
+        return at_state(configuration, reference(configuration, stated, parameters, near)), False
     except (ProblemError, NotCoveredError):
         return None, False
-
-
-def _stated(
-    configuration: Configuration, stated: Mapping[sp.Symbol, sp.Expr], parameters: Mapping[sp.Symbol, sp.Expr]
-) -> Reference | None:
-    """The state that `initial` determines; None where it leaves something open."""
-    known = {s: e for s, e in stated.items() if s in configuration.slots.coordinates + configuration.slots.velocities}
-    try:
-        near = reference(configuration, known, parameters)
-    except ProblemError:
-        return None
-    slots = configuration.slots
-    open_ = [k for k in near.placed if slots.coordinates[k] not in known]
-    return None if open_ or any(slots.velocities[k] not in known for k in near.independent) else near
