@@ -163,7 +163,8 @@ class RealPoint(Point):
 
 def symmetric_eigensystem(matrix: list[list[Any]]) -> tuple[Any, Any]:
     """The eigenvalues of a symmetric matrix, and a matrix whose columns are orthonormal eigenvectors."""
-    return _mp.eigsy(_mp.matrix(matrix))
+    values, vectors = _mp.eigsy(_mp.matrix(matrix))
+    return values, vectors
 
 
 def exponential(value: Any) -> Any:
