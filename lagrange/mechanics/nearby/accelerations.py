@@ -15,7 +15,9 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import solution
-from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.algebra.exact.prime_field import InadmissibleError, ZeroDivisorError
+from lagrange.algebra.forms.jets import NoExpansionError, WorkLimitError
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -26,6 +28,9 @@ from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, SHOWN_DIGITS
 from lagrange.mechanics.nearby.linear_equations import first_order
 from lagrange.mechanics.nearby.reference import Reference, reference
 from lagrange.problem.model import Problem
+
+NOT_POSSIBLE = (ProblemError, NoExpansionError, WorkLimitError, ZeroDivisorError, InadmissibleError)
+"""What is raised where a state does not exist, or an expression has no derivatives there."""
 
 
 @record
@@ -48,7 +53,8 @@ def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | 
     """Accelerations and multipliers at a state; None where they are not determined. Raises NotCoveredError."""
     slots = configuration.slots
     rows = [configuration.rows[k] for k in near.used]
-    if any(t in a.free_symbols for row in rows for a in (*row.coefficients, row.drift)):
+    in_rows = {s for row in rows for a in (*row.coefficients, row.drift) for s in a.free_symbols}
+    if t in in_rows or configuration.variable_masses or not configuration.constrained.is_pfaffian:
         return None
     about = Expansions(slots, near.values)
     n, zero = about.size, about.reals.number(0)
@@ -58,7 +64,8 @@ def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | 
     table += [[*form, *(zero for _ in forms)] for form in forms]
     right = [-e for e in linear.balance] + [-linear.misfit[k] for k in near.used]
     found = solution(about.reals, table, right)
-    if found is None:
+    other = solution(about.reals, table, right, [about.reals.number(1)] * len(table))
+    if found is None or other is None or found != other:  # what stays free would differ
         return None
     left = lagrange_in_numbers(configuration, about, [about.number(v) for v in slots.velocities], found[:n])
     loads = [sum((m * form[k] for m, form in zip(found[n:], forms, strict=True)), zero) for k in range(n)]
@@ -73,9 +80,14 @@ def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | 
     )
 
 
+def has_numbers(problem: Problem) -> bool:
+    """Whether all parameters have values, and no function is left open."""
+    return all(p.value is not None for p in problem.parameters) and not problem.functions
+
+
 def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
     """What happens at t = 0; None where parameters have no value, or `initial` does not determine the state."""
-    if not problem.initial or any(p.value is None for p in problem.parameters) or configuration.slots.prescribed:
+    if not problem.initial or not has_numbers(problem):
         return None
     slots = configuration.slots
     parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
@@ -86,7 +98,7 @@ def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers |
         left_open = [slots.coordinates[k] for k in near.placed if slots.coordinates[k] not in stated]
         left_open += [slots.velocities[k] for k in near.independent if slots.velocities[k] not in stated]
         return None if left_open else at_state(configuration, near)
-    except (ProblemError, NotCoveredError):
+    except NOT_POSSIBLE:
         return None
 
 

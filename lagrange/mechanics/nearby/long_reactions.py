@@ -14,12 +14,19 @@ import sympy as sp
 
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.records import record
+from lagrange.core.symbols import t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.nearby.accelerations import StateInNumbers, at_start, at_state, check_state
+from lagrange.mechanics.nearby.accelerations import (
+    NOT_POSSIBLE,
+    StateInNumbers,
+    at_start,
+    at_state,
+    check_state,
+    has_numbers,
+)
 from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
 from lagrange.mechanics.nearby.reference import reference
 from lagrange.mechanics.results import Solution
@@ -105,12 +112,12 @@ def _by_accelerations(law: NewtonLaw, configuration: Configuration, lost: Sequen
 def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumbers | None, bool]:
     """The numbers at the state with which the motion begins, or at the one that equations of motion are tried at."""
     problem, spot = solution.problem, solution.own.spot
-    if any(p.value is None for p in problem.parameters) or configuration.slots.prescribed:
+    if not has_numbers(problem):
         return None, False
     start = at_start(problem, configuration)
     if start is not None:
         return start, True
-    if spot is None:
+    if spot is None or t in spot.values:
         return None, False
     parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     try:
@@ -120,5 +127,5 @@ def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumber
         stated = {s: spot.values[s] for s in (*free, *rates) if s in spot.values}
         near = {s: e for s, e in spot.values.items() if s in slots.coordinates}
         return at_state(configuration, reference(configuration, stated, parameters, near)), False
-    except (ProblemError, NotCoveredError):
+    except NOT_POSSIBLE:
         return None, False

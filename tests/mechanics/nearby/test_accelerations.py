@@ -29,3 +29,20 @@ def test_a_pendulum_that_moves(tmp_path) -> None:
 @pytest.mark.parametrize("start", ["x: 0, y: l", "x': 0"])
 def test_a_state_that_is_not_determined_has_no_numbers(tmp_path, start: str) -> None:
     assert at_start(*problem_of(tmp_path, PENDULUM.replace("x: 0, y: l, x': 0", start))) is None
+
+
+def test_accelerations_that_a_state_leaves_open_are_not_given(tmp_path) -> None:
+    """On its axis a spherical pendulum has no azimuth; besides, a mass that varies is not covered."""
+    text = """
+title: t
+parameters: {g: {value: 10}}
+coordinates: [theta, phi]
+particles: {P: {mass: MASS, position: "sin(theta)*cos(phi)*i + sin(theta)*sin(phi)*j - cos(theta)*k"}}
+gravity: -g*k
+initial: {theta: START, phi: 0, theta': 0, phi': 1}
+"""
+    start = text.replace("MASS", "1").replace("START", "0")
+    assert at_start(*problem_of(tmp_path, start)) is None
+    assert at_start(*problem_of(tmp_path, start.replace("theta: 0", "theta: 1"))) is not None
+    varying = text.replace("MASS", "2 - t, leaves: {relative: 0}").replace("START", "1")
+    assert at_start(*problem_of(tmp_path, varying)) is None
