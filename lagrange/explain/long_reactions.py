@@ -33,7 +33,7 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
             yield prose(f"{words} In terms of the accelerations, Newton's equations give")
         yield display(
             *(
-                Equation((r.multiplier, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+                Equation((r.force, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
                 for r in found.lost
                 if r.name in found.by_accelerations
             ),
@@ -49,9 +49,5 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
             state = ("In the position and with the velocities ", *listed(shown), " they are, in units of SI,")
         yield prose(*state)
         yield display(
-            *(
-                Equation((r.symbol_of_force or r.multiplier, rounded_in(found.numbers[r.name])))
-                for r in found.lost
-                if r.name in found.numbers
-            )
+            *(Equation((r.force, rounded_in(found.numbers[r.name]))) for r in found.lost if r.name in found.numbers)
         )

@@ -81,7 +81,7 @@ def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -
 
 
 def long_reactions(found: LongReactions, write: Write) -> dict[str, Any]:
-    """Multipliers `by_accelerations`; with values the forces, or multipliers, as `numbers` at a `state`."""
+    """Forces with a name, or multipliers, `by_accelerations`; with values as `numbers` at a `state`."""
     result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in found.by_accelerations.items()}}
     if found.at is not None:
         result |= at_state(found.at)

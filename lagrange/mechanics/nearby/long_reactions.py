@@ -15,8 +15,12 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.nearby.accelerations import (
@@ -31,20 +35,24 @@ from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
 from lagrange.mechanics.nearby.reference import reference
 from lagrange.mechanics.results import Solution
 
+CHECK = "the reactions in terms of accelerations satisfy Lagrange's equations"
+
 
 @record
 class LongReactions:
-    """Reactions that are not written down as functions of position and velocity.
+    """Forces that have a name, or multipliers, that are not written down as functions of position and velocity.
 
     lost              those
-    by_accelerations  the multipliers in terms of accelerations, by name; without those that are long even so
+    by_accelerations  them in terms of accelerations, by name; without those that are long even so
+    hold              whether these satisfy Lagrange's equations, where there are any
     at                the state for which numbers are known; None without values
     from_initial      whether it is the state with which the motion begins
-    numbers           of the forces, or multipliers, at this state, by name
+    numbers           at this state, by name
     """
 
     lost: tuple[Reaction, ...]
     by_accelerations: Mapping[str, sp.Expr]
+    hold: bool | None
     at: StateInNumbers | None
     from_initial: bool
     numbers: Mapping[str, sp.Expr]
@@ -57,6 +65,8 @@ def with_long_reactions(solution: Solution) -> Solution:
     if found is None:
         return solution
     checks = solution.checks
+    if found.by_accelerations:
+        checks = (*checks, Check(CHECK, found.hold, "exact, at random points: T differentiated"))
     if found.at is not None:
         checks = (*checks, check_state(found.at, "reactions"))
     return replace(solution, long_reactions=found, checks=checks)
@@ -70,20 +80,21 @@ def _long_reactions(solution: Solution, law: NewtonLaw) -> LongReactions | None:
     if not lost:
         return None
     configuration = solution.own.configuration
-    by_accelerations = _by_accelerations(law, configuration, lost)
+    by_accelerations, hold = _by_accelerations(law, configuration, lost)
     at, from_initial = _at(solution, configuration)
     numbers = {}
     if at is not None:
         values = {p.symbol: p.value for p in law.problem.parameters if p.value is not None} | dict(at.state)
         for r in lost:
             if r.name in at.multipliers:
-                factor = r.single.factor if r.single is not None else sp.S.One
-                numbers[r.name] = sp.N(factor.xreplace(values) * at.multipliers[r.name])
-    return LongReactions(lost, by_accelerations, at, from_initial, numbers)
+                numbers[r.name] = sp.N(at.multipliers[r.name] / r.per_force.xreplace(values))
+    return LongReactions(lost, by_accelerations, hold, at, from_initial, numbers)
 
 
-def _by_accelerations(law: NewtonLaw, configuration: Configuration, lost: Sequence[Reaction]) -> dict[str, sp.Expr]:
-    """The multipliers from as many equations Σ λ_j a_jk = D_k, the simplest ones."""
+def _by_accelerations(
+    law: NewtonLaw, configuration: Configuration, lost: Sequence[Reaction]
+) -> tuple[dict[str, sp.Expr], bool | None]:
+    """The reactions, and whether they are right, from as many equations Σ λ_j a_jk = D_k, the simplest ones."""
     size, used = len(configuration.slots.coordinates), law.used
     accelerations = configuration.slots.accelerations
     rows = [[-e for e in row[size:]] for row in law.system.rows[:size]]
@@ -99,14 +110,33 @@ def _by_accelerations(law: NewtonLaw, configuration: Configuration, lost: Sequen
             break
     letters = {sp.Dummy(f"D_{k}", real=True): balance[k] for k in chosen}
     solved = solved_linear([rows[k] for k in chosen], [*letters], configuration.states) or []
-    names = {r.name for r in lost}
-    found = {}
+    values: dict[sp.Symbol, sp.Expr] = {}
     for r, value in zip(used, solved, strict=False):
-        if value is not None and r.name in names:
-            written = sp.Add(*(value.coeff(d) * e for d, e in letters.items()))
+        if value is not None:
+            written = sp.Add(*(partial(value, d) * e for d, e in letters.items()))
             if written.count_ops() <= LONGEST_BY_ACCELERATIONS:
-                found[r.name] = textbook_form(written)
-    return found
+                values[r.multiplier] = textbook_form(written)
+    found = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
+    return found, _hold(configuration, chosen, used, values) if found else None
+
+
+def _hold(
+    configuration: Configuration,
+    chosen: Sequence[int],
+    used: Sequence[Reaction],
+    values: Mapping[sp.Symbol, sp.Expr],
+) -> bool | None:
+    """Whether Lagrange's equations L_k = Σ λ a_k, with the derivatives of T, hold where all λ in them are known."""
+    left = lagrange_equations(configuration).left
+    verdicts = []
+    for k in chosen:
+        shares = [
+            (r.multiplier, a) for r in used if (a := without_root(r.row, configuration.slots).coefficients[k]) != 0
+        ]
+        if all(s in values for s, _ in shares):
+            forces = sp.Add(*(values[s] * a for s, a in shares))
+            verdicts.append(configuration.states.is_zero(left[k] - forces))
+    return all_hold(verdicts) if verdicts else None
 
 
 def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumbers | None, bool]:
