@@ -44,7 +44,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_value
-from lagrange.mechanics.large_systems import stages_of_large
+from lagrange.mechanics.large_systems import stages_of_large, with_long_reactions
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Belt, Find, Friction, Problem
@@ -239,8 +239,6 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
     )
     if all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving):
         return moved
-    from lagrange.mechanics.nearby.long_reactions import with_long_reactions
-
     return with_long_reactions(moved)
 
 

@@ -8,7 +8,6 @@ with the simplest coefficients. Where all parameters have values, the numbers at
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import sympy as sp
 
@@ -23,6 +22,8 @@ from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.dynamics.spot_values import SpotValue
 from lagrange.mechanics.nearby.accelerations import (
     NOT_POSSIBLE,
     StateInNumbers,
@@ -33,7 +34,7 @@ from lagrange.mechanics.nearby.accelerations import (
 )
 from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
 from lagrange.mechanics.nearby.reference import reference
-from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Problem
 
 CHECK = "the reactions in terms of accelerations satisfy Lagrange's equations"
 
@@ -58,30 +59,27 @@ class LongReactions:
     numbers: Mapping[str, sp.Expr]
 
 
-def with_long_reactions(solution: Solution) -> Solution:
-    """The solution with the reactions that were too long in every set of coordinates."""
-    law = solution.law
-    found = None if law is None or law.frictions else _long_reactions(solution, law)
-    if found is None:
-        return solution
-    checks = solution.checks
-    if found.by_accelerations:
-        checks = (*checks, Check(CHECK, found.hold, "exact, at random points: T differentiated"))
-    if found.at is not None:
-        checks = (*checks, check_state(found.at, "reactions"))
-    return replace(solution, long_reactions=found, checks=checks)
+def long_reactions(
+    law: NewtonLaw,
+    configuration: Configuration,
+    independent: Sequence[int],
+    solved: Sequence[Reactions],
+    spot: SpotValue | None,
+) -> LongReactions | None:
+    """The reactions that were too long in every set of coordinates; None where there are none.
 
-
-def _long_reactions(solution: Solution, law: NewtonLaw) -> LongReactions | None:
-    solved = [v.dynamics.reactions for v in solution.views if v.dynamics and v.dynamics.reactions]
+    configuration  the file's own
+    independent    its coordinates whose displacements are free, by index
+    solved         the reactions as they were found, in each set of coordinates
+    spot           a state at which the equations of motion are tried
+    """
     lost = tuple(
         r for r in law.used if solved and all(r.name in s.multipliers and s.multipliers[r.name] is None for s in solved)
     )
-    if not lost:
+    if not lost or law.frictions:
         return None
-    configuration = solution.own.configuration
     by_accelerations, hold = _by_accelerations(law, configuration, lost)
-    at, from_initial = _at(solution, configuration)
+    at, from_initial = _at(law.problem, configuration, independent, spot)
     numbers = {}
     if at is not None:
         values = {p.symbol: p.value for p in law.problem.parameters if p.value is not None} | dict(at.state)
@@ -89,6 +87,16 @@ def _long_reactions(solution: Solution, law: NewtonLaw) -> LongReactions | None:
             if r.name in at.multipliers:
                 numbers[r.name] = sp.N(at.multipliers[r.name] / r.per_force.xreplace(values))
     return LongReactions(lost, by_accelerations, hold, at, from_initial, numbers)
+
+
+def check_long_reactions(found: LongReactions) -> list[Check]:
+    """Both by Lagrange's equations."""
+    checks = []
+    if found.by_accelerations:
+        checks.append(Check(CHECK, found.hold, "exact, at random points: T differentiated"))
+    if found.at is not None:
+        checks.append(check_state(found.at, "reactions"))
+    return checks
 
 
 def _by_accelerations(
@@ -139,9 +147,10 @@ def _hold(
     return all_hold(verdicts) if verdicts else None
 
 
-def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumbers | None, bool]:
+def _at(
+    problem: Problem, configuration: Configuration, independent: Sequence[int], spot: SpotValue | None
+) -> tuple[StateInNumbers | None, bool]:
     """The numbers at the state with which the motion begins, or at the one that equations of motion are tried at."""
-    problem, spot = solution.problem, solution.own.spot
     if not has_numbers(problem):
         return None, False
     start = at_start(problem, configuration)
@@ -152,8 +161,8 @@ def _at(solution: Solution, configuration: Configuration) -> tuple[StateInNumber
     parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     try:
         slots = configuration.slots
-        free = [slots.coordinates[k] for k in solution.own.elimination.independent]
-        rates = [slots.velocities[k] for k in solution.own.elimination.independent]
+        free = [slots.coordinates[k] for k in independent]
+        rates = [slots.velocities[k] for k in independent]
         stated = {s: spot.values[s] for s in (*free, *rates) if s in spot.values}
         near = {s: e for s, e in spot.values.items() if s in slots.coordinates}
         return at_state(configuration, reference(configuration, stated, parameters, near)), False

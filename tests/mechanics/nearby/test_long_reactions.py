@@ -10,7 +10,8 @@ import pytest
 import sympy as sp
 
 from lagrange.explain.reactions import explain_reactions
-from lagrange.mechanics.nearby.long_reactions import LongReactions, with_long_reactions
+from lagrange.mechanics.large_systems import with_long_reactions
+from lagrange.mechanics.nearby.long_reactions import LongReactions
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.render.json_momenta import beside_motion
@@ -37,8 +38,8 @@ START = "initial: {a1: 0.5, a2: 0.2, a3: -1, a1': 3, a2': 1, a3': 0}\n"
 def arm() -> Solution:
     """Solved without its initial state, from which the motion would be sought; then with it."""
     solution = solve(read(ARM), complete=False)
-    started = replace(solution.problem, initial=read(ARM + START).initial)
-    return with_long_reactions(replace(solution, problem=started))
+    started = replace(solution.law.problem, initial=read(ARM + START).initial)
+    return with_long_reactions(replace(solution, law=replace(solution.law, problem=started)))
 
 
 def test_the_reactions_of_an_arm_by_accelerations() -> None:
@@ -91,3 +92,24 @@ constraints: {rod: x^2 + y^2 = l^2}
 gravity: -g*j
 """
     assert solve(read(text)).long_reactions is None
+
+
+def test_a_chain_of_tensions_with_names() -> None:
+    """Coefficients that are no constants: m x_4'' = T_4 (x_3 − x_4)/l, and so on."""
+    coordinates = ", ".join(f"{s}{n}" for n in range(1, 5) for s in "xy")
+    particles = ", ".join(f"P{n}: {{mass: m, position: x{n}*i + y{n}*j}}" for n in range(1, 5))
+    rods = "".join(
+        f'  r{n}: {{equation: "(x{n}-x{n - 1})^2 + (y{n}-y{n - 1})^2 = l^2", reaction: T{n}}}\n' for n in (2, 3, 4)
+    )
+    solution = solve(
+        read(
+            f"title: t\nparameters: [m, l, g]\ncoordinates: [{coordinates}]\nparticles: {{{particles}}}\n"
+            f'constraints:\n  r1: {{equation: "x1^2 + y1^2 = l^2", reaction: T1}}\n{rods}gravity: -g*j\n'
+        ),
+        complete=False,
+    )
+    assert solution.holds
+    found = solution.long_reactions
+    assert found.hold is True
+    assert {str(r.force) for r in found.lost} == {"T1", "T2", "T3", "T4"}
+    assert all(e != 0 for e in found.by_accelerations.values())
