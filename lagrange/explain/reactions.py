@@ -18,20 +18,27 @@ from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Keeper
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.nearby.long_reactions import LongReactions
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 LONGEST = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
 
 
 def explain_reactions(
-    motion: Motion, newton: Newton, choice: str = "", shorter: bool = False, first: bool = True
+    motion: Motion,
+    newton: Newton,
+    choice: str = "",
+    shorter: bool = False,
+    first: bool = True,
+    lost_ones: LongReactions | None = None,
 ) -> Step | None:
     """The multipliers and the tensions; None where there is nothing to show.
 
     choice   the name of the choice of coordinates in which they are written
     shorter  whether there are choices, in which they may be shorter
     first    whether they have not been shown in other coordinates before
+    lost_ones  those that are too long in every set of coordinates
     """
     reactions = motion.reactions
     if reactions is None or not newton.reactions:
@@ -56,7 +63,11 @@ def explain_reactions(
         body.append(prose(f"Solved for the multipliers, {equations} give long expressions."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
-    if lost:
+    if lost and first and lost_ones is not None:
+        from lagrange.explain.long_reactions import explain_long_reactions
+
+        body += explain_long_reactions(lost_ones)
+    elif lost:
         reactions_of = plural(len(lost), "The reaction of", "The reactions of")
         verb = plural(len(lost), "is", "are")
         body.append(prose(f"{reactions_of} {constraints_called(lost)} {verb} too long to be written out here."))

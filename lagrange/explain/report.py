@@ -442,7 +442,8 @@ def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") ->
     shorter = bool(solution.choices and not choice)
     first = solution.own.dynamics is not None and solution.own.dynamics.reactions is None
     first = first and choice == next((c.name for c in solution.choices if c.dynamics and c.dynamics.reactions), "")
-    return explain_reactions(dynamics, solution.law.newton, choice, shorter=shorter, first=first or not choice)
+    lost = solution.long_reactions
+    return explain_reactions(dynamics, solution.law.newton, choice, shorter, first=first or not choice, lost_ones=lost)
 
 
 def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Diagnostic]:

@@ -31,12 +31,15 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
 
 def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the equations of motion in abbreviations."""
+    from lagrange.mechanics.nearby.accelerations import at_start, check_state
     from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
 
     on_stage("equations of motion")
     found = long_equations(solution.problem, solution.own.configuration)
     checks = check_long_equations(found, solution.own.configuration)
-    return replace(solution, long_equations=found, checks=(*solution.checks, *checks))
+    start = at_start(solution.problem, solution.own.configuration)
+    checks += [check_state(start, "accelerations")] if start is not None else []
+    return replace(solution, long_equations=found, at_start=start, checks=(*solution.checks, *checks))
 
 
 def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
@@ -49,3 +52,17 @@ def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> 
     found = linear_motion(problem, configuration)
     checks = check_linear_motion(problem, configuration, found)
     return replace(solution, linear_motion=found, checks=(*solution.checks, *checks))
+
+
+def with_long_reactions(solution: Solution) -> Solution:
+    """The solution with the reactions that were too long in every set of coordinates."""
+    from lagrange.mechanics.nearby.long_reactions import check_long_reactions, long_reactions
+
+    own, law = solution.own, solution.law
+    solved = [v.dynamics.reactions for v in solution.views if v.dynamics and v.dynamics.reactions]
+    if law is None:
+        return solution
+    found = long_reactions(law, own.configuration, own.elimination.independent, solved, own.spot)
+    if found is None:
+        return solution
+    return replace(solution, long_reactions=found, checks=(*solution.checks, *check_long_reactions(found)))

@@ -40,8 +40,10 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.nearby.accelerations import StateInNumbers
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
+    from lagrange.mechanics.nearby.long_reactions import LongReactions
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
@@ -129,7 +131,9 @@ class Solution:
     impact           the velocities after an impact, and the impulses
     after            the motion after it, where something is asked
     long_equations   the equations of motion in abbreviations, where nothing is eliminated because it would fill pages
+    at_start         accelerations and reactions at t = 0, in numbers, for such a system
     linear_motion    the linear equations about the motion that the file gives, in numbers, for such a system
+    long_reactions   reactions that are too long as functions of position and velocity
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -147,7 +151,9 @@ class Solution:
     impact: ImpulsiveMotion | None = None
     after: Solution | None = None
     long_equations: LongEquations | None = None
+    at_start: StateInNumbers | None = None
     linear_motion: LinearMotion | None = None
+    long_reactions: LongReactions | None = None
     given_up: str = ""
 
     @property

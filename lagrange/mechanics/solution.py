@@ -44,7 +44,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_value
-from lagrange.mechanics.large_systems import stages_of_large
+from lagrange.mechanics.large_systems import stages_of_large, with_long_reactions
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Belt, Find, Friction, Problem
@@ -224,7 +224,7 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
     on_stage("Newton's law")
     law, configuration = _law(solution, method=method), solution.own.configuration
     check_constant_inertia(law.problem, configuration)
-    works = works_of_reactions(law.newton, configuration, solution.own.elimination)
+    works = tuple(works_of_reactions(law.newton, configuration, solution.own.elimination))
     checks = [*solution.checks, *check_workless(works, configuration)]
     moving: list[InCoordinates] = []
     for view in solution.views:
@@ -234,15 +234,12 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
         checks += _checks_of_motion(view, moving[0] if moving else view, law)
         moving.append(view)
     own, *choices = moving
-    return replace(
-        solution,
-        problem=law.problem,
-        law=law,
-        works=tuple(works),
-        own=own,
-        choices=tuple(choices),
-        checks=tuple(checks),
+    moved = replace(
+        solution, problem=law.problem, law=law, works=works, own=own, choices=tuple(choices), checks=tuple(checks)
     )
+    if all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving):
+        return moved
+    return with_long_reactions(moved)
 
 
 def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete: bool) -> InCoordinates:

@@ -69,9 +69,14 @@ CONSTANT = Allowed(frozenset(), "it is made of numbers and of names under `param
 COEFFICIENT = Allowed(frozenset({_P}), "a belt and its drum do not change with position or time", "not-constant")
 MASS = Allowed(
     frozenset({_T, _Q}),
-    "a mass depends on time and coordinates; a rate such as k*m*x' is integrated first: m_0*exp(k*x)",
+    "a mass depends on time and coordinates; for a rate such as k*m*x' make the mass a coordinate with a constraint, "
+    "`m' = k*m*x'`, or integrate it first: m_0*exp(k*x)",
 )
-MASS_OF_BODY = Allowed(frozenset(), "a rigid body keeps its mass; that of a particle may vary", "not-constant")
+MASS_OF_BODY = Allowed(
+    frozenset(),
+    "a rigid body keeps its mass; one that does not turn moves like a particle, whose mass may vary",
+    "not-constant",
+)
 POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")
 PLACE = Allowed(frozenset({_T, _Q, _P}), "where a force acts depends on coordinates, time and unknowns")
 ENERGY = Allowed(frozenset({_T, _Q, _V, _P}), "it depends on coordinates, velocities and time")

@@ -19,8 +19,10 @@ if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.nearby.accelerations import StateInNumbers
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
+    from lagrange.mechanics.nearby.long_reactions import LongReactions
     from lagrange.mechanics.nearby.stable_range import StableRange
     from lagrange.mechanics.results import InCoordinates, Solution
 
@@ -47,8 +49,13 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
         found["response"] = response(forced.forced, forced.response, write) | _named(forced)
     if solution.long_equations is not None:
         found |= long_equations(solution.long_equations, write)
+    if solution.at_start is not None:
+        multipliers = {name: float(x) for name, x in solution.at_start.multipliers.items()}
+        found["at_start"] = at_state(solution.at_start) | {"multipliers": multipliers}
     if solution.linear_motion is not None:
         found["linear_motion"] = linear_motion(solution.linear_motion, write)
+    if solution.long_reactions is not None:
+        found["long_reactions"] = long_reactions(solution.long_reactions, write)
     if solution.impact is not None:
         found["impact"] = impact(solution.impact, write)
     return found
@@ -71,6 +78,23 @@ def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -
         if v.name == m.name and v.symbol is not None:
             result["valid"] = f"{write(v.symbol)} {'>' if v.above else '<'} {write(v.bound)}"
     return result
+
+
+def long_reactions(found: LongReactions, write: Write) -> dict[str, Any]:
+    """Forces with a name, or multipliers, `by_accelerations`; with values as `numbers` at a `state`."""
+    result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in found.by_accelerations.items()}}
+    if found.at is not None:
+        result |= at_state(found.at)
+        result["numbers"] = {name: float(x) for name, x in found.numbers.items()}
+    return result
+
+
+def at_state(found: StateInNumbers) -> dict[str, Any]:
+    """`state` and `accelerations`, numbers by name."""
+    return {
+        "state": {s.name: float(e) for s, e in found.state.items()},
+        "accelerations": {s.name.rstrip("'"): float(e) for s, e in found.accelerations.items()},
+    }
 
 
 def long_equations(found: LongEquations, write: Write) -> dict[str, Any]:
@@ -188,7 +212,7 @@ def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
         }
         if s is not None:
             stability = s.judgement.stability
-            squares = [f.square for f in s.frequencies]
+            squares = [f.square for f in s.frequencies] if s.long_square is None else [s.long_square]
             entry["linear"] = [f"{write(e)} = 0" for e in s.equations]
             entry["frequencies"] = [None if w is None else write(sp.sqrt(w)) for w in squares]
             entry["stability"] = stability.verdict.value

@@ -20,6 +20,9 @@ MOST_FACTORED_SYMBOLS = 14
 HIGHEST_DEGREE = 8
 # Operations of an expression that is factored to find its sign (`signs`) [45].
 LARGEST_SIGNED = 300
+# Operations from which on the sign of an expression is first looked at in numbers, and at how many points.
+SHORTEST_TRIED = 12
+TRIED_POINTS = 24
 # Operations of a value of which several forms are compared (`solution_sets`) [75].
 LONGEST_REWRITTEN = 150
 

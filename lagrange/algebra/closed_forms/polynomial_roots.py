@@ -18,13 +18,18 @@ from lagrange.core.records import record
 
 def factors(e: sp.Expr) -> list[sp.Expr] | None:
     """The irreducible factors of a polynomial, each once; None where it is too large."""
-    if e.count_ops() > LARGEST_FACTORED or len(e.free_symbols) > MOST_FACTORED_SYMBOLS:
+    if not can_be_factored(e):
         return None
     try:
         _, powers = sp.factor_list(e)
     except (sp.PolynomialError, NotImplementedError):
         return [e]
     return [f for f, _ in powers]
+
+
+def can_be_factored(e: sp.Expr) -> bool:
+    """Whether a polynomial is small enough to be factored."""
+    return bool(e.count_ops() <= LARGEST_FACTORED and len(e.free_symbols) <= MOST_FACTORED_SYMBOLS)
 
 
 def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:

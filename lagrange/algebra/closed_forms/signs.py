@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.both_signs import takes_both_signs
 from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -31,6 +32,9 @@ def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None
     """+1, -1 or 0; None where it may be either. Each of `positive` is taken to be positive."""
     if expression == 0:
         return 0
+    positive = tuple(positive)
+    if takes_both_signs(expression, positive):
+        return None
     known = tuple(f for p in positive for f in (p, -p))
     return _of_product(_factored(expression), known)
 
@@ -102,6 +106,8 @@ def _is_at_most_one(f: sp.Expr) -> bool:
 @lru_cache(maxsize=1000)
 def _of_quadratic(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     """The sign of a x² + b x + c without real roots."""
+    if takes_both_signs(f, known[::2]):
+        return None
     for x in sorted(f.free_symbols, key=str):
         if not f.is_polynomial(x) or sp.degree(f, x) != 2:
             continue

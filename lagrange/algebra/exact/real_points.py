@@ -162,6 +162,12 @@ class RealPoint(Point):
         return type(self)(self.graph, self.reals, self.signs, self.spread)
 
 
+def symmetric_eigensystem(matrix: list[list[Any]]) -> tuple[Any, Any]:
+    """The eigenvalues of a symmetric matrix, and a matrix whose columns are orthonormal eigenvectors."""
+    values, vectors = _mp.eigsy(_mp.matrix(matrix))
+    return values, vectors
+
+
 def exponential(value: Any) -> Any:
     """e^value. Raises InadmissibleError where it is very large or very small."""
     if abs(value) > LARGEST_REAL_EXPONENT:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from lagrange.core.symbols import Partial, TimeDerivative, prime, t
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Rule, Step
 from lagrange.explain.words import are, plural, suffix_of, title_in
 from lagrange.mechanics.energy_symbols import EnergySymbols
@@ -19,6 +19,7 @@ ZERO = sp.S.Zero
 def explain_hamiltonian(found: Hamiltonian, letters: EnergySymbols) -> Step:
     """The momenta, the velocities in terms of them, H, the canonical equations, what is conserved, R."""
     body = [
+        *_integrated(found),
         *_momenta(found, letters),
         *_function(found, letters),
         *_equations(found, letters),
@@ -29,6 +30,18 @@ def explain_hamiltonian(found: Hamiltonian, letters: EnergySymbols) -> Step:
 
 def _label(found: Hamiltonian, kind: str) -> str:
     return f"{kind}{suffix_of(found.configuration.name)}"
+
+
+def _integrated(found: Hamiltonian) -> Iterable[Block]:
+    """`θ = −s/R + const: θ appears nowhere else, and the others are free.`"""
+    if found.integrated:
+        relations = [math(q, e + sp.Symbol("const")) for q, e in found.integrated.items()]
+        names = [math(q) for q in found.integrated]
+        nowhere = plural(len(names), " does not appear in the energies: the remaining coordinates are free.",
+                         " do not appear in the energies: the remaining coordinates are free.")  # fmt: skip
+        yield paragraph(prose(plural(len(relations), "The constraint on velocities integrates to ",
+                                     "The constraints on velocities integrate to "), *listed(relations), "."),
+                        prose(*listed(names), nowhere))  # fmt: skip
 
 
 def _momenta(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:

@@ -409,7 +409,7 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     if whole is not None:
         yield whole
         return
-    made = explain_reactions(view.dynamics, newton, step.choice, first=before)
+    made = explain_reactions(view.dynamics, newton, step.choice, first=before, lost_ones=solution.long_reactions)
     if made is None:
         return
     made = replace(made, choice=step.choice, body=tuple(_without_certain_contact(made.body, newton, view)))

@@ -13,6 +13,8 @@ from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part
 from lagrange.explain.constraints import explain_classification, explain_freedom
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.nearby.accelerations import StateInNumbers
 from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
 from lagrange.mechanics.nearby.long_equations import LongEquations
 from lagrange.mechanics.nearby.stable_range import StableRange
@@ -34,8 +36,26 @@ def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[St
     yield explain_freedom(classification)
     if solution.long_equations is not None:
         yield _equations(solution.long_equations, solution)
+    if solution.at_start is not None:
+        yield _start(solution.at_start, solution.own.configuration)
     if solution.linear_motion is not None:
         yield _linear(solution.linear_motion)
+
+
+def _start(found: StateInNumbers, configuration: Configuration) -> Step:
+    """Accelerations and multipliers at t = 0."""
+    steady = all(x == 0 for x in found.accelerations.values())
+    body: list[Block] = []
+    if steady:
+        body.append(prose("At the start all accelerations are zero: the motion is steady there."))
+    else:
+        body.append(prose("The equations are linear in the accelerations. At the start, in units of SI, they give"))
+        body.append(display(*(Equation((a, _short(x))) for a, x in found.accelerations.items()), boxed=True))
+    if found.multipliers:
+        body.append(prose("and the multipliers" if not steady else "The multipliers are there, in units of SI,"))
+        rows = (r for r in configuration.rows if r.name in found.multipliers)
+        body.append(display(*(Equation((r.multiplier, _short(found.multipliers[r.name]))) for r in rows)))
+    return Step(Rule.EQUATIONS_OF_MOTION, "The accelerations at the start", tuple(body))
 
 
 def _constraints(classification: Classification) -> Step:
@@ -139,7 +159,7 @@ def _stability(ranges: Sequence[StableRange]) -> Block:
 
 
 def _short(x: sp.Expr) -> sp.Expr:
-    return x if x is sp.oo else sp.Float(x, DIGITS)
+    return x if x is sp.oo or x == 0 else sp.Float(x, DIGITS)
 
 
 def _shorter(block: LinearBlock) -> LinearBlock:

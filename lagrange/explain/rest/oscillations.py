@@ -222,6 +222,15 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     if not s.oscillates:
         yield from _damped(n, s, linearization)
         return
+    if s.long_square is not None:
+        [x] = (linearization.displacements[k] for k in s.free)
+        equation = Ref(label_of(linearization, "linear-1", n))
+        yield prose("There are solutions proportional to cos(", math(unknown), " ", math(TIME), "), where ",
+                    math(unknown**2), " is the coefficient of ", math(x), " in ", equation, " divided by that of ",
+                    math(prime(x, 2)), ".", detail=detail)  # fmt: skip
+        label = label_of(linearization, "omega-1", n)
+        yield display(Equation((unknown**2, s.long_square), label=label), detail=Detail.FULL)
+        return
     if c is None:
         yield prose("The equation for the frequencies is too long to be written out.", detail=detail)
         return

@@ -237,6 +237,11 @@ def check_inertia(result: EquationsOfMotion, bodies: Sequence[Body] = ()) -> Non
             f"this rotation stays undetermined: give `{name}` that moment of inertia, or one angle fewer (a number in "
             "its place); what is no larger than a point is a particle"
         )
+    contained = {s for e in result.expressions for s in e.free_symbols}
+    rest = [f"`{q}`" for q in slots.coordinates if q not in idle]
+    if turned and rest and contained.isdisjoint({d for q in idle for d in (q, prime(q), prime(q, 2))}):
+        it, depend = "it" if len(idle) == 1 else "them", "does" if len(rest) == 1 else "do"
+        help_ += f"; {' and '.join(rest)} {depend} not depend on {it}, so that the motion is then found"
     raise ProblemError(Diagnostic("no-inertia", message, span, help=help_))
 
 

@@ -109,6 +109,13 @@ class SmallOscillations:
         """The roots ω²; none with damping."""
         return self.system.frequencies
 
+    @property
+    def long_square(self) -> sp.Expr | None:
+        """K/M, the ω² of one coordinate without damping, where it is too long to be a root in closed form."""
+        if len(self.free) > 1 or not self.oscillates or any(f.square is not None for f in self.frequencies):
+            return None
+        return self.system.stiffness[0][0] / self.system.mass[0][0]
+
     def remaining(self, f: Frequency) -> sp.Expr:
         """The polynomial in ω with this frequency as a root."""
         return f.factor.xreplace({f.letter: self.unknown**2})

@@ -28,7 +28,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
-from lagrange.algebra.closed_forms.polynomial_roots import factors
+from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -184,10 +184,11 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     numerators = [numerator, letters.reduced(numerator)]
     if in_parameters:
         numerators.append(resolved(numerators[1], b.common))
+    divisor = letters.write(sp.factor(denominator))
     forms = []
-    for p in numerators:
-        product = sp.factor(p) if factors(p) is not None else p
-        forms.append(letters.write(product) / letters.write(sp.factor(denominator)))
+    for p in dict.fromkeys(numerators):
+        product = sp.factor(p) if can_be_factored(p) else p
+        forms.append(letters.write(product) / divisor)
     if in_parameters:
         unknowns = {*e.solution.unknowns}
         return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), f.count_ops()))

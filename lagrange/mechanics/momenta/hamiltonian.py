@@ -22,7 +22,8 @@ is the Lagrangian of the other coordinates, the p_c in it being constants. Refer
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import field
 
 import sympy as sp
 
@@ -40,6 +41,7 @@ from lagrange.mechanics.dynamics.comparison import System, compare
 from lagrange.mechanics.dynamics.energies import Energies, energies
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
+from lagrange.mechanics.momenta.integrated_constraints import integrated
 
 ZERO = sp.S.Zero
 
@@ -79,6 +81,7 @@ class Hamiltonian:
     is_energy   whether H is T + V; None: undecided
     cyclic      the coordinates whose momenta are constant, by index
     routhian    R, if some coordinates are cyclic and others are not
+    integrated  coordinates that constraints on velocities give, up to constants that occur nowhere
     """
 
     motion: EquationsOfMotion
@@ -91,6 +94,7 @@ class Hamiltonian:
     is_energy: bool | None
     cyclic: tuple[int, ...]
     routhian: sp.Expr | None
+    integrated: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     @property
     def configuration(self) -> Configuration:
@@ -133,12 +137,16 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
 
     Raises NotCoveredError if the coordinates are not free, or the momenta cannot be solved for the velocities.
     """
+    known: Mapping[sp.Symbol, sp.Expr] = {}
+    if motion.configuration.rows:
+        names = ", ".join(f"`{r.name}`" for r in motion.configuration.rows)
+        found = integrated(motion)
+        if found is None:
+            raise NotCoveredError(
+                f"Hamilton's function in coordinates that are not free: {names} still acts on them, so it"
+            )
+        motion, known = found
     configuration = motion.configuration
-    if configuration.rows:
-        names = ", ".join(f"`{r.name}`" for r in configuration.rows)
-        raise NotCoveredError(
-            f"Hamilton's function in coordinates that are not free: {names} still acts on them, so it"
-        )
     stated = energies(configuration)
     if stated.has_quasi_coordinates:
         raise NotCoveredError("Hamilton's function in quasi-coordinates")
@@ -177,6 +185,7 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
         is_energy=configuration.states.is_zero(function.xreplace(by_momenta) - energy),
         cyclic=cyclic,
         routhian=_routhian(stated, momenta, mass, moved, cyclic) if 0 < len(cyclic) < len(momenta) else None,
+        integrated=known,
     )
 
 

@@ -19,14 +19,15 @@ then not constant, but their equations integrate to first order in the same way 
 
 Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved
 for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator
-excludes, φ' = 0, is a family of its own: the disc that rolls straight on.
+excludes, φ' = 0, is a family of its own: the disc that rolls straight on. So are positions at which the rate drops out
+of the condition, which hold at any rate: a top in gimbals that sleeps.
 
 Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -160,10 +161,17 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     if solved is None or (complete and not _has_several(conditions, rates)):
         families: tuple[Family, ...] = (family({}, general),)
     else:
-        [value] = solved.values()
+        [(rate, value)] = solved.items()
         denominator = sp.fraction(sp.together(value))[1]
+        whatever = _at_any_rate(general, partial(conditions[0], rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
-        families = tuple(family(known, resting(known)) for known in (solved, *excluded))
+        known = [b.equations for b in whatever.branches]
+        others_at = ((r, _only(resting(r), lambda b: b.equations not in known)) for r in excluded)
+        families = (
+            family(solved, resting(solved)),
+            *([family({}, whatever)] if known else []),
+            *(family(r, at_rest) for r, at_rest in others_at if at_rest.branches or not known),
+        )
     turning = tuple(slots.coordinates[k] for k in cyclic)
     return SteadyMotions(motion, form, turning, general, families, complete)
 
@@ -203,14 +211,41 @@ def _without_poles(resting: Equilibrium, form: MatrixForm, rates: Mapping[sp.Sym
     mass = sp.Matrix(form.mass).det(method="berkowitz").xreplace(dict(rates))
 
     def is_pole(b: Branch) -> bool:
+        if _differs_from_zero(mass, b, resting):
+            return False
         value = None if b.left or b.special else on_branch(b, mass, resting)
         return value is not None and Surface().is_zero(value) is True
 
     poles = tuple(b for b in resting.branches if is_pole(b))
-    kept = [(b, i) for b, i in zip(resting.branches, resting.idle, strict=True) if b not in poles]
-    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if not is_pole(b)))
+    return replace(_only(resting, lambda b: b not in poles), poles=poles)
+
+
+def _at_any_rate(general: Equilibrium, slope: sp.Expr) -> Equilibrium:
+    """The solutions of a condition at which a rate has no influence on it: its slope vanishes there."""
+
+    def holds(b: Branch) -> bool:
+        value = None if b.left or b.special else on_branch(b, slope, general)
+        return value is not None and Surface().is_zero(value) is True
+
+    return _only(general, holds)
+
+
+def _only(resting: Equilibrium, chosen: Callable[[Branch], bool]) -> Equilibrium:
+    """The steady motions of some branches."""
+    kept = [(b, i) for b, i in zip(resting.branches, resting.idle, strict=True) if chosen(b)]
+    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if chosen(b)))
     branches, idle = tuple(b for b, _ in kept), tuple(i for _, i in kept)
-    return replace(resting, solution=solution, branches=branches, idle=idle, poles=poles)
+    return replace(resting, solution=solution, branches=branches, idle=idle)
+
+
+def _differs_from_zero(e: sp.Expr, b: Branch, resting: Equilibrium) -> bool:
+    """Whether an expression is seen not to vanish at points of a branch."""
+    for point in _points(b, resting):
+        try:
+            return not point.is_zero(e)
+        except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+            continue
+    return False
 
 
 def _about(

@@ -84,7 +84,7 @@ def _remainder(
         return None
     for k, x in zip(loose, found, strict=True):
         known[k] = x
-    balance = _lagrange(configuration, about, rates, known)
+    balance = lagrange_in_numbers(configuration, about, rates, known)
     transposed = [list(column) for column in zip(*coefficients, strict=True)]
     normal = [[sum(x * y for x, y in zip(r, s, strict=True)) for s in coefficients] for r in coefficients]
     loads = [sum(x * y for x, y in zip(r, balance, strict=True)) for r in coefficients]
@@ -99,7 +99,7 @@ def _remainder(
     return max(map(abs, rest))
 
 
-def _lagrange(
+def lagrange_in_numbers(
     configuration: Configuration, about: Expansions, rates: Sequence[Any], accelerations: Sequence[Any]
 ) -> list[Any]:
     """The left sides of Lagrange's equations, shape (n,), at the state with these accelerations."""

@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.exact.points_needed import REAL_DIGITS
-from lagrange.algebra.exact.real_points import Reals
+from lagrange.algebra.exact.real_points import Reals, symmetric_eigensystem
 from lagrange.algebra.forms.jets import BITS, Expansion, Jet, JetRing, constant_term
 from lagrange.core.symbols import Slots, t
 from lagrange.core.vectors import Vector
@@ -30,6 +30,16 @@ class RoundedReals(Reals):
     def vanishes(self, x: Any) -> bool:
         """Whether x is 0."""
         return bool(abs(x) < ROUNDED_TO_ZERO)
+
+    def principal_axes(self, matrix: Sequence[Sequence[Any]]) -> tuple[list[Any], list[list[Any]]]:
+        """The principal values of a symmetric matrix (3, 3), and their axes, right-handed, as rows."""
+        values, columns = symmetric_eigensystem([list(row) for row in matrix])
+        axes = [[columns[i, k] for i in range(3)] for k in range(3)]
+        a, b, c = axes
+        cross = [a[k - 2] * b[k - 1] - a[k - 1] * b[k - 2] for k in range(3)]
+        if sum(x * y for x, y in zip(cross, c, strict=True)) < 0:
+            axes[2] = [-x for x in c]
+        return [values[k] for k in range(3)], axes
 
 
 class Expansions:

@@ -21,3 +21,5 @@ MOST_ROOT_STEPS = 200
 LARGEST_DENOMINATOR = 100
 # Imaginary part of a root, beside its size, below which it is real: of roots with 28 digits.
 CLEARLY_REAL = 1e-18
+# Operations of a reaction in terms of accelerations.
+LONGEST_BY_ACCELERATIONS = 200

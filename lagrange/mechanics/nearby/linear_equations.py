@@ -64,11 +64,9 @@ def first_order(configuration: Configuration, about: Expansions, velocities: Seq
     turnings = {r.name: _turning(r, about) for r in configuration.rotations}
     for r in configuration.rotations:
         if r.has_inertia:
-            if not r.inertia.is_principal:
-                raise NotCoveredError("linear equations in numbers where a body has products of inertia")
-            moments = [about.number(moment) for moment in r.inertia.moments]
-            _add_inertia(total, about, turnings[r.name], moments, velocities)
-            _add_gyroscopic(total, about, turnings[r.name], moments, velocities)
+            turning, moments = _principal(r, about, turnings[r.name])
+            _add_inertia(total, about, turning, moments, velocities)
+            _add_gyroscopic(total, about, turning, moments, velocities)
     for k, jet in enumerate(_forces(configuration, about, turnings)):
         total.balance[k] -= about.at_state(jet)
         for table, first in ((total.stiffness, 0), (total.damping, n)):
@@ -109,6 +107,22 @@ def _turning(rotation: Rotation, about: Expansions) -> list[list[Jet]]:
     e = [[about.jet(c, 3) for c in axis.fixed().components] for axis in rotation.axes]
     d = about.ring.derivative
     return [[about.dot([d(c, k) for c in e[i - 2]], e[i - 1]) for i in range(3)] for k in range(about.size)]
+
+
+def _principal(rotation: Rotation, about: Expansions, turning: list[list[Jet]]) -> tuple[list[list[Jet]], list[Any]]:
+    """ω_k along principal axes, and the principal moments: with products of inertia the axes are turned in numbers."""
+    if rotation.inertia.is_principal:
+        return turning, [about.number(moment) for moment in rotation.inertia.moments]
+    moments, axes = about.reals.principal_axes([[about.number(e) for e in row] for row in rotation.inertia.rows])
+    ring = about.ring
+
+    def along(spin: Sequence[Jet], axis: Sequence[Any]) -> Jet:
+        total = ring.scale(spin[0], axis[0])
+        for component, x in zip(spin[1:], axis[1:], strict=True):
+            total = ring.add(total, ring.scale(component, x))
+        return total
+
+    return [[along(spin, axis) for axis in axes] for spin in turning], moments
 
 
 def _add_inertia(

@@ -306,6 +306,22 @@ def test_constant_where_the_constraints_make_it_so(problem: Read) -> None:
     assert solve(problem(text + "constraints: {with_it: psi' = phi'}\n")).holds
 
 
+def test_what_does_not_depend_on_an_idle_rotation_is_named(problem: Read) -> None:
+    text = """
+title: A point mass with three angles
+parameters: [m, l, g]
+coordinates: [phi, theta, psi]
+bodies:
+  bob: {mass: m, inertia: [0, 0, 0], position: -l*e3_bob, orientation: {axes: 313, angles: [phi, theta, psi]}}
+gravity: -g*k
+find: motion
+"""
+    with pytest.raises(ProblemError) as refused:
+        solve(problem(text))
+    assert "`phi` and `theta` do not depend on it" in str(refused.value.diagnostics[0].help)
+    assert solve(problem(text.replace("[phi, theta, psi]}}", "[phi, theta, 0]}}").replace(", psi]", "]"))).holds
+
+
 def test_a_body_without_inertia_needs_something_that_moves_mass(problem: Read) -> None:
     text = """
 title: Massless crank

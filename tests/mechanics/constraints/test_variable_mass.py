@@ -7,6 +7,7 @@ import sympy as sp
 
 import lagrange
 from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import compared_answers
 from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.mechanics.constraints.variable_mass import validities
 from lagrange.mechanics.dynamics.motion import Method
@@ -147,3 +148,16 @@ def test_a_simulation_ends_where_mass_no_longer_joins() -> None:
     end = motion.events[-1]
     assert (end.kind, end.name) == ("exchange", "chain")
     assert motion["x"][-1] == pytest.approx(12**0.5)
+
+
+def test_a_law_of_velocities_is_that_of_a_mass_that_is_a_coordinate() -> None:
+    """A drop that sweeps up mist, dm/dt = k m x', falls with x'' = g − k x'², as it does with m = m_0 e^(kx)."""
+    particle = "particles: {{drop: {{mass: {}, position: -x*j, gains: {{velocity: 0}}}}}}"
+    head = "title: t\nparameters: [k, g, m_0]\ngravity: -g*j\n"
+    law = "coordinates: [x, m]\nconstraints: {growth: \"m' = k*m*x'\"}\n" + particle.format("m")
+    integrated = "coordinates: [x]\n" + particle.format("m_0*exp(k*x)")
+    answers = "\nanswers: {equations: [\"x'' = g - k*x'^2\"]}\n"
+    for text in (law, integrated):
+        solution = solve(read_problem(Source("case.yaml", head + text + answers)))
+        assert solution.holds
+        assert [a.verdict for a in compared_answers(solution)] == [Verdict.EQUIVALENT]

@@ -8,6 +8,7 @@ the coordinate through its constant value is measured.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import cos, pi, sin, sqrt, tan
 
 import numpy as np
@@ -16,9 +17,11 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.explain.rest.steady_motions import explain_steady
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.solution import solve
+from lagrange.render.json_momenta import steady_motions as steady_in_json
 from tests.support.problem_texts import read
 
 AROUND = 'position: "l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(phi)*j - l*cos(theta)*k"'
@@ -200,3 +203,44 @@ def test_a_coordinate_along_which_a_force_acts_is_not_cyclic() -> None:
     text = CONICAL + "forces: {push: {on: P, vector: -m*g*sin(phi)*i + m*g*cos(phi)*j}}\n"
     with pytest.raises(NotCoveredError, match="cyclic"):
         found_in(text)
+
+
+GIMBALS = """coordinates: [phi, theta, psi]
+parameters: [g]
+bodies:
+  rotor: {mass: 2, inertia: [3, 3, 1], position: 1/2*e3_rotor, orientation: {axes: 313, angles: [phi, theta, psi]}}
+  ring: {mass: 0, inertia: [1, 1, 1], position: 0*i, orientation: {axes: 313, angles: [phi, 0, 0]}}
+gravity: -g*k
+"""
+
+
+def test_a_gyroscope_asleep_in_gimbals_does_so_at_any_rate() -> None:
+    """With sin θ = 0 the condition holds whatever φ' and ψ' are: a solution divided by sin θ loses it.
+
+    About θ = 0, (A + m l²) ξ'' + [C φ' (φ' + ψ') − (A + m l²) φ'² − m g l] ξ = 0.
+    """
+    found = found_in(GIMBALS)
+    inclined, upright = found.families
+    assert len(inclined.rates) == 1
+    assert [str(r.rhs) for b in upright.about.branches for r in upright.relations(b)] == ["0", "pi"]
+    s = upright.about.at[0]
+    assert s is not None
+    A, C, m, l, g, f, n = 3, 1, 2, 0.5, 9.8, 1.5, 20.0
+    expected = (C * f * (f + n) - (A + m * l**2) * f**2 - m * g * l) / (A + m * l**2)
+    assert number(s.frequencies[0].square, g=g, phi_=f, psi_=n) == pytest.approx(expected)
+
+
+def test_a_frequency_too_long_for_a_root_is_a_quotient() -> None:
+    """It is given by two coefficients of the linear equation, and in JSON."""
+    found = found_in(CONICAL)
+    about = found.families[0].about
+    [s] = about.at
+    assert s is not None
+    assert s.long_square is None
+    [f] = s.frequencies
+    long = replace(s, system=replace(s.system, frequencies=(replace(f, square=None),)))
+    assert sp.simplify(long.long_square - f.square) == 0
+    family = replace(found.families[0], about=replace(about, at=(long,)))
+    assert "divided by that of" in str(explain_steady(replace(found, families=(family,))).body)
+    [entry] = steady_in_json(replace(found, families=(family,)), str)
+    assert entry["frequencies"] == [str(sp.sqrt(long.long_square))]

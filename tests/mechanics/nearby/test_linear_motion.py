@@ -216,3 +216,33 @@ def test_velocities_that_nothing_determines(tmp_path) -> None:
     with pytest.raises(ProblemError) as error:
         linear_motion(*problem_of(tmp_path, text))
     assert error.value.diagnostics[0].code == "undetermined-motion"
+
+
+ASKEW = """
+title: A body that turns about a vertical axis and hangs from two joints
+parameters: {{m: {{value: 3}}, a: {{value: 1/2}}, g: {{value: 10}}, n: {{value: 2}}}}
+coordinates: [phi, alpha, beta]
+bodies:
+  B: {{mass: m, inertia: {inertia}, position: {position}, orientation: {{axes: 312, angles: [phi, alpha, {last}]}}}}
+gravity: -g*k
+initial: {{phi: 0, alpha: 0, beta: 0, phi': n, alpha': 0, beta': 0}}
+"""
+
+
+def test_products_of_inertia_are_those_of_principal_axes_turned(tmp_path) -> None:
+    """Axes turned through atan(3/4) about the second one: J_13 = (A − C) sin cos, and nothing else changes."""
+    plain = ASKEW.format(inertia="[5, 6, 2]", position="-a*e3_B", last="beta")
+    turned = ASKEW.format(
+        inertia='[["(5*16 + 2*9)/25", 0, 36/25], [0, 6, 0], [36/25, 0, "(5*9 + 2*16)/25"]]',
+        position='"-a*(4/5*e3_B - 3/5*e1_B)"',
+        last="beta + atan(3/4)",
+    )
+    found = []
+    for text in (plain, turned):
+        problem, configuration = problem_of(tmp_path, text)
+        found.append(linear_motion(problem, configuration))
+        assert check_linear_motion(problem, configuration, found[-1])[0].passed
+    for b, c in zip(found[0].blocks, found[1].blocks, strict=True):
+        assert b.coordinates == c.coordinates
+        for s, t in zip((b.mass, b.damping, b.stiffness), (c.mass, c.damping, c.stiffness), strict=True):
+            assert [float(e) for e in sp.Matrix(s)] == pytest.approx([float(e) for e in sp.Matrix(t)], abs=1e-12)

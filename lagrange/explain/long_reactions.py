@@ -1,0 +1,53 @@
+"""Reactions that are too long as functions of position and velocity: by the accelerations, and in numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.symbols import t
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part
+from lagrange.explain.words import constraints_called, plural
+from lagrange.mechanics.nearby.long_reactions import LongReactions
+from lagrange.values.quantities import rounded_in
+
+ZERO = sp.S.Zero
+LONGEST = 250
+"""The most operations of all reactions in terms of accelerations that a page shows without --detail full."""
+
+
+def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
+    """What is too long, where it is, what it is in terms of accelerations, and the numbers at one state."""
+    names = [r.name for r in found.lost]
+    words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
+    words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
+    if found.by_accelerations:
+        detail = Detail.FULL if sum(e.count_ops() for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
+        if detail is Detail.FULL:
+            yield prose(f"{words} In terms of the accelerations, Newton's equations give them in fewer: "
+                        "--detail full shows these.")  # fmt: skip
+            yield prose("They are", detail=detail)
+        else:
+            yield prose(f"{words} In terms of the accelerations, Newton's equations give")
+        yield display(
+            *(
+                Equation((r.force, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+                for r in found.lost
+                if r.name in found.by_accelerations
+            ),
+            boxed=True,
+            detail=detail,
+        )
+    else:
+        yield prose(words)
+    if found.at is not None:
+        state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in units of SI,")
+        if not found.from_initial:
+            shown = [math(s, rounded_in(e)) for s, e in found.at.state.items()]
+            state = ("In the position and with the velocities ", *listed(shown), " they are, in units of SI,")
+        yield prose(*state)
+        yield display(
+            *(Equation((r.force, rounded_in(found.numbers[r.name]))) for r in found.lost if r.name in found.numbers)
+        )

@@ -1,0 +1,170 @@
+"""Reactions that are too long as functions of position and velocity, of chains of rods in their own coordinates.
+
+Newton's equations give them in terms of the accelerations, in a few letters: at the end of a chain by m r'', before it
+by two of these. Of the n equations Σ_j λ_j a_jk = D_k as many are used as there are reactions, those
+with the simplest coefficients. Where all parameters have values, the numbers at a state are found as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import partial, t
+from lagrange.core.verdicts import all_hold
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.motion import NewtonLaw
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.dynamics.spot_values import SpotValue
+from lagrange.mechanics.nearby.accelerations import (
+    NOT_POSSIBLE,
+    StateInNumbers,
+    at_start,
+    at_state,
+    check_state,
+    has_numbers,
+)
+from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
+from lagrange.mechanics.nearby.reference import reference
+from lagrange.problem.model import Problem
+
+CHECK = "the reactions in terms of accelerations satisfy Lagrange's equations"
+
+
+@record
+class LongReactions:
+    """Forces that have a name, or multipliers, that are not written down as functions of position and velocity.
+
+    lost              those
+    by_accelerations  them in terms of accelerations, by name; without those that are long even so
+    hold              whether these satisfy Lagrange's equations, where there are any
+    at                the state for which numbers are known; None without values
+    from_initial      whether it is the state with which the motion begins
+    numbers           at this state, by name
+    """
+
+    lost: tuple[Reaction, ...]
+    by_accelerations: Mapping[str, sp.Expr]
+    hold: bool | None
+    at: StateInNumbers | None
+    from_initial: bool
+    numbers: Mapping[str, sp.Expr]
+
+
+def long_reactions(
+    law: NewtonLaw,
+    configuration: Configuration,
+    independent: Sequence[int],
+    solved: Sequence[Reactions],
+    spot: SpotValue | None,
+) -> LongReactions | None:
+    """The reactions that were too long in every set of coordinates; None where there are none.
+
+    configuration  the file's own
+    independent    its coordinates whose displacements are free, by index
+    solved         the reactions as they were found, in each set of coordinates
+    spot           a state at which the equations of motion are tried
+    """
+    lost = tuple(
+        r for r in law.used if solved and all(r.name in s.multipliers and s.multipliers[r.name] is None for s in solved)
+    )
+    if not lost or law.frictions:
+        return None
+    by_accelerations, hold = _by_accelerations(law, configuration, lost)
+    at, from_initial = _at(law.problem, configuration, independent, spot)
+    numbers = {}
+    if at is not None:
+        values = {p.symbol: p.value for p in law.problem.parameters if p.value is not None} | dict(at.state)
+        for r in lost:
+            if r.name in at.multipliers:
+                numbers[r.name] = sp.N(at.multipliers[r.name] / r.per_force.xreplace(values))
+    return LongReactions(lost, by_accelerations, hold, at, from_initial, numbers)
+
+
+def check_long_reactions(found: LongReactions) -> list[Check]:
+    """Both by Lagrange's equations."""
+    checks = []
+    if found.by_accelerations:
+        checks.append(Check(CHECK, found.hold, "exact, at random points: T differentiated"))
+    if found.at is not None:
+        checks.append(check_state(found.at, "reactions"))
+    return checks
+
+
+def _by_accelerations(
+    law: NewtonLaw, configuration: Configuration, lost: Sequence[Reaction]
+) -> tuple[dict[str, sp.Expr], bool | None]:
+    """The reactions, and whether they are right, from as many equations Σ λ_j a_jk = D_k, the simplest ones."""
+    size, used = len(configuration.slots.coordinates), law.used
+    accelerations = configuration.slots.accelerations
+    rows = [[-e for e in row[size:]] for row in law.system.rows[:size]]
+    balance = [
+        sp.Add(*(m * a for m, a in zip(row[:size], accelerations, strict=True)), -b)
+        for row, b in zip(law.system.rows[:size], law.system.right, strict=False)
+    ]
+    chosen: list[int] = []
+    for k in sorted(range(size), key=lambda k: (sum(e.count_ops() for e in rows[k]), balance[k].count_ops())):
+        if configuration.states.rank([rows[i] for i in (*chosen, k)]) == len(chosen) + 1:
+            chosen.append(k)
+        if len(chosen) == len(used):
+            break
+    letters = {sp.Dummy(f"D_{k}", real=True): balance[k] for k in chosen}
+    solved = solved_linear([rows[k] for k in chosen], [*letters], configuration.states) or []
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for r, value in zip(used, solved, strict=False):
+        if value is not None:
+            written = sp.Add(*(partial(value, d) * e for d, e in letters.items()))
+            if written.count_ops() <= LONGEST_BY_ACCELERATIONS:
+                values[r.multiplier] = textbook_form(written)
+    found = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
+    return found, _hold(configuration, chosen, used, values) if found else None
+
+
+def _hold(
+    configuration: Configuration,
+    chosen: Sequence[int],
+    used: Sequence[Reaction],
+    values: Mapping[sp.Symbol, sp.Expr],
+) -> bool | None:
+    """Whether Lagrange's equations L_k = Σ λ a_k, with the derivatives of T, hold where all λ in them are known."""
+    left = lagrange_equations(configuration).left
+    verdicts = []
+    for k in chosen:
+        shares = [
+            (r.multiplier, a) for r in used if (a := without_root(r.row, configuration.slots).coefficients[k]) != 0
+        ]
+        if all(s in values for s, _ in shares):
+            forces = sp.Add(*(values[s] * a for s, a in shares))
+            verdicts.append(configuration.states.is_zero(left[k] - forces))
+    return all_hold(verdicts) if verdicts else None
+
+
+def _at(
+    problem: Problem, configuration: Configuration, independent: Sequence[int], spot: SpotValue | None
+) -> tuple[StateInNumbers | None, bool]:
+    """The numbers at the state with which the motion begins, or at the one that equations of motion are tried at."""
+    if not has_numbers(problem):
+        return None, False
+    start = at_start(problem, configuration)
+    if start is not None:
+        return start, True
+    if spot is None or t in spot.values:
+        return None, False
+    parameters = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    try:
+        slots = configuration.slots
+        free = [slots.coordinates[k] for k in independent]
+        rates = [slots.velocities[k] for k in independent]
+        stated = {s: spot.values[s] for s in (*free, *rates) if s in spot.values}
+        near = {s: e for s, e in spot.values.items() if s in slots.coordinates}
+        return at_state(configuration, reference(configuration, stated, parameters, near)), False
+    except NOT_POSSIBLE:
+        return None, False
