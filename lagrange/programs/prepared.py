@@ -51,7 +51,7 @@ def prepared(
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
     settings = settings or Settings()
-    if not problem.masses and not problem.equations:
+    if not problem.masses and not problem.equations and problem.lagrangian is None:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
