@@ -29,7 +29,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, p
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
-from lagrange.pictures.views import View, view
+from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
 
 
@@ -66,6 +66,12 @@ class SystemPicture:
         own = {*self.pose.coordinates}
         every = {q.symbol for q in self.problem.coordinates} | {q for c in self.problem.choices for q in c.coordinates}
         return tuple(m for m in self.problem.figure.marks if not (m.label.free_symbols & every) - own)
+
+    @property
+    def is_bare(self) -> bool:
+        """Whether the file draws no bodies by lines of its own."""
+        figure = self.problem.figure
+        return not (figure.lines or figure.circles or figure.curves)
 
     @property
     def hidden(self) -> frozenset[str]:
@@ -292,6 +298,10 @@ def _system(
     if down is not None:
         with suppress(NoValueError):
             seen = seen.upright(pose.at(down), solution.problem.axes)
+    if figure.seen_from is not None and not seen.planar:
+        with suppress(NoValueError):
+            upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
+            seen = seen_from(pose.at(figure.seen_from), upright)
     return SystemPicture(solution.problem, configuration, newton, pose, seen)
 
 

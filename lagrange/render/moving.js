@@ -574,7 +574,15 @@ const lagsolveFigure = (() => {
         const c = page(three(v, e.p)), s = [-w[1], w[0]], half = e.w < 0.05 ? 17.6 : 12.6;
         draw("body s4", [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, r]) => beyond(beyond(c, w, x * half), s, r * e.w * CM)), true, 1e3);
       },
-      triad: (e, v) => { const c = page(three(v, e.p)); e.a.forEach((k, i) => { const w = way(three(v, k)), end = beyond(c, w, 40); arrow("body", c, end); label(e.l[i], end, toward(c, end)); }); },
+      triad: (e, v) => {
+        const c = page(three(v, e.p));
+        if (e.b) {
+          const w = e.a.map((k, i) => way(three(v, k)).map(x => x * [31, 23, 17][i])), sum = (i, j) => w.reduce((t, u) => t + u[i] * u[j], 0);
+          const a = Math.sqrt(sum(0, 0)), b = sum(0, 1) / a, d = Math.sqrt(Math.max(0, sum(1, 1) - b * b));
+          draw("body s2", [...Array(48).keys()].map(k => k * Math.PI / 24).map(s => [c[0] + a * Math.cos(s), c[1] + b * Math.cos(s) + d * Math.sin(s)]), true, dot(three(v, e.p), reader));
+        }
+        e.a.forEach((k, i) => { const w = way(three(v, k)), end = beyond(c, w, 40); arrow("body", c, end); label(e.l[i], end, toward(c, end)); });
+      },
       arrow: (e, v) => { const [a, b] = e.p.map(k => page(three(v, k))); arrow("axis", a, b); label(e.l, b, toward(a, b)); },
       curve: (e, v) => { const q = sampled(e, v, 64)[0].map(page); if (e.c == "ground") ground(q); else if (e.c == "body") draw("body s2", q, true, 0); else draw(e.c, q); },
       surface: (e, v) => surface(sampled(e, v, 14)),
