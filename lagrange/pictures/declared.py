@@ -166,8 +166,6 @@ class DeclaredParts:
     def points(self) -> None:
         """The lettered points."""
         for name, place in self.system.figure_places.items():
-            if name in self.system.hidden:
-                continue
             at = self.page(place)
             self.sketch.dot(at, PARTICLE * 0.6)
             self.sketch.label(name.replace("_", " "), at, (0.6, 0.8), clear=PARTICLE, optional=True)

@@ -216,9 +216,29 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
     width = len(matrix)
     if width == 1 and entries[0] is not None and is_zero(entries[0]):
         return _by_higher_derivatives(matrix[0][0], b, e)
+    if width == 1 and entries[0] is not None and sign_on(entries[0], known_positive(b)) is None:
+        second = _of_sinusoid(b, e)
+        sign = None if second is None else sign_on(second, known_positive(b))
+        if second is not None and sign:
+            return Stability(StabilityVerdict.STABLE if sign == 1 else StabilityVerdict.UNSTABLE, (second,))
     return definiteness(
         [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
     )
+
+
+def _of_sinusoid(b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """V'' where V' = p sin θ + q cos θ vanishes, tan θ = −q/p: p/cos θ, of which the sign is seen; None for other V.
+
+    Neither p nor cos θ is zero there.
+    """
+    [k] = e.elimination.independent
+    theta = e.configuration.slots.coordinates[k]
+    if e.elimination.dependent or all(r.lhs != sp.tan(theta) for r in b.relations):
+        return None
+    slope = -e.independent_forces[0]
+    if not is_zero(slope.diff(theta, 2) + slope):
+        return None
+    return sp.factor(e.work.textbook.form(slope.xreplace({theta: sp.pi / 2}))) / sp.cos(theta)
 
 
 def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -> StabilityVerdict:
