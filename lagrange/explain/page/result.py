@@ -19,7 +19,6 @@ from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
-from lagrange.explain.rest.large_systems import stable_where
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, in_words, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
@@ -74,13 +73,10 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     while kept and not _is_short(kept.values()):
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
-    freedom = solution.classification.degrees_of_freedom
-    if not kept and (decay := stable_where(solution)):
-        yield Step(Rule.RESULT, "", (prose(f"{in_words(freedom, 'degree').capitalize()} of freedom; ", *decay),))
-        return
     if not kept:
         yield from _of_constraints(solution)
         return
+    freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
     called = listed(_called(rule, kept[rule], solution) for rule in kept)
     words += ["; ", *called, ":"]

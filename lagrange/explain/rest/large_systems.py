@@ -137,17 +137,19 @@ def _stability(ranges: Sequence[StableRange]) -> Block:
     return prose(*parts, detail=Detail.BRIEF)
 
 
-def stable_where(solution: Solution) -> tuple[Part, ...]:
+def result_of_large_system(solution: Solution) -> Iterator[Step]:
     """For the head of the page: for which values of the parameter the deviations from the steady motion decay."""
-    found = [b.stable_ranges for b in solution.linear_motion.blocks if b.stable_ranges is not None] \
-        if solution.linear_motion is not None else []
-    if len(found) != 1:
-        return ()
+    motion, freedom = solution.linear_motion, solution.classification.degrees_of_freedom
+    found = [b.stable_ranges for b in motion.blocks if b.stable_ranges is not None] if motion is not None else []
+    if len(found) != 1 or freedom is None:
+        return
     [ranges] = found
-    if not ranges:
-        return ("the steady motion is stable for no value of the parameter.",)
+    start = f"{in_words(freedom, 'degree').capitalize()} of freedom; "
     inside = listed((math(*_inside(r), relation="<") for r in ranges), " or ")
-    return ("small deviations from the steady motion decay if ", *inside, " (in units of SI).")
+    words: tuple[Part, ...] = ("small deviations from the steady motion decay if ", *inside, " (in units of SI).")
+    if not ranges:
+        words = ("the steady motion is stable for no value of the parameter.",)
+    yield Step(Rule.RESULT, "", (prose(start, *words, detail=Detail.BRIEF),))
 
 
 def _inside(r: StableRange) -> tuple[sp.Expr, ...]:
