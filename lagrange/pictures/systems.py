@@ -24,6 +24,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
@@ -37,7 +38,8 @@ from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
 class SystemPicture:
     """A system in one position on a page.
 
-    newton  the free bodies and reactions
+    newton    the free bodies and reactions
+    contacts  those with friction at rest
     """
 
     problem: Problem
@@ -45,6 +47,7 @@ class SystemPicture:
     newton: Newton
     pose: Pose
     view: View
+    contacts: tuple[RoughContact, ...] = ()
 
     def at(self, vector: Vector, more: Values | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
@@ -302,7 +305,14 @@ def _system(
         with suppress(NoValueError):
             upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
             seen = seen_from(pose.at(figure.seen_from), upright)
-    return SystemPicture(solution.problem, configuration, newton, pose, seen)
+    return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
+
+
+def _rough_contacts(solution: Solution) -> tuple[RoughContact, ...]:
+    """The contacts with friction at rest, or at its limit."""
+    rest = next((v.at_rest for v in solution.views if v.at_rest is not None), None)
+    impending = next((v.impending for v in solution.views if v.impending), None)
+    return rest.contacts if rest is not None else impending[0].contacts if impending is not None else ()
 
 
 def _vectors(figure: Figure) -> Iterator[Vector]:
