@@ -104,3 +104,16 @@ def test_several_degrees_of_freedom_get_no_small_motion() -> None:
 def test_without_a_degree_of_freedom_there_is_nothing_to_say() -> None:
     text = "title: t\nparameters: [m]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\nconstraints: {c: x = 1}\n"
     assert meaning(solve(read_problem(Source("t", text)))) is None
+
+
+def test_a_velocity_as_of_light_becomes_infinite_and_not_zero() -> None:
+    """Weber's law becomes Coulomb's; the only mass does not vanish."""
+    found = of("weber-attraction")
+    [limit] = [x for x in found.limits if x.parameter.name == "c"]
+    assert limit.to == sp.oo
+    s = symbols(found)
+    r, k, m = s["r"], s["k"], s["m"]
+    radial = limit.equations[0]
+    coulomb = m * (s["r''"] - r * s["phi'"] ** 2) - k / r**2
+    assert sp.simplify(radial / coulomb) == -r
+    assert all(x.to != 0 or x.parameter.name != "m" for x in found.limits)

@@ -195,7 +195,8 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                 blocks.pop()
             else:
                 blocks.append(block)
-        yield replace(step, body=tuple(blocks))
+        if blocks or not step.body:
+            yield replace(step, body=tuple(blocks))
 
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
