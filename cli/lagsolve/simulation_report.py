@@ -92,7 +92,9 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
         case EventKind.SLIP:
             return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
         case EventKind.AT_REST if event.time == 0:
-            return f"{at}: of several slips in a plane one is zero at the start; what friction does there is not simulated"
+            return (
+                f"{at}: of several slips in a plane one is zero at the start; what friction does there is not simulated"
+            )
         case EventKind.AT_REST:
             return f"{at}: of several slips in a plane one ends; what friction does then is not simulated"
         case EventKind.REVERSED:

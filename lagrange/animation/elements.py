@@ -333,7 +333,9 @@ class Elements:
                     names = called or tuple(f"e_{n}" for n in (1, 2, 3))
                     ways = [self.at(a) for a in r.axes]
                     bare = int(self.system.is_bare and not self.system.view.planar)
-                    self.add("triad", p=self.at(p.position), a=ways, b=bare, l=[self.label(UnitVector(n)) for n in names])
+                    self.add(
+                        "triad", p=self.at(p.position), a=ways, b=bare, l=[self.label(UnitVector(n)) for n in names]
+                    )
 
     def shaped(self, p: MassPoint, shape: BodyShape) -> None:
         """A body whose shape the file gives."""

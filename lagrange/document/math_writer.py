@@ -203,7 +203,11 @@ class Writer:
         sums = any(base.has(sp.sin, sp.cos, sp.tan) for base, _ in below)
         if below and constant and all(self.order.is_constant(base) for base, _ in below):
             if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
-                return [], scalars, last  # m g cos α/(M + m sin²α), W sin β/sin(α + β): the coefficient would outweigh cos α
+                return (
+                    [],
+                    scalars,
+                    last,
+                )  # m g cos α/(M + m sin²α), W sin β/sin(α + β): the coefficient would outweigh cos α
             if others and all(isinstance(base, sp.Abs) or not power.is_Integer for base, power in others):
                 return [], scalars, last  # F |c − m ω²|/|Δ|, a √(...)/√(...)
             return [], constant, others + last

@@ -103,7 +103,7 @@ def _assumptions(problem: Problem) -> list[Block]:
 def _ranges(problem: Problem) -> list[Part]:
     """`−π/2 ≤ θ ≤ π/2`"""
     ranges = [(p.symbol, p.range) for p in problem.parameters] + [(q.symbol, q.range) for q in problem.coordinates]
-    return listed(math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None)
+    return [*listed(math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None)]
 
 
 def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption]) -> list[Part]:

@@ -123,7 +123,7 @@ def chosen_values(problem: Problem) -> dict[str, float]:
 def _onto_constraints(
     problem: Problem, configuration: Configuration, slopes: list[list[sp.Expr]], start: dict[sp.Symbol, float]
 ) -> dict[sp.Symbol, float]:
-    """A position that satisfies the constraints, with the coordinates in which something is struck, if that is possible."""
+    """A position on the constraints, if possible with the coordinates in which something is struck."""
     coordinates, finite = configuration.slots.coordinates, configuration.finite_constraints
     struck = chosen_values(problem) if problem.impact is not None else {}
     free = [n for n, q in enumerate(coordinates) if q.name not in struck]

@@ -93,9 +93,7 @@ class Solids:
         self.sketch.face(hull([page(tip), *rim]), LIGHT, self.depth(tip))
         self.sketch.face(rim, MEDIUM, self.depth(base) + 1e-3)
 
-    def shape(
-        self, shape: BodyShape, centre: FloatVector, axes: Sequence[FloatVector], symmetric: int = 2
-    ) -> None:
+    def shape(self, shape: BodyShape, centre: FloatVector, axes: Sequence[FloatVector], symmetric: int = 2) -> None:
         """A body with its mass centre and its three axes, of which one may be an axis of symmetry."""
         e1, e2, e3 = axes
         round_ = axes[symmetric] if shape.axis is None else unit(self.system.at(shape.axis))

@@ -240,7 +240,7 @@ class _Run:
             self._end(kind, name, stop.time, self.last[1])
 
     def _emptied(self, time: float) -> str | None:
-        """The particle that has next to no mass left where the motion stops: what pushes it would move it infinitely."""
+        """The particle with next to no mass left where the motion stops: any force accelerates it without bound."""
         for name, mass in self.states.masses.items():
             value = self.system.function(mass)
             first, last = value(0.0, *self.start.state), value(time, *self.last[1])

@@ -286,7 +286,9 @@ def state_equations(solution: Solution, choice: str | None = None) -> StateEquat
     Raises ProblemError where there is no such choice, or nothing moves.
     """
     if solution.long_equations is not None:
-        message = "the equations of motion are too long to be solved for the accelerations, and cannot be integrated here"
+        message = (
+            "the equations of motion are too long to be solved for the accelerations, and cannot be integrated here"
+        )
         help_ = "`--format json` has them, with their abbreviations, under `equations` and `definitions`"
         raise ProblemError(Diagnostic("no-equations", message, help=help_))
     views = [v for v in solution.views if v.dynamics is not None]

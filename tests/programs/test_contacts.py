@@ -187,7 +187,9 @@ def test_a_page_ends_where_a_simulation_does() -> None:
     figures = [moving_figure(r.solution) for r in reports]
     assert all(isinstance(f, MovingFigure) for f in figures)
     pages = [html.render([(r.derivation, r.notation)], moving=[f]) for r, f in zip(reports, figures, strict=True)]
-    surface, equation, *held, slid, back, puck, stays, empty = played(pages, 'one.run = play(2); one.message = read("message");')
+    surface, equation, *held, slid, back, puck, stays, empty = played(
+        pages, 'one.run = play(2); one.message = read("message");'
+    )
     assert "contact is lost" in surface["message"]
     assert equation["run"]["done"] == "true"
     assert "an equation acts on both sides" in equation["message"]
