@@ -92,9 +92,11 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
         case EventKind.SLIP:
             return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
         case EventKind.AT_REST if event.time == 0:
-            return f"{at}: nothing slips at the start; what friction does at rest is not simulated"
+            return (
+                f"{at}: of several slips in a plane one is zero at the start; what friction does there is not simulated"
+            )
         case EventKind.AT_REST:
-            return f"{at}: the slip ends; what friction does at rest is not simulated"
+            return f"{at}: of several slips in a plane one ends; what friction does then is not simulated"
         case EventKind.REVERSED:
             sides = "as the constraint is an equation; `>=` or `<=` would let contact end here"
             return f"{at}: {event.name} changes its sign; the motion goes on, {sides}"

@@ -332,14 +332,18 @@ class Elements:
                     called = next(b for b in self.system.problem.bodies if b.name == p.name).axes_called
                     names = called or tuple(f"e_{n}" for n in (1, 2, 3))
                     ways = [self.at(a) for a in r.axes]
-                    self.add("triad", p=self.at(p.position), a=ways, l=[self.label(UnitVector(n)) for n in names])
+                    bare = int(self.system.is_bare and not self.system.view.planar)
+                    self.add(
+                        "triad", p=self.at(p.position), a=ways, b=bare, l=[self.label(UnitVector(n)) for n in names]
+                    )
 
     def shaped(self, p: MassPoint, shape: BodyShape) -> None:
         """A body whose shape the file gives."""
         turning = next((r for r in self.configuration.rotations if r.name == p.name), None)
         units = [Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3)]
         e1, e2, e3 = (self.at(a) for a in (units if turning is None else turning.axes))
-        axis = e3 if shape.axis is None else self.at(shape.axis)
+        symmetric = 2 if turning is None else turning.inertia.symmetry_axis
+        axis = (e1, e2, e3)[symmetric] if shape.axis is None else self.at(shape.axis)
         c, planar = self.at(p.position), self.system.view.planar
         lengths = [self.cells.scalar(x) for x in shape.lengths]
         match shape.kind:

@@ -186,6 +186,9 @@ class _Maker:
             if view.equilibrium is not None:
                 out["sta"] = self._statics()
         out["sli"] = self._slips()
+        planes = [f.slip for f in view.dynamics.friction_forces if f.speed is None] if view.dynamics is not None else []
+        if len(planes) == 1:
+            out["pla"] = [self.put(c) for c in planes[0].fixed().components]
         potential = potential_energy(configuration)
         self.potential = self.put(potential)
         kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
@@ -312,12 +315,14 @@ class _Maker:
 
     def _slips(self) -> list[sp.Expr]:
         """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square. Then the
-        rates at which mass joins or leaves, where the equations hold only as long as it does; their kind is 3.
+        rates at which mass joins or leaves, where the equations hold only as long as it does (their kind is 3), and
+        masses that vary, which are positive (4).
         """
         found = [*slip_speeds(self.view.dynamics)]
-        rates = [m.exchanged for m in self.view.configuration.variable_masses if m.has_one_sense]
-        self.slips = [*(int(kind) for kind, _ in found), *(3 for _ in rates)]
-        return [self.put(e) for e in (*(e for _, e in found), *rates)]
+        varying = self.view.configuration.variable_masses
+        rates = [m.exchanged for m in varying if m.has_one_sense]
+        self.slips = [*(int(kind) for kind, _ in found), *(3 for _ in rates), *(4 for _ in varying)]
+        return [self.put(e) for e in (*(e for _, e in found), *rates, *(m.mass for m in varying))]
 
     def _static(self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]) -> list[tuple[int, float]]:
         """Of each coefficient of friction that is a parameter: its place, and the number of the static coefficient."""

@@ -47,6 +47,12 @@ class InertiaTensor:
         return self.is_principal and len(set(self.moments)) == 1
 
     @property
+    def symmetry_axis(self) -> int:
+        """The number of the axis about which the moments of a body of revolution are equal; 2 for any other body."""
+        a, b, c = self.moments
+        return 1 if a == c != b else 0 if b == c != a else 2
+
+    @property
     def rows(self) -> tuple[Three, Three, Three]:
         """The matrix."""
         (a, b, c), (d, e, f) = self.moments, self.products

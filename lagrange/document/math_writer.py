@@ -203,10 +203,14 @@ class Writer:
         scalars = [f for f in above if f not in last]
         constant = [f for f in scalars if self._is_plain(f, _CONSTANT)]
         others = [f for f in scalars if f not in constant]
-        sums = any(isinstance(base, sp.Add) and base.has(sp.sin, sp.cos) for base, _ in below)
+        sums = any(base.has(sp.sin, sp.cos, sp.tan) for base, _ in below)
         if below and constant and all(self.order.is_constant(base) for base, _ in below):
             if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
-                return [], scalars, last  # m g cos α/(M + m sin²α): in front, the coefficient would outweigh cos α
+                return (
+                    [],
+                    scalars,
+                    last,
+                )  # m g cos α/(M + m sin²α), W sin β/sin(α + β): the coefficient would outweigh cos α
             if others and all(isinstance(base, sp.Abs) or not power.is_Integer for base, power in others):
                 return [], scalars, last  # F |c − m ω²|/|Δ|, a √(...)/√(...)
             return [], constant, others + last

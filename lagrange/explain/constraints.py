@@ -425,6 +425,8 @@ def time_of(classification: Classification) -> Prose:
         words = "Time does not appear explicitly, so the system is "
         if classification.weighed:
             words = "Time appears explicitly in a mass, but in no position and no constraint, so the system is "
+        elif classification.forced:
+            words = "Time appears explicitly in a force, but in no position and no constraint, so the system is "
         if classification.catastatic is False:
             linear = all(c.pfaffian or c.catastatic for c in classification.constraints)
             rest = (

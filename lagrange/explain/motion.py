@@ -156,7 +156,8 @@ def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
     clauses: list[tuple[Part, ...]] = []
     factors = {(e.factor.denominator.expression, e.factor.numerator.expression) for e in equations}
     if len(factors) > 1:  # no factor is that of every equation
-        clauses.append(("each without its factors ", *listed(math(f) for f in (*multiplied, *divided))))
+        taken = _distinct(e.factor.numerator.expression / e.factor.denominator.expression for e in equations)
+        clauses.append((f"without the {plural(len(taken), 'factor', 'factors')} ", *listed(math(f) for f in taken)))
         multiplied, divided = [], []
     if multiplied:
         clauses.append(("multiplying by ", *listed(math(f) for f in multiplied)))

@@ -179,8 +179,9 @@ def _explained(
 
 def _of_large(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Step]:
     """The steps for a system in which nothing is eliminated."""
-    from lagrange.explain.rest.large_systems import large_system_steps
+    from lagrange.explain.rest.large_systems import large_system_steps, result_of_large_system
 
+    yield from result_of_large_system(solution)
     yield explain_statement(solution.problem, solution.own.configuration)
     yield from large_system_steps(solution, names_of(solution.problem))
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], [])

@@ -97,31 +97,31 @@ _ASSUMED = {
 def _assumptions(problem: Problem) -> list[Block]:
     free = [p for p in problem.parameters if p.range is None]
     kinds = {p.assume for p in free}
-    return [*_of_kinds(problem, free, kinds), *_ranges(problem)]
+    clauses, ranges = _of_kinds(problem, free, kinds), _ranges(problem)
+    return [prose(*clauses, "; " if clauses and ranges else "", *ranges, ".")] if clauses or ranges else []
 
 
-def _ranges(problem: Problem) -> list[Block]:
-    """`−π/2 ≤ θ ≤ π/2.`"""
+def _ranges(problem: Problem) -> list[Part]:
+    """`−π/2 ≤ θ ≤ π/2`"""
     ranges = [(p.symbol, p.range) for p in problem.parameters] + [(q.symbol, q.range) for q in problem.coordinates]
-    clauses = [math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None]
-    return [prose(*listed(clauses), ".")] if clauses else []
+    return [*listed(math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None)]
 
 
-def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption]) -> list[Block]:
+def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption]) -> list[Part]:
     """What is assumed of the parameters without a range."""
     if not kinds:
         return []
     if kinds == {Assumption.POSITIVE}:
         if len(free) == 1:
-            return [] if len(problem.parameters) == 1 else [prose(math(free[0].symbol), " is positive.")]
+            return [] if len(problem.parameters) == 1 else [math(free[0].symbol), " is positive"]
         every = "All parameters are" if len(free) == len(problem.parameters) else "All other parameters are"
-        return [prose(f"{every} positive.")]
+        return [f"{every} positive"]
     clauses: list[Part] = []
     for kind in Assumption:
         members = [p.symbol for p in free if p.assume is kind]
         if members:
             clauses += ["; " if clauses else "", *listed(math(s) for s in members), are(members), _ASSUMED[kind]]
-    return [prose(*clauses, ".")]
+    return clauses
 
 
 def _functions(problem: Problem) -> list[Block]:

@@ -178,9 +178,12 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}
     symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
     found: list[tuple[sp.Expr, ...]] = []
-    lengths = {p.symbol for p in solution.problem.parameters if p.unit == "m"}  # a pendulum of no length is none
-    for parameter, to in _candidates(symbols, len(equations) > 1):
-        if to == 0 and parameter in lengths:
+    by_unit = {u: [p.symbol for p in solution.problem.parameters if p.unit == u] for u in ("m", "kg", "m/s")}
+    # A pendulum of no length is none, and nothing moves without mass; a velocity as of light is large, not small.
+    kept = {*by_unit["m"], *by_unit["m/s"], *(by_unit["kg"] if len(by_unit["kg"]) == 1 else ())}
+    fast = [s for s in symbols if s in by_unit["m/s"]]
+    for parameter, to in (*((s, sp.oo) for s in fast), *_candidates(symbols, len(equations) > 1)):
+        if to == 0 and parameter in kept:
             continue
         limit = _limit(equations, parameter, to, view)
         if limit is None or limit in found:

@@ -164,6 +164,8 @@ def _declared(system: SystemPicture, body: FreeBody) -> list[PagePoint]:
         return [system.page.way(plus(plus(origin, e1, a * half[0]), e2, b * half[1])) for a, b in corners]
     if shape.kind is Outline.SPHERE:
         return [(lengths[0] * math.cos(s), lengths[0] * math.sin(s)) for s in TURN]
+    if shape.axis is None and turning is not None:
+        e3 = (e1, e2, e3)[turning.inertia.symmetry_axis]
     u, v = (e1, e2) if system.view.planar else across(e3)
     return [system.page.way(plus(plus(origin, u, lengths[0] * math.cos(s)), v, lengths[0] * math.sin(s))) for s in TURN]
 

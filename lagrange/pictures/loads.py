@@ -116,6 +116,7 @@ def acting_on(system: SystemPicture, body: FreeBody) -> list[Acting]:
     """All forces and moments on a free body. Raises NoValueError, also if one could not be drawn."""
     acting = loads_on(system, body.name)
     acting += _rest(system, body)
+    acting += _friction_at_rest(system, body.name)
     for reaction in body.bound:
         acting += _reaction(system, body, reaction.name)
     return acting
@@ -220,6 +221,26 @@ def _rest(system: SystemPicture, body: FreeBody) -> list[Acting]:
     return [Acting(body.name, as_words(others[0]) if others else "field", direction, StrokeKind.FORCE)]
 
 
+def _friction_at_rest(system: SystemPicture, name: str) -> Iterator[Acting]:
+    """The components of friction at rest on a body, each in the direction in which it is positive."""
+    centre = next(p.position for p in system.configuration.points if p.name == name)
+    for contact in system.contacts:
+        sign = 1 if contact.friction.on == name else -1 if contact.opposite == name else 0
+        if not sign:
+            continue
+        offset = minus(system.at(contact.place), system.at(centre))
+        for force, tangent in zip(contact.components, contact.tangents, strict=True):
+            yield Acting(name, force, system.at(tangent * sp.Integer(sign)), StrokeKind.REACTION, offset)
+
+
+def _touching(system: SystemPicture, name: str, reaction: str) -> FloatVector | None:
+    """From the mass centre of a body to the point at which a rough contact presses, if it is one."""
+    centre = next(p.position for p in system.configuration.points if p.name == name)
+    places = (c.place for c in system.contacts if c.reaction.name == reaction and name in (c.friction.on, c.opposite))
+    place = next(places, None)
+    return None if place is None else minus(system.at(place), system.at(centre))
+
+
 def _reaction(system: SystemPicture, body: FreeBody, name: str) -> Iterator[Acting]:
     reaction = next(r for r in body.bound if r.name == name)
     force, moment = reaction.per_unit(body.name), reaction.moment_per_unit(body.name)
@@ -232,7 +253,9 @@ def _reaction(system: SystemPicture, body: FreeBody, name: str) -> Iterator[Acti
     push, turn = force_and_moment(pose, reaction, body.name)
     rotation = plane_rotation(system.configuration, body.name)
     if rotation is not None and math.hypot(*push) > 1e-9:
-        where = reaction_point(pose, rotation, reaction, system.shapes[body.name])
+        where = _touching(system, body.name, name)
+        if where is None:
+            where = reaction_point(pose, rotation, reaction, system.shapes[body.name])
         yield Acting(body.name, _times_size(reaction.force, force), push, StrokeKind.REACTION, where or NOWHERE)
         return
     if math.hypot(*push) > 1e-9:

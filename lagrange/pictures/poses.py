@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
@@ -99,16 +100,37 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
     for trial in range(TRIALS):
         try:
             start = _guess(problem, configuration, points, trial)
-            values = projected(configuration.finite_constraints, slopes, configuration.slots.coordinates, start)
+            values = _onto_constraints(problem, configuration, slopes, start)
             pose = Pose(configuration, values)
             score = _score(pose, points)
         except NoValueError:
             continue
-        if problem.figure.at:
+        if chosen_values(problem):
             return pose
         if score is not None and (best is None or score > best[0]):
             best = score, pose
     return best[1] if best else None
+
+
+def chosen_values(problem: Problem) -> dict[str, float]:
+    """Numbers by name: those of `figure: at`, and the position in which something is struck."""
+    before = problem.impact.before if problem.impact is not None and not problem.figure.at else ()
+    coordinates = {q.symbol for q in problem.coordinates}
+    struck = {v.symbol.name: float(v.value) for v in before if v.symbol in coordinates and v.value.is_number}
+    return struck | {name: float(number) for name, number in problem.figure.at.items()}
+
+
+def _onto_constraints(
+    problem: Problem, configuration: Configuration, slopes: list[list[sp.Expr]], start: dict[sp.Symbol, float]
+) -> dict[sp.Symbol, float]:
+    """A position on the constraints, if possible with the coordinates in which something is struck."""
+    coordinates, finite = configuration.slots.coordinates, configuration.finite_constraints
+    struck = chosen_values(problem) if problem.impact is not None else {}
+    free = [n for n, q in enumerate(coordinates) if q.name not in struck]
+    if len(free) < len(coordinates):
+        with suppress(NoValueError):
+            return projected(finite, [[row[n] for n in free] for row in slopes], [coordinates[n] for n in free], start)
+    return projected(finite, slopes, coordinates, start)
 
 
 def _slopes(configuration: Configuration) -> list[list[sp.Expr]]:
@@ -121,7 +143,7 @@ def _guess(
 ) -> dict[sp.Symbol, float]:
     angles = set(_angles([*_expressions(configuration, points)]))
     values: dict[sp.Symbol, float] = {t: 1.0}
-    chosen = {name: float(number) for name, number in problem.figure.at.items()}
+    chosen = chosen_values(problem)
     given = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
     parameters = {p.symbol for p in problem.parameters}
     coordinates = configuration.slots.coordinates

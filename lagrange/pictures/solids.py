@@ -93,9 +93,10 @@ class Solids:
         self.sketch.face(hull([page(tip), *rim]), LIGHT, self.depth(tip))
         self.sketch.face(rim, MEDIUM, self.depth(base) + 1e-3)
 
-    def shape(self, shape: BodyShape, centre: FloatVector, axes: Sequence[FloatVector]) -> None:
-        """A body with its mass centre and its three axes."""
+    def shape(self, shape: BodyShape, centre: FloatVector, axes: Sequence[FloatVector], symmetric: int = 2) -> None:
+        """A body with its mass centre and its three axes, of which one may be an axis of symmetry."""
         e1, e2, e3 = axes
+        round_ = axes[symmetric] if shape.axis is None else unit(self.system.at(shape.axis))
         if shape.axis is not None:
             e3 = unit(self.system.at(shape.axis))
             e1, e2 = across(e3)
@@ -105,10 +106,10 @@ class Solids:
         page = self.system.page
         match shape.kind:
             case Outline.DISC:
-                self.disc(centre, e3, lengths[0], LIGHT)
+                self.disc(centre, round_, lengths[0], LIGHT)
             case Outline.RING:
-                self.disc(centre, e3, lengths[0], 1)
-                self.disc(centre, e3, lengths[0] * 0.93, 1)
+                self.disc(centre, round_, lengths[0], 1)
+                self.disc(centre, round_, lengths[0] * 0.93, 1)
             case Outline.ROD:
                 a, b = (self.system.at(end) for end in shape.ends)
                 if self.system.view.planar:
@@ -122,7 +123,7 @@ class Solids:
             case Outline.SPHERE:
                 self.sphere(centre, lengths[0])
             case Outline.CONE:
-                upward = e2 if self.system.view.planar and shape.axis is None else e3
+                upward = e2 if self.system.view.planar and shape.axis is None else round_
                 self.cone(plus(centre, unit(upward), -0.75 * lengths[1]), upward, *lengths)
 
 

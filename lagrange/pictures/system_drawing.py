@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 
 import sympy as sp
 
@@ -44,12 +45,14 @@ from lagrange.pictures.sketch import (
     toward,
 )
 from lagrange.pictures.solids import Solids
-from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends
-from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
+from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends, with_other_values
+from lagrange.problem.model import AppliedForce, BodyShape, Drawn, Keeper, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
 ARROW = 1.15
 """Length of the arrows of unit vectors and loads, in centimetres."""
+ELLIPSOID = (0.75, 0.55, 0.4)
+"""Semi-axes of a body of which nothing is known, in centimetres."""
 
 
 def configuration_scene(system: SystemPicture, notation: Notation, with_loads: bool) -> Scene | None:
@@ -89,6 +92,7 @@ class _Drawing:
         self.particles()
         if with_loads and "loads" not in self.hidden:
             self.loads()
+        self.impulses()
         declared.marks()
         coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
         coordinates.all()
@@ -245,6 +249,8 @@ class _Drawing:
             else:
                 turning = [r for r in self.system.configuration.rotations if r.name == p.name]
                 for r in turning:
+                    if self.system.is_bare and not self.system.view.planar:
+                        self.ellipsoid(p, r)
                     self.triad(p, r)
 
     def declared_body(self, p: MassPoint, shape: BodyShape) -> None:
@@ -252,7 +258,8 @@ class _Drawing:
         turning = next((r for r in self.system.configuration.rotations if r.name == p.name), None)
         axes = _FIXED if turning is None else turning.axes
         centre = self.places[p.name]
-        Solids(self.system, self.sketch).shape(shape, centre, [self.pose.at(a) for a in axes])
+        number = 2 if turning is None else turning.inertia.symmetry_axis
+        Solids(self.system, self.sketch).shape(shape, centre, [self.pose.at(a) for a in axes], number)
         if shape.ends:
             first, second = (self.flat(self.system.at(end)) for end in shape.ends)
             self.busy.append((first, second))
@@ -352,6 +359,16 @@ class _Drawing:
                 self.sketch.ground(points[::-1] if outside else points)
                 return
 
+    def ellipsoid(self, p: MassPoint, rotation: Rotation) -> None:
+        """A body of which nothing more is known; its outline on the page is an ellipse with the matrix Σ a² u uᵀ."""
+        c = self.flat(self.places[p.name])
+        ways = [scaled(self.page.way(self.pose.at(a)), s) for a, s in zip(rotation.axes, ELLIPSOID, strict=True)]
+        xx, xy, yy = (sum(w[i] * w[j] for w in ways) for i, j in ((0, 0), (0, 1), (1, 1)))
+        first = (math.sqrt(xx), xy / math.sqrt(xx))
+        turns = [(math.cos(s), math.sin(s)) for s in (2 * math.pi * k / 48 for k in range(48))]
+        second = math.sqrt(max(yy - first[1] ** 2, 0.0))
+        self.sketch.face([(c[0] + a * first[0], c[1] + a * first[1] + b * second) for a, b in turns], 2)
+
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
         """The axes of a body with their names, except those that are i, j or k."""
         centre = self.flat(self.places[p.name])
@@ -449,6 +466,24 @@ class _Drawing:
         end = beyond(start, way, ARROW)
         self.sketch.arrow(start, end, StrokeKind.FORCE)
         self.sketch.label(acting.label, end, way)
+
+    def impulses(self) -> None:
+        """The blows of an impact, each as an arrow that ends where it strikes."""
+        impact = self.system.problem.impact
+        drawn = {str(m.label) for m in self.system.marks}
+        for blow in impact.impulses if impact is not None else ():
+            if not isinstance(blow, AppliedForce):
+                continue
+            with suppress(NoValueError):
+                size = sp.sqrt(textbook_form(blow.vector.dot(blow.vector)))
+                if str(size) in drawn:
+                    continue
+                pose = with_other_values(self.pose, blow.vector.fixed().components)
+                way = toward((0.0, 0.0), self.page.way(pose.at(blow.vector)))
+                at = self.places[blow.on] if blow.at is None else self.system.at(blow.at)
+                start = beyond(self.flat(at), way, -ARROW)
+                self.sketch.arrow(start, self.flat(at), StrokeKind.FORCE)
+                self.sketch.label(size if size.is_Symbol else as_words(blow.name), start, scaled(way, -1.0))
 
     def gravity(self) -> None:
         """An arrow in the direction of gravity, to the right of the picture."""

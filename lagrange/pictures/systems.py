@@ -24,12 +24,13 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
-from lagrange.pictures.views import View, view
+from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
 
 
@@ -37,7 +38,8 @@ from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
 class SystemPicture:
     """A system in one position on a page.
 
-    newton  the free bodies and reactions
+    newton    the free bodies and reactions
+    contacts  those with friction at rest
     """
 
     problem: Problem
@@ -45,6 +47,7 @@ class SystemPicture:
     newton: Newton
     pose: Pose
     view: View
+    contacts: tuple[RoughContact, ...] = ()
 
     def at(self, vector: Vector, more: Values | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
@@ -66,6 +69,12 @@ class SystemPicture:
         own = {*self.pose.coordinates}
         every = {q.symbol for q in self.problem.coordinates} | {q for c in self.problem.choices for q in c.coordinates}
         return tuple(m for m in self.problem.figure.marks if not (m.label.free_symbols & every) - own)
+
+    @property
+    def is_bare(self) -> bool:
+        """Whether the file draws no bodies by lines of its own."""
+        figure = self.problem.figure
+        return not (figure.lines or figure.circles or figure.curves)
 
     @property
     def hidden(self) -> frozenset[str]:
@@ -292,7 +301,18 @@ def _system(
     if down is not None:
         with suppress(NoValueError):
             seen = seen.upright(pose.at(down), solution.problem.axes)
-    return SystemPicture(solution.problem, configuration, newton, pose, seen)
+    if figure.seen_from is not None and not seen.planar:
+        with suppress(NoValueError):
+            upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
+            seen = seen_from(pose.at(figure.seen_from), upright)
+    return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
+
+
+def _rough_contacts(solution: Solution) -> tuple[RoughContact, ...]:
+    """The contacts with friction at rest, or at its limit."""
+    rest = next((v.at_rest for v in solution.views if v.at_rest is not None), None)
+    impending = next((v.impending for v in solution.views if v.impending), None)
+    return rest.contacts if rest is not None else impending[0].contacts if impending is not None else ()
 
 
 def _vectors(figure: Figure) -> Iterator[Vector]:

@@ -81,6 +81,19 @@ class View:
         return replace(self, units=(turned[0], turned[1], turned[2]))
 
 
+def seen_from(direction: FloatVector, down: FloatVector) -> View:
+    """The view of space along a direction that points at the reader; `down` points down, or if it cannot, nearly.
+
+    Axes that nearly point at the reader are not drawn.
+    """
+    facing = unit((-direction[0], -direction[1], -direction[2]))
+    right = unit(outer(down, facing))
+    up = outer(right, facing)
+    units = tuple(zip(right, up, strict=True))
+    shown = tuple(n for n, u in enumerate(units) if math.hypot(*u) > 0.3)
+    return View(units, shown, planar=False)  # type: ignore[arg-type]
+
+
 def view(axes: Mapping[str, str], used: frozenset[int]) -> View:
     """The view of a problem. `used`: the numbers of the unit vectors along which its points have components."""
     if len(used) == 3:

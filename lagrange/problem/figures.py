@@ -108,12 +108,13 @@ class _FigureBeingRead:
             circle = self.context.diagnostics.attempt(lambda n=node: self.circle(n, points, pulley=True))  # type: ignore[misc]
             if circle is not None:
                 pulleys[key.text] = circle
-        down = self.section.get("down")
+        down, seen_from = (self.vector(key) for key in ("down", "seen_from"))
         supports = (FigureLine(Drawn.SUPPORTS, (p,)) for p in self.each("supports", lambda n: self.place(n, points)))
         lines = chain.from_iterable(self.lines(kind, points, pulleys) for kind in (*_CHAINS, *_PAIRS))
         figure = Figure(
             at=self.position(),
-            down=None if down is None else self.context.diagnostics.attempt(lambda: self.place(down, points)),
+            down=down,
+            seen_from=seen_from,
             points=points,
             lines=(*lines, *supports),
             pulleys=pulleys,
@@ -146,6 +147,11 @@ class _FigureBeingRead:
         items = self.context.diagnostics.attempt(lambda: items_of(listed, f"`{key}`", f"{key}: [...]"))
         results = (self.context.diagnostics.attempt(partial(read, i)) for i in items or ())
         return [r for r in results if r is not None]
+
+    def vector(self, key: str) -> Vector | None:
+        """A direction of the figure."""
+        node = self.section.get(key)
+        return None if node is None else self.context.diagnostics.attempt(lambda: self.place(node, {}))
 
     def place(self, node: Node, points: dict[str, Vector]) -> Vector:
         return _place(node, "a place of the figure", self.context, points)

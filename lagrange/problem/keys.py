@@ -477,6 +477,7 @@ FIGURE = Form(
     (
         Key("at", Named("expression", new=False), "The position drawn, in numbers: {theta: 30 deg, l: 2}."),
         Key("down", "vector", "What points down on the page, if that is not gravity and not said by `axes`."),
+        Key("seen_from", "vector", "The direction from which a system in space is seen: `-j`."),
         Key("points", Named("vector"), "Further points, with their letters: {A: l*i}. The others may use them."),
         Key("ground", _CHAINS, "What does not move, hatched to the right of the way through these places."),
         Key("rods", _CHAINS, "Rods and bars, from place to place: a particle, a body, a point, O or a vector."),

@@ -368,11 +368,13 @@ class Figure:
 
     at      numbers for coordinates, parameters and functions, by name: the position that is drawn
     down    what points down on the page, if that is not gravity
+    seen_from  the direction towards the reader, for a system in space
     hidden  names of coordinates and particles, and `axes`, `gravity`, `loads`, `constraints`, that are not drawn
     """
 
     at: Mapping[str, sp.Expr] = field(default_factory=dict)
     down: Vector | None = None
+    seen_from: Vector | None = None
     points: Mapping[str, Vector] = field(default_factory=dict)
     lines: tuple[FigureLine, ...] = ()
     pulleys: Mapping[str, FigureCircle] = field(default_factory=dict)

@@ -33,12 +33,16 @@ SAMPLES_A_SECOND, LEAST_SAMPLES, MOST_SAMPLES = 50, 1000, 10_000
 MOST_FLIPS = 200
 # Slips that are zero at the start: each may begin in two senses.
 MOST_AT_REST = 4
-# A slip in a plane that has become so much slower than it was has ended.
-ENDED_SLIP = 1e-6
+# A slip in a plane that has become so much slower than it was, or than so much, in m/s, has ended.
+ENDED_SLIP, SLOWEST_REFERENCE = 1e-6, 1e-3
+# Directions in a plane that are tried for a slip that begins, and its speed there, in m/s.
+DIRECTIONS, SLOW = 24, 1e-8
 # A reaction that is more negative than this, relative to 1 + its size at the start, has the wrong sign.
 WRONG_SIGN = 1e-9
 # The width to which the time of an event is found.
 NARROW = 1e-12
+# A particle with so small a part of its first mass has none left.
+NEXT_TO_NOTHING = 1e-6
 # Seconds that a motion is followed if neither the user nor the motion says how long.
 DEFAULT_TIME = 10.0
 # Operations of a conserved quantity that is multiplied out, so that its terms can be weighed.

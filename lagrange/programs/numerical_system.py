@@ -98,6 +98,11 @@ class NumericalSystem:
 
         return solved
 
+    def function_of(self, expressions: Sequence[sp.Expr]) -> Callable[..., list[float]]:
+        """Several expressions of the state alone."""
+        made: Callable[..., list[float]] = self._compiled(expressions)
+        return made
+
     def function(self, expression: sp.Expr) -> Callable[..., float]:
         """An expression of state, rates of speeds and multipliers as a function of t and the components of y."""
         e = self.states.equations

@@ -51,7 +51,7 @@ def prepared(
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
     settings = settings or Settings()
-    if not problem.masses and not problem.equations:
+    if not problem.masses and not problem.equations and problem.lagrangian is None:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
@@ -78,6 +78,10 @@ def require_functions(
     places = arguments.get(name, ("t",))
     shown = f"{name}({', '.join(places)})"
     message = f"the motion depends on {shown}, of which nothing is known"
-    example = "0.1*sin(3*t)" if places == ("t",) else f"{places[0]}^2/4"
+    example = f"{places[0]}^2/4"
+    if places == ("t",):
+        example = "1 + 0.1*sin(3*t)"  # a length must not become zero
+    elif len(places) == 3 and not any(p == "t" or p.endswith("'") for p in places):
+        example = f"{places[2]} - ({places[0]}^2 + {places[1]}^2)/4"  # a bowl, if it is a surface
     help_ = f"give it as an expression in {', '.join(places)}: {cure.format(name=name, example=example)}"
     raise ProblemError(Diagnostic("function-not-given", message, help=help_))

@@ -6,9 +6,9 @@ functions of the state, located on the interpolating polynomial of the step in w
     the condition of a question       the first time is reported, and the motion goes on
     contact, slip in a stated sense,  where it ends the equations end too, and so does the simulation
     mass that joins or leaves
-    slip in a plane                   likewise, where its speed has become zero
     the sign of a slip, of |R|        the step ends there, and the motion goes on with the other sign; where neither
                                       sign goes on, friction holds the system, and the simulation ends
+    slip in a plane                   likewise, where its speed has become zero, with the direction in which it begins
     a two-sided reaction              that it changes its sign is reported, and the motion goes on
 
 Conserved quantities are not enforced: their drift, relative to the largest sum of the sizes of their terms, measures
@@ -41,17 +41,19 @@ from lagrange.programs.limits import (
     MOST_FLIPS,
     MOST_SAMPLES,
     NARROW,
+    NEXT_TO_NOTHING,
     PUSH,
     REPEATED,
     ROUNDING,
     SAMPLES_A_SECOND,
+    SLOWEST_REFERENCE,
     TOLERANCE,
     WRONG_SIGN,
 )
 from lagrange.programs.numerical_system import NumericalSystem
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
-from lagrange.programs.sticking import at_rest, beginning, growth
+from lagrange.programs.sticking import at_rest, beginning, beginning_in_plane, growth
 
 Watched = Callable[..., float]
 
@@ -62,7 +64,7 @@ class EventKind(StrEnum):
     ASKED = "asked"  # the condition of a question holds
     CONTACT = "contact"  # a contact or a string ends
     REVERSED = "reversed"  # the force of a two-sided constraint changes its sign
-    AT_REST = "at rest"  # slip in a plane ends
+    AT_REST = "at rest"  # of several slips in planes one ends
     EXCHANGE = "exchange"  # mass no longer joins a particle, or no longer leaves it
     EMPTY = "empty"  # a particle that loses mass has none left
     SLIP = "slip"  # slip ends to have the sense for which the equations hold
@@ -158,6 +160,7 @@ class _Watch:
     others: tuple[Watched, ...] = ()
     indicator: sp.Expr | None = None
     question: Question | None = None
+    slip: tuple[sp.Expr, ...] = ()
 
 
 # Of what happens at one time, questions are answered first, and that a sign of |R| changes comes last.
@@ -216,6 +219,7 @@ class _Run:
         self.count = self.flips = 0
         self.sides: dict[str, int] = {}
         self.last: tuple[float, State] = (0.0, start.state)
+        self.begun = start.state
 
     def go(self) -> None:
         """Integrates to the end."""
@@ -224,13 +228,25 @@ class _Run:
             self.system = self._consistent(time, state)
             if not self._begins(time, state):
                 return
+            state = self.begun
             while time < self.until:
                 again = self._smooth(time, state)
                 if again is None:
                     return
                 time, state = again
         except StoppedError as stop:
-            self._end(EventKind.STOPPED, stop.reason, stop.time, self.last[1])
+            empty = self._emptied(stop.time)
+            kind, name = (EventKind.STOPPED, stop.reason) if empty is None else (EventKind.EMPTY, empty)
+            self._end(kind, name, stop.time, self.last[1])
+
+    def _emptied(self, time: float) -> str | None:
+        """The particle with next to no mass left where the motion stops: any force accelerates it without bound."""
+        for name, mass in self.states.masses.items():
+            value = self.system.function(mass)
+            first, last = value(0.0, *self.start.state), value(time, *self.last[1])
+            if last < NEXT_TO_NOTHING * first:
+                return name
+        return None
 
     def _smooth(self, time: float, state: State) -> tuple[float, State] | None:
         """Integrates until a sign changes, and returns the state there; None at the end."""
@@ -288,10 +304,12 @@ class _Run:
                 self._end(EventKind.HELD, str(resting[0]), time, state)
                 return False
             self.system = self.system.with_signs(begun)
-        for e in self.states.plane_slips:
-            if not self._safely(self.system.function(e), time, state) > NARROW:
-                self._end(EventKind.AT_REST, str(e), time, state)
-                return False
+        for slip in self.states.plane_slips:
+            if not self._speed_squared(slip, time, state) > NARROW:
+                begun_in_plane = self._slides_again(slip, time, state)
+                if begun_in_plane is None:
+                    return False
+                self.begun = begun_in_plane
         for c in self.states.contacts:
             x = self._safely(self.system.function(c.value), time, state)
             self.sides[c.name] = (x > 0) - (x < 0)
@@ -310,9 +328,10 @@ class _Run:
             elif c.guard is Guard.TWO_SIDED and all(e.name != c.force for e in self.events):
                 reversed_.append(_Watch(EventKind.REVERSED, c.force, function(c.value)))
         found = [*ended, *(_Watch(EventKind.SLIP, str(e), function(e), falling=True) for e in states.slips)]
-        for e in states.plane_slips:
-            least = ENDED_SLIP**2 * self._safely(function(e), 0.0, self.start.state)
-            found.append(_Watch(EventKind.AT_REST, str(e), function(e - least), falling=True))
+        for slip in states.plane_slips:
+            least = (ENDED_SLIP * self._reference(slip)) ** 2
+            square = function(sp.Add(*(c**2 for c in slip)) - least)
+            found.append(_Watch(EventKind.AT_REST, str(slip), square, falling=True, slip=slip))
         found += [_Watch(EventKind.EXCHANGE, n, function(e), falling=True) for n, e in states.exchanges.items()]
         found += [_Watch(EventKind.EMPTY, n, function(e), falling=True) for n, e in states.masses.items()]
         found += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
@@ -350,6 +369,9 @@ class _Run:
                 continue  # the sign that has just been taken
             self._keep(step, time)
             self.last = (time, state)
+            if watch.slip:
+                again = self._slides_again(watch.slip, time, state)
+                return (math.inf, state) if again is None else (time, again)
             if watch.kind is not None:
                 self._end(watch.kind, watch.name, time, state)
                 return math.inf, state
@@ -425,6 +447,27 @@ class _Run:
             return math.inf, state
         self.system = other
         return time, state
+
+    def _speed_squared(self, slip: Sequence[sp.Expr], time: float, state: State) -> float:
+        return self._safely(self.system.function(sp.Add(*(c**2 for c in slip))), time, state)
+
+    def _reference(self, slip: Sequence[sp.Expr]) -> float:
+        """The speed to which a slip in a plane is compared where it has ended: that of the start, if it slips there."""
+        return max(math.sqrt(self._speed_squared(slip, 0.0, self.start.state)), SLOWEST_REFERENCE)
+
+    def _slides_again(self, slip: Sequence[sp.Expr], time: float, state: State) -> State | None:
+        """The state in which a slip in a plane begins again; None, with the event, if the simulation ends."""
+        self.flips += 1
+        if self.flips > MOST_FLIPS:
+            raise StoppedError(time, "friction changes its sense again and again")
+        if len(self.states.plane_slips) > 1:
+            self._end(EventKind.AT_REST, str(slip), time, state)
+            return None
+        speed = 2 * ENDED_SLIP * self._reference(slip)
+        again = beginning_in_plane(self.system, slip, speed, time, state)
+        if again is None:
+            self._end(EventKind.HELD, str(slip), time, state)
+        return again
 
     # -- results -------------------------------------------------------------------------------------------------------
 

@@ -151,7 +151,7 @@ class StateEquations:
     exchanges   by name of a particle: the mass that joins or leaves per time, positive as long as the equations hold
     masses      by name of a particle whose mass varies: its mass, positive as long as the equations hold
     slips       speeds of slip, positive in the sense for which the file has written its friction
-    plane_slips of what slips in a plane, the squares of the speeds of slip
+    plane_slips of what slips in a plane, the components of the velocities of slip
     signs       each open sign of a reaction, with the expression whose sign it is
     branches    the signs of square roots that the coordinates leave open
     given       expressions that have taken the place of undefined functions and prescribed motions, by name
@@ -166,7 +166,7 @@ class StateEquations:
     reactions: Mapping[str, sp.Expr] = field(default_factory=dict)
     contacts: tuple[Contact, ...] = ()
     slips: tuple[sp.Expr, ...] = ()
-    plane_slips: tuple[sp.Expr, ...] = ()
+    plane_slips: tuple[tuple[sp.Expr, ...], ...] = ()
     exchanges: Mapping[str, sp.Expr] = field(default_factory=dict)
     masses: Mapping[str, sp.Expr] = field(default_factory=dict)
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
@@ -242,7 +242,7 @@ class StateEquations:
             reactions={n: put(x) for n, x in self.reactions.items()},
             contacts=tuple(replace(c, value=put(c.value)) for c in self.contacts),
             slips=tuple(map(put, self.slips)),
-            plane_slips=tuple(map(put, self.plane_slips)),
+            plane_slips=tuple(tuple(map(put, slip)) for slip in self.plane_slips),
             exchanges={n: put(x) for n, x in self.exchanges.items()},
             masses={n: put(x) for n, x in self.masses.items()},
             signs={s: put(x) for s, x in self.signs.items()},
@@ -285,6 +285,12 @@ def state_equations(solution: Solution, choice: str | None = None) -> StateEquat
 
     Raises ProblemError where there is no such choice, or nothing moves.
     """
+    if solution.long_equations is not None:
+        message = (
+            "the equations of motion are too long to be solved for the accelerations, and cannot be integrated here"
+        )
+        help_ = "`--format json` has them, with their abbreviations, under `equations` and `definitions`"
+        raise ProblemError(Diagnostic("no-equations", message, help=help_))
     views = [v for v in solution.views if v.dynamics is not None]
     if solution.law is None or not views:
         message = "there are no equations of motion"
@@ -328,7 +334,9 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         reactions={n: here(e) for n, e in _reactions(dynamics, law, equations)},
         contacts=tuple(replace(c, value=here(c.value)) for c in watched),
         slips=tuple(map(here, dynamics.slips)),
-        plane_slips=tuple(here(f.slip.dot(f.slip)) for f in dynamics.friction_forces if f.speed is None),
+        plane_slips=tuple(
+            tuple(map(here, f.slip.fixed().components)) for f in dynamics.friction_forces if f.speed is None
+        ),
         exchanges={m.name: here(m.exchanged) for m in dynamics.shown.variable_masses if m.has_one_sense},
         masses={m.name: here(m.mass) for m in dynamics.shown.variable_masses},
         signs={s: here(e) for s, e in dynamics.signs.items()},

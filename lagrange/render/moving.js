@@ -161,10 +161,10 @@ const lagsolveFigure = (() => {
       });
       return { loads, reactions };
     }
-    // What no longer holds: "contact", "slip" or "mass"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
+    // What no longer holds: "contact", "slip", "mass" or "empty"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
     function broken(y, p, sense, side) {
       const ended = data.slips.length ? F.sli(y, p).findIndex((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9) : -1;
-      if (ended >= 0) return data.slips[ended] == 3 ? "mass" : "slip";
+      if (ended >= 0) return { 3: "mass", 4: "empty" }[data.slips[ended]] || "slip";
       if (!data.guards.some(g => g && g < 4)) return "";
       const f = forces(y, p).reactions;
       return data.guards.some((g, i) => g && g < 4 && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
@@ -181,7 +181,48 @@ const lagsolveFigure = (() => {
       }
       return 0;
     }
-    return { rate, advanced, projected, violation, inFile, forces, broken, begins };
+    // The state in which the slip in a plane begins, with a small speed; null where friction holds it. At v = 0 it begins
+    // in a direction u if dv/dt = a u with a > 0, the friction being the largest that is possible at rest.
+    function slides(y, p) {
+      const q = p.slice(), slip = s => F.pla(s, p), still = s => s.map((x, j) => j >= n && j < 2 * n ? 0 : x), add = (s, d, f) => s.map((x, j) => j >= n && j < 2 * n ? x + f * d[j - n] : x);
+      for (const [k, x] of data.static) q[k] = Math.max(q[k], x);
+      const rest = projected(still(y), p, -1), at = slip(rest);
+      const free = [...Array(n).keys()].map(j => { const s = projected(rest.map((x, i) => i == n + j ? x + 1 : x), p, -1); return { change: s.slice(n, 2 * n).map((x, i) => x - rest[n + i]), slip: slip(s).map((x, i) => x - at[i]) }; });
+      const basis = [];
+      for (const turn of [0, 1]) {
+        const left = free.map(f => basis.reduce((w, u) => plus(w, u, -dot(w, u)), f.slip)), size = left.map(w => Math.hypot(...w)), top = Math.max(...size);
+        if (top > 1e-9) basis.push(unit(left[size.indexOf(top)]));
+      }
+      const B = basis.map(u => free.map(f => dot(u, f.slip)));
+      const lift = c => { const w = solved(B.map((r, i) => [...B.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), c[i]]), B.length).x; const f = free.map((_, j) => B.reduce((t, r, i) => t + r[j] * w[i], 0)); return rest.slice(n, 2 * n).map((_, k) => free.reduce((t, g, j) => t + g.change[k] * f[j], 0)); };
+      const zero = add(rest, lift(basis.map(u => dot(u, at))), -1);
+      const begun = (a, speed) => add(zero, lift([Math.cos(a), Math.sin(a)].slice(0, basis.length)), speed);
+      // The acceleration of the slip along its direction, and across it.
+      const grows = a => {
+        const s = begun(a, 1e-8), d = rate(s, q), h = 1e-6, w = slip(s.map((x, j) => x + h * d[j])), v = slip(s), g = basis.map(u => (dot(u, w) - dot(u, v)) / h);
+        return [Math.cos(a) * g[0] + Math.sin(a) * (g[1] || 0), Math.cos(a) * (g[1] || 0) - Math.sin(a) * g[0]];
+      };
+      const angles = basis.length == 1 ? [0, Math.PI] : [];
+      if (basis.length == 2) for (let k = 0; k < 24; k++) {
+        let low = k * Math.PI / 12, high = low + Math.PI / 12;
+        const sign = grows(low)[1] > 0;
+        if (sign == grows(high)[1] > 0) continue;
+        for (let turn = 0; turn < 40; turn++) { const mid = (low + high) / 2; if (grows(mid)[1] > 0 == sign) low = mid; else high = mid; }
+        angles.push(low);
+      }
+      const found = angles.map(a => [grows(a)[0], a]).sort((a, b) => b[0] - a[0])[0];
+      return found && found[0] > 1e-7 ? begun(found[1], 1e-4) : null;
+    }
+    // After the end of slip i: the state in which it begins again, and its sense; null where friction holds it, or the
+    // file says nothing of the other sense.
+    function slipsAgain(y, p, i) {
+      if (data.slips[i] == 2) { const state = F.pla ? slides(y, p) : null; return state && { state, sense: 1 }; }
+      if (data.slips[i]) return null;
+      const slip = s => F.sli(s, p)[i], sense = begins(y, p, i), now = slip(y);
+      const slope = [...Array(n).keys()].map(j => slip(y.map((x, k) => k == n + j ? x + 1 : x)) - now), size = slope.reduce((t, x) => t + x * x, 0);
+      return sense ? { sense, state: projected(y.map((x, j) => j >= n && j < 2 * n ? x + (sense * 1e-7 - now) * slope[j - n] / size : x), p, -1) } : null;
+    }
+    return { rate, advanced, projected, violation, inFile, forces, broken, begins, slipsAgain };
   }
 
   return (place, F) => {
@@ -264,19 +305,22 @@ const lagsolveFigure = (() => {
     const endings = {
       contact: "contact is lost, or a string goes slack. From here on other equations hold.",
       slip: "the slip ends. From here on other equations hold.",
+      held: "the slip ends, and friction holds it.",
       mass: "mass no longer joins or leaves. From here on other equations hold.",
+      empty: "no mass is left.",
     };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
       if (held()) { message = "Friction holds what is at rest here."; return false; }
       const end = y[2 * n] + seconds;
+      let turns = 0;
       while (end - y[2 * n] > 1e-9) {
         const part = Math.min(piece, end - y[2 * n]);
         const next = M.advanced(y, p, part);
         // Where friction would change its sense to and fro, no step is short enough.
-        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => data.slips[i] != 3 && Math.abs(s) < 0.1 * (fastest[i] || 0)));
+        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => data.slips[i] < 3 && Math.abs(s) < 0.1 * (fastest[i] || 0)));
         if (next === null && !sticks) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
-        const ending = sticks ? "slip" : fails(next);
+        let ending = sticks ? "slip" : fails(next);
         if (ending) {
           let low = 0, high = part, at = y;
           for (let k = 0; k < 30 && !fails(y); k++) {
@@ -284,6 +328,11 @@ const lagsolveFigure = (() => {
             if (tried === null || fails(tried)) high = mid; else { low = mid; at = tried; }
           }
           y = at; record();
+          const slow = ending == "slip" ? F.sli(y, p).map((s, i) => data.slips[i] > 2 ? Infinity : data.slips[i] == 2 ? Math.sqrt(s) : Math.abs(s)) : [], i = slow.indexOf(Math.min(...slow));
+          let again = ending == "slip" && turns++ < 50 ? M.slipsAgain(y, p, i) : null;
+          if (again && !again.state.every(isFinite)) again = null;
+          if (again) { y = again.state; sense[i] = again.sense; continue; }
+          if (ending == "slip" && data.slips[i] != 1 && data.slips[i] != -1 && turns < 50) ending = "held";
           message = `The motion ends at t = ${number(y[2 * n], 4)} s: ${endings[ending]}`;
           return false;
         }
@@ -525,7 +574,15 @@ const lagsolveFigure = (() => {
         const c = page(three(v, e.p)), s = [-w[1], w[0]], half = e.w < 0.05 ? 17.6 : 12.6;
         draw("body s4", [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([x, r]) => beyond(beyond(c, w, x * half), s, r * e.w * CM)), true, 1e3);
       },
-      triad: (e, v) => { const c = page(three(v, e.p)); e.a.forEach((k, i) => { const w = way(three(v, k)), end = beyond(c, w, 40); arrow("body", c, end); label(e.l[i], end, toward(c, end)); }); },
+      triad: (e, v) => {
+        const c = page(three(v, e.p));
+        if (e.b) {
+          const w = e.a.map((k, i) => way(three(v, k)).map(x => x * [31, 23, 17][i])), sum = (i, j) => w.reduce((t, u) => t + u[i] * u[j], 0);
+          const a = Math.sqrt(sum(0, 0)), b = sum(0, 1) / a, d = Math.sqrt(Math.max(0, sum(1, 1) - b * b));
+          draw("body s2", [...Array(48).keys()].map(k => k * Math.PI / 24).map(s => [c[0] + a * Math.cos(s), c[1] + b * Math.cos(s) + d * Math.sin(s)]), true, dot(three(v, e.p), reader));
+        }
+        e.a.forEach((k, i) => { const w = way(three(v, k)), end = beyond(c, w, 40); arrow("body", c, end); label(e.l[i], end, toward(c, end)); });
+      },
       arrow: (e, v) => { const [a, b] = e.p.map(k => page(three(v, k))); arrow("axis", a, b); label(e.l, b, toward(a, b)); },
       curve: (e, v) => { const q = sampled(e, v, 64)[0].map(page); if (e.c == "ground") ground(q); else if (e.c == "body") draw("body s2", q, true, 0); else draw(e.c, q); },
       surface: (e, v) => surface(sampled(e, v, 14)),

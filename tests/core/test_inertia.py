@@ -55,3 +55,8 @@ def test_how_a_tensor_changes_in_other_axes() -> None:
         rate = (turned * sp.Matrix(J.rows) * turned.T).diff(phi).subs(phi, 0)
         upper = tuple(rate[a, b] for a in range(3) for b in range(a, 3))
         assert all(sp.expand(x - y) == 0 for x, y in zip(J.turned_with(w), upper, strict=True))
+
+
+def test_the_axis_of_a_wheel() -> None:
+    A, C = sp.symbols("A C", positive=True)
+    assert [InertiaTensor(m).symmetry_axis for m in ((A, C, A), (C, A, A), (A, A, C), (A, A, A))] == [1, 0, 2, 2]

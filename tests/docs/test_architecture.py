@@ -55,7 +55,7 @@ ROOMS = {
     "distributed": {"lagsolve.grading.pool"},
     "numpy": {
         *("lagrange.api.numerical", "lagrange.api.motion", "lagrange.programs.compiled"),
-        *("lagrange.programs.numerical_system", "lagrange.programs.simulation"),
+        *("lagrange.programs.numerical_system", "lagrange.programs.simulation", "lagrange.programs.sticking"),
     },
     "scipy": {"lagrange.mechanics.questions.numerical", "lagrange.programs.integrator"},
     "matplotlib": {"lagrange.programs.plots"},

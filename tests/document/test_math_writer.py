@@ -269,6 +269,11 @@ TERMS = [
 # Tables
 
 
+def test_a_denominator_with_sines_takes_the_constants_above_it():
+    W, alpha, beta = sp.symbols("W alpha beta", positive=True)
+    assert unicode(W * sp.sin(beta) / sp.sin(alpha + beta)) == "W sin β/sin(α + β)"
+
+
 def test_vectors_are_bold():
     assert latex(VectorSymbol("r_P''")) == r"\ddot{\mathbf{r}}_{P}"
     assert latex(VectorSymbol("omega_B")) == r"\boldsymbol{\omega}_{B}"

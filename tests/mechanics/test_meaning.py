@@ -125,3 +125,16 @@ def test_constant_accelerations_with_dependent_coordinates(equation: str) -> Non
     m, J, R, g = (next(s for v in values.values() for s in v.free_symbols if s.name == n) for n in ("m", "J", "R", "g"))
     assert sp.simplify(values["y''"] - m * g * R**2 / (m * R**2 + J)) == 0
     assert sp.simplify(values["phi''"] - m * g * R / (m * R**2 + J)) == 0
+
+
+def test_a_velocity_as_of_light_becomes_infinite_and_not_zero() -> None:
+    """Weber's law becomes Coulomb's; the only mass does not vanish."""
+    found = of("weber-attraction")
+    [limit] = [x for x in found.limits if x.parameter.name == "c"]
+    assert limit.to == sp.oo
+    s = symbols(found)
+    r, k, m = s["r"], s["k"], s["m"]
+    radial = limit.equations[0]
+    coulomb = m * (s["r''"] - r * s["phi'"] ** 2) - k / r**2
+    assert sp.simplify(radial / coulomb) == -r
+    assert all(x.to != 0 or x.parameter.name != "m" for x in found.limits)

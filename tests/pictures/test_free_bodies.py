@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
+import pytest
 import sympy as sp
 
 from lagrange.document.math_writer import UNICODE, Writer
 from lagrange.document.scene import Polyline, Scene
 from lagrange.pictures.free_bodies import free_body_scene
+from lagrange.pictures.loads import acting_on
 from tests.support.drawings import CLOSE, evaluated, near, system_of
 from tests.support.shared import reported
 
@@ -60,3 +62,14 @@ def test_free_bodies_have_the_shape_that_the_file_gives() -> None:
     centre = (sum(x for x, _ in ball) / len(ball), sum(y for _, y in ball) / len(ball))
     radii = [math.dist(centre, p) for p in ball]
     assert max(radii) < 1.1 * min(radii)
+
+
+def test_friction_at_rest_acts_where_the_body_touches() -> None:
+    system = system_of("statics/ladder-on-rough-ground")
+    body = system.newton.bodies[0]
+    acting = {str(a.label): a for a in acting_on(system, body)}
+    below, above = acting["F_below"], acting["F_above"]
+    assert below.vector == pytest.approx((-1, 0, 0))
+    assert above.vector == pytest.approx((0, 1, 0))
+    assert acting["N_A"].offset == pytest.approx(below.offset)  # both at the foot
+    assert below.offset[1] < 0 < above.offset[1]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.pictures.views import view
+from lagrange.pictures.views import seen_from, view
 
 
 def test_axes_point_as_the_words_say() -> None:
@@ -39,3 +39,13 @@ def test_an_incline_slopes_where_no_word_says_otherwise() -> None:
     assert abs(y + 1) < 1e-12
     named = {"i": "right", "j": "up"}
     assert view(named, frozenset({0, 1})).upright(gravity, named) == view(named, frozenset({0, 1}))
+
+
+def test_space_is_seen_from_where_the_file_says() -> None:
+    """From the right, j, with k down: ahead, i, is on the right, and j points at the reader."""
+    found = seen_from((0.0, 2.0, 0.0), (0.0, 0.0, 1.0))
+    assert found.flat((1.0, 5.0, 0.0)) == pytest.approx((1, 0))
+    assert found.flat((0.0, 5.0, 1.0)) == pytest.approx((0, -1))
+    assert found.toward_reader == pytest.approx((0, 1, 0))
+    assert found.shown == (0, 2)
+    assert not found.planar

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import pytest
@@ -49,6 +50,17 @@ constraints: {{ice: {{equation: z = 0, reaction: N}}}}
 forces: {{rub: {{friction: mu, constraint: ice, on: P}}}}
 gravity: -g*k
 initial: {{x: 0, y: 0, x': {speed}, y': 0}}
+"""
+
+
+UPWARDS = PUCK.format(speed=-2).replace("-g*k", "g*(sin(30*pi/180)*i - cos(30*pi/180)*k)")
+SAND = """
+title: Sand cart
+parameters: {m_0: {value: 300 kg}, q: {value: 200 kg/s}, g: {value: 9.81 m/s^2}}
+coordinates: [x]
+particles: {cart: {mass: m_0 - q*t, position: x*i, leaves: {relative: 0}}}
+gravity: g*i
+initial: {x: 0, x': 0}
 """
 
 
@@ -128,9 +140,26 @@ def test_a_block_that_slides_upwards_stops_or_comes_back() -> None:
 def test_a_slip_in_a_plane_ends(speed: float) -> None:
     motion = moved(PUCK.format(speed=speed))
     [event] = motion.events
-    assert event.kind is EventKind.AT_REST
+    assert event.kind is EventKind.HELD
     assert event.time == pytest.approx(speed / 0.981, rel=1e-5)
     assert event.state[0] == pytest.approx(speed**2 / (2 * 0.981), rel=1e-5)
+
+
+def test_a_puck_that_is_pushed_up_a_rough_plane_comes_back_or_stays() -> None:
+    """Up it is slowed by g(sin α + μ cos α), down it is sped up by g(sin α − μ cos α), if that is positive."""
+    up, down = (9.81 * (0.5 + s * 0.3 * math.sqrt(3) / 2) for s in (1, -1))
+    motion = moved(UPWARDS.replace("0.1", "0.3"))
+    assert not motion.events
+    assert motion.states[3][-1] == pytest.approx(down * (3 - 2 / up), rel=1e-5)
+    assert motion.states[0][-1] == pytest.approx(down * (3 - 2 / up) ** 2 / 2 - 2 / up, rel=1e-5)
+    assert [e.kind for e in moved(UPWARDS.replace("0.1", "0.7")).events] == [EventKind.HELD]
+
+
+def test_of_a_body_pushed_by_an_oblique_force_the_slip_begins_along_it() -> None:
+    text = PUCK.format(speed=0).replace("forces: {", "forces: {push: {on: P, vector: 3*i + 4*j}, ")
+    motion = moved(text)
+    assert motion.states[4][-1] / motion.states[3][-1] == pytest.approx(4 / 3, rel=1e-6)
+    assert math.hypot(*motion.states[3:5, -1]) == pytest.approx(3 * (5 - 0.981), rel=1e-5)
 
 
 def test_an_integration_that_gets_nowhere_ends() -> None:
@@ -149,15 +178,28 @@ def test_a_page_ends_where_a_simulation_does() -> None:
         BLOCK.format(angle=20, static=0.5, speed=0),
         BLOCK.format(angle=40, static=1, speed=0),
         BLOCK.format(angle=20, static=0.5, speed=2),
+        BLOCK.format(angle=40, static=0.5, speed=-2),
+        UPWARDS.replace("0.1", "0.3"),
+        UPWARDS.replace("0.1", "0.7"),
+        SAND,
     ]
     reports = [report(lagrange.loads(text), complete=False) for text in texts]
     figures = [moving_figure(r.solution) for r in reports]
     assert all(isinstance(f, MovingFigure) for f in figures)
     pages = [html.render([(r.derivation, r.notation)], moving=[f]) for r, f in zip(reports, figures, strict=True)]
-    surface, equation, *held, slid = played(pages, 'one.run = play(2); one.message = read("message");')
+    surface, equation, *held, slid, back, puck, stays, empty = played(
+        pages, 'one.run = play(2); one.message = read("message");'
+    )
     assert "contact is lost" in surface["message"]
     assert equation["run"]["done"] == "true"
     assert "an equation acts on both sides" in equation["message"]
     assert all("Friction holds" in one["message"] for one in held)
     assert "the slip ends" in slid["message"]
+    # A slip that ends begins again in the other sense, or in another direction of the plane.
+    for one, slope, mu in ((back, 40, 0.5), (puck, 30, 0.3)):
+        up, down = (9.81 * (math.sin(math.radians(slope)) + s * mu * math.cos(math.radians(slope))) for s in (1, -1))
+        state = json.loads(one["run"]["state"])
+        assert state[len(state) // 2] == pytest.approx(down * (2 - 2 / up), rel=2e-4)
+    assert "friction holds it" in stays["message"]
+    assert "t = 1.5 s: no mass is left" in empty["message"]
     assert "t = 1.595 s" in slid["message"]  # as simulated: v/(g (mu cos(alpha) - sin(alpha)))

@@ -315,3 +315,34 @@ initial: {x: 0, x': 0}
     [event] = found.events
     assert event.kind is EventKind.EMPTY
     assert event.time == pytest.approx(80, abs=1e-6)
+
+
+def test_a_motion_from_a_lagrangian_alone() -> None:
+    """An oscillating circuit: q = e^(−t/2) (cos w t + sin(w t)/(2 w)) with w² = 3/4, for L = R = C = 1."""
+    text = """
+title: Circuit
+parameters: {L: {value: 1}, R: {value: 1}, C: {value: 1}}
+coordinates: [q]
+lagrangian: L*q'^2/2 - q^2/(2*C)
+forces: {resistor: {generalized: {q: -R*q'}}}
+initial: {q: 1, q': 0}
+"""
+    made = made_of(lagrange.loads(text))
+    found = simulated(made.states, made.start, 4.0)
+    w = math.sqrt(3) / 2
+    assert found.states[0, -1] == pytest.approx(math.exp(-2) * (math.cos(4 * w) + math.sin(4 * w) / (2 * w)), abs=1e-9)
+
+
+def test_a_rocket_burns_until_nothing_is_left() -> None:
+    """Its acceleration q u/m grows beyond bounds; the end is that of its mass, not an unknown singularity."""
+    text = """
+title: Rocket
+parameters: {m_0: {value: 4 kg}, q: {value: 2 kg/s}, u: {value: 10 m/s}}
+coordinates: [x]
+particles: {rocket: {mass: m_0 - q*t, position: x*i, leaves: {relative: -u*i}}}
+initial: {x: 0, x': 0}
+"""
+    made = made_of(lagrange.loads(text))
+    [event] = simulated(made.states, made.start, 5.0).events
+    assert (event.kind, event.name) == (EventKind.EMPTY, "rocket")
+    assert event.time == pytest.approx(2, abs=1e-6)

@@ -56,13 +56,14 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
         value = reactions.contacts.get(r.name)
         if value is None:
             continue
-        if value.is_positive:
+        sign = reactions.sign_of_contact(r.name)
+        if sign == 1:
             trivial.append(r)
             continue
         called, verb = constraints_called([r.name]), "pull" if r.tension is not None else "push"
         start = capital(called) if not place else called
         first: tuple[Part, ...] = (*place, ", " if place else "")
-        if value.is_negative:
+        if sign == -1:
             words = f"{start} can only {verb}, and would have to do the opposite: there is no contact."
             blocks.append(prose(*first, words))
             continue

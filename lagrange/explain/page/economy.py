@@ -192,10 +192,11 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             before = blocks[-1] if blocks else None
             in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
             if in_short and isinstance(block, Display) and _is_repeated(block, shown):
-                blocks[-1] = prose(Emphasis("In short"), ": the equations at the head of the page.")
+                blocks.pop()
             else:
                 blocks.append(block)
-        yield replace(step, body=tuple(blocks))
+        if blocks or not step.body:
+            yield replace(step, body=tuple(blocks))
 
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:

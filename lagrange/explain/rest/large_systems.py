@@ -147,15 +147,35 @@ def _stability(ranges: Sequence[StableRange]) -> Block:
         return prose("For no value of the parameter do all their solutions decay.", detail=Detail.BRIEF)
     parts: list[Part] = ["All their solutions decay if "]
     for n, r in enumerate(ranges):
-        inside = [r.letter, _short(r.high)] if r.low == 0 else [_short(r.low), r.letter, _short(r.high)]
-        parts += [" or if " if n else "", math(*(x for x in inside if x is not sp.oo), relation="<")]
+        parts += [" or if " if n else "", math(*_inside(r), relation="<")]
     parts.append(" (in units of SI).")
     for r in ranges:
-        for end in (r.low, r.high):
+        for end, beyond in ((r.low, "below"), (r.high, "above")):
             if end not in (0, sp.oo):
                 grows = "an oscillation grows" if end in r.oscillating else "the deviation grows without oscillating"
-                parts += [" Beyond ", math(r.letter, _short(end)), f" {grows}."]
+                parts += [f" Just {beyond} ", math(r.letter, _short(end)), f" {grows}."]
     return prose(*parts, detail=Detail.BRIEF)
+
+
+def result_of_large_system(solution: Solution) -> Iterator[Step]:
+    """For the head of the page: for which values of the parameter the deviations from the steady motion decay."""
+    motion, freedom = solution.linear_motion, solution.classification.degrees_of_freedom
+    found = [b.stable_ranges for b in motion.blocks if b.stable_ranges is not None] if motion is not None else []
+    if len(found) != 1 or freedom is None:
+        return
+    [ranges] = found
+    start = f"{in_words(freedom, 'degree').capitalize()} of freedom; "
+    inside = listed((math(*_inside(r), relation="<") for r in ranges), " or ")
+    words: tuple[Part, ...] = ("small deviations from the steady motion decay if ", *inside, " (in units of SI).")
+    if not ranges:
+        words = ("the steady motion is stable for no value of the parameter.",)
+    yield Step(Rule.RESULT, "", (prose(start, *words, detail=Detail.BRIEF),))
+
+
+def _inside(r: StableRange) -> tuple[sp.Expr, ...]:
+    """The ends of a range with the letter between them."""
+    inside = (r.letter, _short(r.high)) if r.low == 0 else (_short(r.low), r.letter, _short(r.high))
+    return tuple(x for x in inside if x is not sp.oo)
 
 
 def _short(x: sp.Expr) -> sp.Expr:

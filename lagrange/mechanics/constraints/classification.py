@@ -19,6 +19,8 @@ depends on the velocities, at velocities that satisfy the constraints.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import fields
+from itertools import chain
 
 import sympy as sp
 
@@ -30,6 +32,7 @@ from lagrange.algebra.forms.integrability import Flag, derived_flag
 from lagrange.core.diagnostics import UndecidedError
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
+from lagrange.core.vectors import Vector
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row, is_pfaffian
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, analysis, bending_rank, constraint_row
@@ -41,7 +44,7 @@ from lagrange.mechanics.constraints.degeneracies import (
     rank_losses,
 )
 from lagrange.mechanics.constraints.quasi_coordinates import QuasiCoordinates, quasi_coordinates
-from lagrange.problem.model import Constraint, Problem
+from lagrange.problem.model import Constraint, Force, Problem
 
 
 @record
@@ -67,6 +70,7 @@ class Classification:
     moving     names of particles and bodies whose position contains t
     driven     names of bodies whose rotation contains t
     weighed    names of particles whose mass contains t, which makes no difference to the classification
+    forced     whether a force contains t, which makes no difference either
     further_angles  how many more numbers than quasi-coordinates determine the orientation of bodies
     """
 
@@ -80,6 +84,7 @@ class Classification:
     moving: tuple[str, ...]
     driven: tuple[str, ...]
     weighed: tuple[str, ...] = ()
+    forced: bool = False
     further_angles: int = 0
 
     @property
@@ -184,8 +189,21 @@ def classify(problem: Problem) -> Classification:
         moving=_moving_positions(problem),
         driven=_driven_rotations(problem),
         weighed=tuple(p.name for p in problem.particles if {t, *problem.slots.prescribed} & p.mass.free_symbols),
+        forced=any({t, *problem.slots.prescribed} & _symbols_of(f) for f in problem.forces),
         further_angles=len(quasi.slots.coordinates) - len(slots.coordinates) if quasi and in_quasi_coordinates else 0,
     )
+
+
+def _symbols_of(force: Force) -> set[sp.Symbol]:
+    """What an applied force depends on."""
+    found: set[sp.Symbol] = set()
+    parts = [getattr(force, f.name) for f in fields(force)]
+    for part in chain.from_iterable(p if isinstance(p, tuple) else (p,) for p in parts):
+        if isinstance(part, sp.Expr):
+            found |= part.free_symbols
+        elif isinstance(part, Vector):
+            found |= set().union(*(c.free_symbols for c in part.fixed().components))
+    return found
 
 
 def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) -> Flag:

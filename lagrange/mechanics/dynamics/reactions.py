@@ -21,6 +21,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.fractions import as_one_quotient, is_quotient_of_sums
 from lagrange.algebra.fourier.limits import MOST_CANCELLED
@@ -85,6 +86,10 @@ class Reactions:
     combinations: tuple[Determined, ...] = ()
     tidy: Tidy = tidy_quotient
     sides: Mapping[str, int] = field(default_factory=dict)
+
+    def sign_of_contact(self, name: str) -> int | None:
+        """The sign of what must not be negative while contact lasts, if it is always the same."""
+        return sign_of(self.contacts[name])
 
     @cached_property
     def contacts(self) -> Mapping[str, sp.Expr]:

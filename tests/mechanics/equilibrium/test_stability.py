@@ -219,3 +219,17 @@ def test_the_second_derivative_of_a_modulus_is_shown_without_its_jump() -> None:
     assert second is not None
     assert not any(v.has(sp.DiracDelta) for row in second.matrix for v in row)
     assert len(second.jumps) == 1
+
+
+def test_an_equilibrium_of_a_sinusoidal_potential_is_judged_without_a_condition() -> None:
+    """V = a sin θ + b cos θ: with tan θ = a/b, V'' = −b/cos θ, whatever a and b are in detail."""
+    text = (
+        "title: Plank\nparameters: {a: positive, b: positive, c: positive}\n"
+        "coordinates: {theta: {range: [-90 deg, 90 deg]}}\nparticles: {P: {position: [0, 0]}}\n"
+        "forces: {field: {potential: SIGN((a - c)*sin(theta) + b*cos(theta))}}\nfind: equilibrium\n"
+    )
+    for sign, verdict in (("", Stable.UNSTABLE), ("-", Stable.STABLE)):
+        stability = solve(read(text.replace("SIGN", sign))).own.stability
+        assert stability is not None
+        [found] = stability.verdicts
+        assert (found.verdict, found.presupposed) == (verdict, ())

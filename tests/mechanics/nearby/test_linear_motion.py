@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.explain.rest.large_systems import result_of_large_system
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
@@ -52,6 +54,15 @@ def test_the_speeds_at_which_the_bicycle_is_stable() -> None:
     assert float(found.low) == pytest.approx(4.29238253634111, rel=1e-12)
     assert float(found.high) == pytest.approx(6.02426201538837, rel=1e-12)
     assert found.oscillating == (found.low,)
+
+
+def test_the_page_of_the_bicycle_begins_with_these_speeds() -> None:
+    solution = SimpleNamespace(linear_motion=bicycle()[2], classification=SimpleNamespace(degrees_of_freedom=3))
+    [step] = result_of_large_system(solution)
+    [head] = step.body
+    words = "".join(p if isinstance(p, str) else str([float(x) for x in p.sides if x.is_number]) for p in head.parts)
+    assert words.startswith("Three degrees of freedom; small deviations from the steady motion decay if [4.292")
+    assert "6.024" in words
 
 
 @pytest.mark.parametrize(
