@@ -324,11 +324,20 @@ class Examiner:
             return self._checked(answer)
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
-        from lagrange.answers.questions.virtual_work import with_conditions
-        from lagrange.answers.written.lines import conditions_of, separated
-        from lagrange.answers.written.working import Working, understood
+        from lagrange.answers.questions.in_text import judged_in_text
+        from lagrange.answers.written.lines import separated
 
         answer = separated(answer)
+        return (
+            self._compared(answer) if self.solution is None else judged_in_text(answer, self.solution, self._compared)
+        )
+
+    def _compared(self, answer: Sequence[Fragment]) -> Judgement:
+        """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.questions.virtual_work import with_conditions
+        from lagrange.answers.written.lines import conditions_of
+        from lagrange.answers.written.working import Working, understood
+
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
             return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
@@ -342,7 +351,7 @@ class Examiner:
                 message = "the method is quoted, and no equation follows that could be checked"
                 help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
                 raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
-            working = Working(answer)
+            working = Working(tuple(answer))
         if solution is not None and not moving:
             working = with_conditions(working, solution)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
@@ -359,7 +368,7 @@ class Examiner:
         verdict = self._on_motion(working)
         if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
             alone = understood(answer, scope, eliminating=False)
-            verdict = self._on_motion(alone if alone.judged else Working(answer))
+            verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
         return self._judgement(verdict)
 
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
