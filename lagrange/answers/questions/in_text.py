@@ -11,8 +11,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from lagrange.answers.questions.asked_in_text import asked_in_text
-from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
+from lagrange.answers.written.listed_values import with_all_values
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.mechanics.results import Solution
 
@@ -36,6 +37,8 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
             return _hamiltonian(functions, [f for f in answer if f not in functions], solution, judge)
     if any(a.answered for a in solution.asked):
         return _asked(answer, solution, judge)
+    if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
+        answer = with_all_values(answer, solution.problem.scope.names())
     return judge(answer)
 
 

@@ -110,9 +110,8 @@ def _amplitudes(defined: Mapping[str, sp.Expr], coordinates: Sequence[sp.Symbol]
         for n, q in enumerate(coordinates, 1):
             plain = q.name.lower().replace("_", "")
             mine = {plain, f"a{plain}", f"{plain}max", f"{plain}0", f"{plain}p", f"{plain}hat", f"{plain}amp"}
-            if name.lower().replace("_", "") in mine and not (len(coordinates) == 1 and name[:1].isupper() and index):
-                found[name] = q
-            elif index == str(n) and len(coordinates) > 1 and letter in ("A", "X", "a", "B"):
+            is_numbered = index == str(n) and len(coordinates) > 1 and letter in ("A", "X", "a", "B")
+            if name.lower().replace("_", "") in mine or is_numbered:
                 found[name] = q
         if name not in found and len(coordinates) == 1 and _AMPLITUDES.fullmatch(name):
             found[name] = coordinates[0]
@@ -123,7 +122,6 @@ def _motion(
     fragment: GivenEquation, found: Sequence[Response], coordinates: Sequence[sp.Symbol], reference: Reference
 ) -> tuple[sp.Symbol, Judged] | None:
     """The coordinate and the verdict, if an equation gives a coordinate as a function of time."""
-    [e] = fragment.reading.components
     sides = fragment.reading.sides
     for q, value in (sides, sides[::-1]) if len(sides) == 2 else ():
         if q not in coordinates or not isinstance(value, sp.Expr):

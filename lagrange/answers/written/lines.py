@@ -9,9 +9,10 @@ braces of a list around equations are left out.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -125,8 +126,28 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    remarks = [*STABILITY.finditer(text, 0, end)]
+    if remarks or CONDITIONAL.search(text, 0, end):
+        draft = Draft(fragment)
+        draft.apply([(m.start(), m.end(), " " * len(m[0])) for m in (*remarks, *CONDITIONAL.finditer(text, 0, end))])
+        fragment = draft.finished()
+        text = fragment.text
     for start, stop in _parts(text, 0, end):
-        yield from _one(fragment, start, stop, beside)
+        yield from _one(fragment, start, stop, f"{beside} {_remarks_on(text, start, stop, remarks)}".strip())
+
+
+def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
+    """The remarks on stability that stand after an equation, or before it if the first one stands before all."""
+    signs = [m.start() for m in _EQUALS.finditer(text)]
+    own = [s for s in signs if start <= s < stop]
+    if not remarks or not own:
+        return ""
+    before = remarks[0].start() < signs[0]
+    others = [s for s in signs if (s < own[0] if before else s > own[-1])]
+    limit = (others[-1:] or [-1])[0] if before else (others[:1] or [len(text)])[0]
+    return "; ".join(
+        m[0].strip(" ,;()") for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
+    )
 
 
 def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
@@ -352,6 +373,26 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
     return tuple(e for fragment in answer for e in _separated(fragment))
+
+
+def condition_alone(fragment: Fragment) -> Fragment:
+    """A text with inequalities without the words before, after and in parentheses behind them."""
+    if not is_inequality(fragment):
+        return fragment
+    draft = Draft(fragment)
+    draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
+    if not is_latex(fragment):
+        start = _after_words(draft.text, 0, len(draft.text))
+        draft.keep(start, len(draft.text.rstrip(" .,;")))
+        if tail := _AFTER_COMMA.search(draft.text):
+            draft.keep(0, tail.start())
+    elif "$" in draft.text:
+        draft.replace(_DOLLARS, " ")
+    return draft.finished(latex=is_latex(fragment))
+
+
+_WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
+_DOLLARS = re.compile(r"\$")
 
 
 def conditions_of(fragment: Fragment) -> list[Fragment]:

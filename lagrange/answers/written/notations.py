@@ -20,6 +20,7 @@ import unicodedata
 from collections.abc import Collection, Iterator
 
 from lagrange.answers.written.latex_groups import over_as_fraction, power_groups
+from lagrange.answers.written.special_notations import special, special_latex
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -101,6 +102,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     """A plain text with other notations written in that of the language; the text itself where there are none."""
     draft = Draft(fragment)
     _characters(draft)
+    special(draft, scope)
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
     draft.replace(_METHOD, lambda m: f"diff({m['name']}, t{m['comma']}")
     draft.apply(_exponentials(draft.text, scope))
@@ -160,6 +162,8 @@ def _displacements(draft: Draft, scope: Scope) -> None:
         own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
         if name in moving or own:
             return None if own else f" {sign}({name})"
+        if sign == "d" and any(f.name == name for f in scope.slots.prescribed):
+            return f" {name}'*d(t)"
         value = scope.scalar(name) if sign == "delta" else None
         varied = sorted(value.free_symbols & {*scope.slots.coordinates}, key=str) if value is not None else []
         terms = [f"diff({name}, {q})*delta({q})" for q in varied]
@@ -484,6 +488,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     """A text in LaTeX with other commands written as those that are read."""
     draft = Draft(fragment)
     _characters(draft)
+    special_latex(draft)
     draft.replace(_L_COLOUR, "")
     draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
     draft.replace(_L_SIGNS, "=")
