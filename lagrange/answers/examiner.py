@@ -309,6 +309,13 @@ class Examiner:
         """Whether inequalities are asked for: where friction holds the system."""
         return self.solution is not None and bool(_rests(self.solution))
 
+    @property
+    def reads_inequalities(self) -> bool:
+        """Whether an inequality may be an answer: a condition of rest, or the limit of a parameter."""
+        asked = self.solution.asked if self.solution is not None else ()
+        parameters = {p.symbol for p in self.problem.parameters}
+        return self.asks_for_conditions or any(a.question.quantity in parameters for a in asked)
+
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
         from lagrange.answers.points import score
@@ -473,8 +480,9 @@ class Examiner:
         solution, equations = self.solution, (*answers.equations, *more)
         listed: tuple[AnswerVerdict, ...] = ()
         if solution is not None and solution.own.motion is None and len(answers.equilibrium) == 1:
-            stated = separated(with_all_values(answers.equilibrium[0], solution.problem.scope.names()))
-            if len(stated) > len(answers.equilibrium[0]):  # `theta = 0, theta = pi` is as in a text
+            [flat] = answers.equilibrium
+            stated = separated(with_all_values(flat, solution.problem.scope.names()))
+            if [f.text for f in stated] != [f.text for f in flat]:  # `theta = 0, theta = pi` is as in a text
                 listed = (replace(self._compared(stated).equations, name="equilibrium"),)
                 answers = replace(answers, equilibrium=())
         others = (

@@ -291,6 +291,8 @@ class AnswerReader:
         if node is None:
             return ()
         example = "classification: [holonomic, scleronomic]"
+        if isinstance(node, MappingNode) and not self.tries:
+            node = _as_list(node)
         items = (
             (node,)
             if isinstance(node, Scalar)
@@ -356,6 +358,19 @@ def _scope_of_answers(scope: Scope, choices: tuple[Choice, ...]) -> Scope:
     if any(c.substitute is None for c in choices):
         signs = {f"sigma_{n}": Sign(f"sigma_{n}") for n in range(1, MOST_SIGNS)}
     return replace(scope, slots=slots, scalars=signs | dict(scope.scalars))
+
+
+def _as_list(node: MappingNode) -> Node:
+    """`{holonomic: true, scleronomic: no}` as the list of what it says; another mapping as it is."""
+    opposite = dict((*_OPPOSITES, *((b, a) for a, b in _OPPOSITES)))
+    words: list[Scalar] = []
+    for key, value in node.entries:
+        holds = truth_in(value.text) if isinstance(value, Scalar) else None
+        named = classes_in(key.text)
+        if holds is None or len(named) != 1:
+            return node
+        words.append(replace(key, text=named[0] if holds else opposite[named[0]]))
+    return ListNode(tuple(words), node.span)
 
 
 def _whole_number(node: Node) -> int:

@@ -87,6 +87,8 @@ def _as_conditions(stated: Sequence[Fragment], reference: Reference) -> Iterator
         name = scope_name(match["name"], reference)
         if name is None:
             return
+        if any(u.name == name for u in reference.unknowns):  # working: T = P e^(mu beta)
+            continue
         for side in sides[1:]:
             pieces.append(
                 (f, f"{name} {{}} " if not match["which"] else f"{name} {_SENSES[match['which'][:3]]} ", side)
@@ -219,7 +221,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         partly = known and given and all(any(_are_same(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
     needed = [c for case in cases for c in case]
-    exact = all(any(_are_same(s, c) or _has_limit(s, c) for c in needed) for s in given)
+    exact = all(any(_are_same(s, c) or _has_limit(s, c) or _rounds_to(s, c) for c in needed) for s in given)
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
 
 

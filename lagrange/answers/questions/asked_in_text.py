@@ -97,7 +97,8 @@ def _verdicts(
             own = {base(s) for s in asked.question.quantity.free_symbols} | {asked.question.by}
             if any(base(s) in coordinates and base(s) not in own for s in used):
                 continue
-            if any(base(s) == asked.question.by and s != asked.question.by for s in used):
+            asked_for = {*asked.question.quantity.free_symbols, asked.question.by}
+            if any(base(s) != s and s not in asked_for for s in used):
                 continue
             found = max((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
         except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
@@ -115,6 +116,8 @@ def _is_named(fragment: Fragment, asked: Asked) -> bool:
     if re.match(rf"\s*{re.escape(question.name)}\s*=", fragment.text):
         return True
     symbols = question.quantity.free_symbols
+    if re.search(r"['′̇̈]|dot|/", match["rest"] if "rest" in match.re.groupindex else ""):
+        return False
     if len(symbols) == 1 and question.quantity.is_Symbol:
         [symbol] = symbols
         if symbol.name == "t":

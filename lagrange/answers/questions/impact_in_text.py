@@ -10,7 +10,7 @@ answer alike. A letter that the problem does not declare, V = m v/(m + M), may b
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -58,8 +58,9 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
                 for e in r.components
             ]
     parts = best or []
-    speeds = [_named(name, value, found, reference) for name, value in _definitions(working)]
-    parts += [p for p in speeds if p is not None]
+    if all(p.verdict is Verdict.TRIVIAL for p in parts):  # what it calls by names of its own
+        speeds = (_named(name, value, found, reference) for name, value in working.defined.items())
+        parts += [p for p in speeds if p is not None]
     parts += [
         EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
         for f in working.unreadable
@@ -116,12 +117,6 @@ def _judged(
     if None in holds:
         return EquationVerdict.of(text, Verdict.UNDECIDED, UNDECIDED)
     return EquationVerdict.of(text, Verdict.EQUIVALENT, "; ".join(remarks))
-
-
-def _definitions(working: Working) -> Iterator[tuple[str, sp.Expr]]:
-    """What the answer calls by names of its own, where it states nothing else."""
-    if not any(isinstance(f, GivenEquation) for f in working.judged):
-        yield from working.defined.items()
 
 
 def _named(name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Reference) -> EquationVerdict | None:

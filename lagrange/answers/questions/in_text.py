@@ -13,8 +13,10 @@ from dataclasses import replace
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
+from lagrange.answers.written.lines import condition_alone
 from lagrange.answers.written.listed_values import with_all_values
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.expressions.relations import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 
 Judge = Callable[[Sequence[Fragment]], Judgement]
@@ -77,9 +79,12 @@ def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> J
     from lagrange.answers.written.working import understood
 
     found = [v.response for v in solution.views if v.response is not None]
-    reference = with_names_of_response(reference_of_solution(solution), found)
-    working = understood([without_hats(f) for f in answer], reference)
-    verdict = check_response_in_text(working, found, reference)
+    for lags in (False, True):
+        reference = with_names_of_response(reference_of_solution(solution), found, lags=lags)
+        working = understood([without_hats(f) for f in answer], reference)
+        verdict = check_response_in_text(working, found, reference)
+        if verdict is not None and not verdict.unreadable:
+            break
     return judge(answer) if verdict is None else _only(replace(verdict, name="response"), solution)
 
 
@@ -103,16 +108,19 @@ def _hamiltonian(
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     failed: ProblemError | None = None
+    first: Judgement | None = None
+    limits = [limit_of(condition_alone(f), "a condition", strict=True)[0] for f in answer if is_inequality(f)]
+    answer = [f for f in answer if not is_inequality(f)]
     try:
-        first = judge(answer)
+        first = judge(answer) if answer else None
     except ProblemError as error:
-        first, failed = None, error
+        failed = error
+    answer = [*answer, *limits]
     if first is not None and first.verdict is Verdict.EQUIVALENT:
         return first
     judged = _with_asked(answer, solution, judge, first)
     if judged is None:
-        assert failed is not None
-        raise failed
+        raise failed or ProblemError(Diagnostic("no-answer", "there is no equation to check", answer[0].whole))
     return judged
 
 

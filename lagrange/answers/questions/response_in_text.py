@@ -37,6 +37,7 @@ _AMPLITUDES = re.compile(r"(?:A|X|Amp|amp|amplitude|a|R|C|B)(?:_?\w{1,12})?")
 _STRONG = re.compile(r"(?:A|X|[Aa]mp)")
 _PHASE = sp.Symbol("lag", real=True)
 _LAG_OPEN = "its lag is left open, and only the amplitude is compared"
+_QUADRANT = "its lag is given by its tangent, which leaves the quadrant open"
 _NOT_STEADY = "it is not the steady state"
 
 
@@ -48,9 +49,9 @@ def without_hats(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
-def with_names_of_response(reference: Reference, found: Sequence[Response]) -> Reference:
+def with_names_of_response(reference: Reference, found: Sequence[Response], *, lags: bool) -> Reference:
     """The names that an answer may use, with ω for the frequency of the drive, and letters for lags that stay open."""
-    names: dict[str, sp.Expr] = {n: _PHASE for n in _LAGS if n not in reference.declared}
+    names: dict[str, sp.Expr] = {n: _PHASE for n in _LAGS if n not in reference.declared} if lags else {}
     for r in found:
         if isinstance(r.drive.frequency, sp.Symbol):
             names |= {n: r.drive.frequency for n in ("omega", "Omega") if n not in reference.declared}
@@ -72,15 +73,28 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
             doubtful += [part] if _STRONG.match(name) or q.name.lower() in name.lower() else []
         else:
             parts, answered = [*parts, part], answered | {q.name}
+    unknown = _undamped(working, coordinates, found)
+    rows: list[sp.Expr] = []
     for f in working.judged:
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
             return None
+        [e] = f.reading.components
+        if e.free_symbols & unknown.keys():
+            holds = is_zero(
+                e.xreplace({s: value for s, (_, value) in unknown.items()}).xreplace(dict(reference.values))
+            )
+            verdict = Verdict.UNDECIDED if holds is None else Verdict.EQUIVALENT if holds else Verdict.WRONG
+            parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
+            rows.append(e)
+            continue
         verdict_on_motion = _motion(f, found, coordinates, reference)
         if verdict_on_motion is None:
             return None
         q, (verdict, why) = verdict_on_motion
         parts.append(EquationVerdict.of(f.reading.text, verdict, why))
         answered |= {q.name}
+    if rows and sp.Matrix([[e.diff(s) for s in unknown] for e in rows]).rank() == len(unknown):
+        answered |= {q.name for q, _ in unknown.values()}
     if not parts:
         parts = doubtful
         answered |= {amplitudes[p.text].name for p in doubtful}
@@ -98,6 +112,15 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
         verdict = Verdict.UNREADABLE if errors else Verdict.INCOMPLETE
     why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+
+
+def _undamped(
+    working: Working, coordinates: Sequence[sp.Symbol], found: Sequence[Response]
+) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
+    """Names that the answer uses for amplitudes with their signs, each with its coordinate and its value."""
+    signed = {q: c for r in found if not any(r.sines) for q, c in zip(r.by_coordinate, r.cosines, strict=True)}
+    named = _amplitudes({s.name: sp.S.Zero for s in working.unknowns}, coordinates)
+    return {s: (q, signed[q]) for s in working.unknowns if (q := named.get(s.name)) in signed and q is not None}
 
 
 def _amplitudes(defined: Mapping[str, sp.Expr], coordinates: Sequence[sp.Symbol]) -> dict[str, sp.Symbol]:
@@ -155,6 +178,23 @@ def _judged_motion(q: sp.Symbol, value: sp.Expr, found: Sequence[Response], refe
             same = is_zero(sp.expand(sp.expand_trig(difference)))
     except DivisionByZeroError:
         return Verdict.UNDECIDED, UNDECIDED
+    if same is not True and difference.has(sp.atan):
+        return _with_tangent(q, value, response, found, reference)
     if same is None:
         return Verdict.UNDECIDED, UNDECIDED
     return (Verdict.EQUIVALENT, "") if same else (Verdict.WRONG, _NOT_STEADY)
+
+
+def _with_tangent(
+    q: sp.Symbol, value: sp.Expr, response: Response, found: Sequence[Response], reference: Reference
+) -> Judged:
+    """The verdict on A cos(ω t − φ) with φ given by its tangent, which leaves its quadrant open."""
+    wave = sp.expand(sp.expand_trig(value))
+    angle = response.drive.frequency * t
+    a, b = wave.coeff(sp.cos(angle)), wave.coeff(sp.sin(angle))
+    verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, found, reference)
+    n = list(response.by_coordinate).index(q)
+    aligned = is_zero((a * response.sines[n] - b * response.cosines[n]).xreplace(dict(reference.values)))
+    if verdict is not Verdict.EQUIVALENT or aligned:
+        return verdict, _QUADRANT if verdict is Verdict.EQUIVALENT else why
+    return (Verdict.UNDECIDED, UNDECIDED) if aligned is None else (Verdict.WRONG, _NOT_STEADY)

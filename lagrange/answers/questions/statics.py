@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from lagrange.answers.equilibria import alternatives_of, check_equilibria
 from lagrange.answers.questions.positions_in_numbers import compared_in_numbers

@@ -68,6 +68,9 @@ def stated_in_words(text: str) -> Answers:
     for m in _CLASS.finditer(text):
         positive, negative = _NAMES[m["word"].lower()]
         classes[negative if m["not"] else positive] = None
+    for pair in (("holonomic", "nonholonomic"), ("scleronomic", "rheonomic"), ("catastatic", "acatastatic")):
+        if all(word in classes for word in pair):  # `z = R is the only holonomic one` is about single constraints
+            classes = {word: None for word in classes if word not in pair}
     return Answers(degrees_of_freedom=_freedom(text), classification=tuple(classes))
 
 

@@ -62,7 +62,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 """
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
-    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
+    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
@@ -79,7 +79,9 @@ _BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))
 _BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 
 
-_OTHER_EQUALS = re.compile(r"[=≡≔]|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
+_RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
+_RULE = re.compile(r"->")
+_OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 
 
 def has_sign_of_equality(line: str) -> bool:
@@ -126,6 +128,11 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    if _RULES.match(text, 0, end):
+        draft = Draft(fragment)
+        draft.replace(_RULE, " =")
+        yield from equations_of_line(draft.finished(), beside)
+        return
     remarks = [*STABILITY.finditer(text, 0, end)]
     if remarks or CONDITIONAL.search(text, 0, end):
         draft = Draft(fragment)

@@ -76,7 +76,7 @@ _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
 _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\s*t\s*\)")
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
 _OF_TIME = re.compile(r"(?<=[\w'])\[\s*t\s*\]")
-_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7}|D)\s*(?=\[)")
+_APPLIED = re.compile(r"(?<![A-Za-z0-9_])(Arc(?:Sin|Cos|Tan)|[A-Z][a-z]{1,7}|D)\s*(?=\[)")
 _CALLED = re.compile(
     r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
 )
