@@ -373,10 +373,12 @@ class Examiner:
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
+            from lagrange.answers.friction.impending import with_reactions_put_in
 
-            verdict = _impending(solution, alternatives_of(working.judged))
-            if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
-                each = _impending(solution, [(f,) for f in working.judged])  # up or down, a line each
+            stated = with_reactions_put_in(working.judged, solution)
+            verdict = _impending(solution, alternatives_of(stated))
+            if verdict.verdict is Verdict.WRONG and len(stated) > 1:
+                each = _impending(solution, [(f,) for f in stated])  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
@@ -485,6 +487,8 @@ class Examiner:
             if [f.text for f in stated] != [f.text for f in flat]:  # `theta = 0, theta = pi` is as in a text
                 listed = (replace(self._compared(stated).equations, name="equilibrium"),)
                 answers = replace(answers, equilibrium=())
+        if len(answers.steady) == 1:  # `v^2 = g r, v = r phi'`
+            answers = replace(answers, steady=(tuple(e for f in answers.steady[0] for e in separated([f])),))
         others = (
             tuple(_nothing_to_compare(answers))
             if solution is None

@@ -9,13 +9,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of
-from lagrange.answers.references import reference_of_solution
+from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.reading import read_as_written
+from lagrange.answers.written.working import understood
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base
@@ -50,8 +53,15 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     parts: list[EquationVerdict] = []
     rest: list[Fragment] = []
     answered: set[str] = set()
+    reference = reference_of_solution(solution)
+    defined = understood(answer, reference).defined
+    scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
+    wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
     for fragment in answer:
-        found = [*_verdicts(fragment, questions, solution)]
+        if _is_condition(fragment, questions, reference):
+            continue
+        found = [*_verdicts(fragment, questions, solution, reference)]
+        found = found or [*_verdicts(fragment, questions, solution, wider)]
         right = [(name, v) for name, v in found if v.verdict is Verdict.EQUIVALENT]
         named = [a.question.name for a in questions if _is_named(fragment, a)]
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
@@ -76,6 +86,16 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
 
 
+def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> bool:
+    """Whether a line is the condition of a question, N = 0, and no answer."""
+    reading = read_as_written(fragment, reference.scope)
+    if reading.error or len(reading.components) != 1:
+        return False
+    [e] = reading.components
+    conditions = [c.lhs - c.rhs for a in questions for c in a.question.when]
+    return any(sp.expand(e - sign * c) == 0 for c in conditions for sign in (1, -1))
+
+
 def _part(fragment: Fragment, name: str, verdict: EquationVerdict) -> EquationVerdict:
     remarks = (*verdict.remarks, f"it is taken as the answer to `{name}`")
     return EquationVerdict(
@@ -84,23 +104,19 @@ def _part(fragment: Fragment, name: str, verdict: EquationVerdict) -> EquationVe
 
 
 def _verdicts(
-    fragment: Fragment, questions: Sequence[Asked], solution: Solution
+    fragment: Fragment, questions: Sequence[Asked], solution: Solution, reference: Reference
 ) -> Iterator[tuple[str, EquationVerdict]]:
     """The verdicts on a line as the answer to each question that it may answer."""
     coordinates = {q for v in solution.views for q in v.configuration.slots.coordinates}
-    reference = reference_of_solution(solution)
     for asked in questions:
         try:
             claims = claims_of(fragment, asked, solution, reference)
             stated = [e for c in claims for e in (c.expression, c.equation) if e is not None]
             used = {s for e in stated for s in e.free_symbols if isinstance(s, sp.Symbol)}
-            own = {base(s) for s in asked.question.quantity.free_symbols} | {asked.question.by}
-            if any(base(s) in coordinates and base(s) not in own for s in used):
-                continue
             asked_for = {*asked.question.quantity.free_symbols, asked.question.by}
-            if any(base(s) != s and s not in asked_for for s in used):
+            if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
                 continue
-            found = max((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
+            found = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
         except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
             continue
         yield asked.question.name, EquationVerdict.of(fragment.text, *found)

@@ -18,12 +18,12 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.questions.named_values import worst
-from lagrange.answers.readings import GivenEquation, decimals_in
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.answers.written.working import Working
-from lagrange.core.symbols import velocity_before
+from lagrange.core.symbols import prime, velocity_before
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 
 MOST_IMPULSES = 4
@@ -48,7 +48,7 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
     rows: list[sp.Expr] = []
     for signs in product((1, -1), repeat=min(len(names), MOST_IMPULSES)):
         turned = {s: -s for s, sign in zip(names, signs, strict=False) if sign < 0}
-        each = [_judged(r.text, r.components, found, reference, turned) for r in readings]
+        each = [_judged(r, found, reference, turned) for r in readings]
         if best is None or _right(each) > _right(best):
             best = each
             rows = [
@@ -59,8 +59,9 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
             ]
     parts = best or []
     if all(p.verdict is Verdict.TRIVIAL for p in parts):  # what it calls by names of its own
-        speeds = (_named(name, value, found, reference) for name, value in working.defined.items())
-        parts += [p for p in speeds if p is not None]
+        speeds = [_named(name, value, found, reference) for name, value in working.defined.items()]
+        parts += [named[0] for named in speeds if named is not None]
+        rows += [named[1] for named in speeds if named is not None]
     parts += [
         EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
         for f in working.unreadable
@@ -92,13 +93,13 @@ def _state(found: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _judged(
-    text: str,
-    components: Sequence[sp.Expr],
+    reading: Reading,
     found: ImpulsiveMotion,
     reference: Reference,
     turned: Mapping[sp.Symbol, sp.Expr],
 ) -> EquationVerdict:
     """The verdict on one equation."""
+    text, components = reading.text, reading.with_decimals or reading.components
     if any(e.free_symbols & {*found.slots.accelerations, *found.full.slots.accelerations} for e in components):
         return EquationVerdict.of(text, Verdict.WRONG, _ACCELERATION)
     remarks = [_OPPOSITE] if any(e.free_symbols & turned.keys() for e in components) else []
@@ -119,8 +120,13 @@ def _judged(
     return EquationVerdict.of(text, Verdict.EQUIVALENT, "; ".join(remarks))
 
 
-def _named(name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Reference) -> EquationVerdict | None:
-    """The verdict on a value under a name that the problem does not declare; None if it is none of the results."""
+def _named(
+    name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Reference
+) -> tuple[EquationVerdict, sp.Expr] | None:
+    """The verdict on a value under a name that the problem does not declare, and the equation that it states.
+
+    None if it is none of the results.
+    """
     for symbol, derived in (*found.all_velocities.items(), *_impulses(found).items()):
         what = f"{symbol}'" if symbol in found.all_velocities else str(symbol)
         for sign in (1, -1):
@@ -128,7 +134,8 @@ def _named(name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Referen
                 derived != 0
                 and found.surface.is_zero((value - sign * derived).xreplace(dict(reference.values))) is True
             ):
-                return EquationVerdict.of(name, Verdict.EQUIVALENT, _SPEED.format(what))
+                unknown = prime(symbol) if symbol in found.all_velocities else symbol
+                return EquationVerdict.of(name, Verdict.EQUIVALENT, _SPEED.format(what)), unknown - sign * value
     return None
 
 

@@ -22,6 +22,10 @@ from lagrange.mechanics.results import Solution
 Judge = Callable[[Sequence[Fragment]], Judgement]
 """The verdict on equations of motion, of equilibrium, and of constraints. May raise ProblemError."""
 
+_SECOND_VARIATION = re.compile(
+    r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
+)
+"""The second derivative of a potential energy, which is working."""
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -37,10 +41,13 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
         functions = [f for f in answer if _HAMILTON.match(f.text)]
         if functions:
             return _hamiltonian(functions, [f for f in answer if f not in functions], solution, judge)
+    if any(v.steady is not None for v in solution.views):
+        return _steady(answer, solution, judge)
     if any(a.answered for a in solution.asked):
         return _asked(answer, solution, judge)
     if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
         answer = with_all_values(answer, solution.problem.scope.names())
+        answer = [f for f in answer if not _SECOND_VARIATION.match(f.text)] or answer
     return judge(answer)
 
 
@@ -106,6 +113,34 @@ def _hamiltonian(
     return alone
 
 
+def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations without accelerations as conditions of steady motion, where they are no others."""
+    from lagrange.answers.equilibria import alternatives_of, check_steady
+    from lagrange.answers.readings import GivenEquation
+    from lagrange.answers.written.working import understood
+    from lagrange.core.symbols import base, prime
+
+    reference = reference_of_solution(solution)
+    working = understood(answer, reference, moving=False)
+    used = {
+        s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
+    }
+    if not working.judged or any(base(s) != s and prime(base(s)) != s for s in used):
+        return judge(answer)
+    conditions = [v.steady.general for v in solution.views if v.steady is not None]
+    try:
+        verdict = check_steady(alternatives_of(working.judged), conditions, reference)
+    except ProblemError:
+        return judge(answer)
+    if verdict.verdict in (Verdict.UNREADABLE, Verdict.TRIVIAL):
+        return judge(answer)
+    if verdict.verdict is Verdict.WRONG:
+        first = judge(answer)
+        if first.verdict is not Verdict.WRONG:
+            return first
+    return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
+
+
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     failed: ProblemError | None = None
     first: Judgement | None = None
@@ -131,9 +166,12 @@ def _with_asked(
     lines = asked_in_text(answer, solution)
     if lines.verdict is None:
         return first
+    from lagrange.answers.written.working import understood
+
     verdict = lines.verdict
     others: Judgement | None = None
-    if lines.rest:
+    working = understood(lines.rest, reference_of_solution(solution)) if lines.rest else None
+    if working is not None and (working.judged or working.unreadable):
         try:
             others = judge(lines.rest)
         except ProblemError:

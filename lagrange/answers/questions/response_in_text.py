@@ -23,6 +23,7 @@ from lagrange.answers.readings import GivenEquation, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.reading import read_as_written
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base, t
@@ -73,6 +74,14 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
             doubtful += [part] if _STRONG.match(name) or q.name.lower() in name.lower() else []
         else:
             parts, answered = [*parts, part], answered | {q.name}
+    solved: list[GivenEquation] = []
+    for f in working.unreadable:
+        ratio = _solved(f, working, coordinates, reference)
+        if ratio is not None:
+            verdict, why = judged_amplitude(ratio[1], ratio[0].name, found, reference)
+            parts.append(EquationVerdict.of(f.reading.text, verdict, why))
+            answered |= {ratio[0].name}
+            solved.append(f)
     unknown = _undamped(working, coordinates, found)
     rows: list[sp.Expr] = []
     for f in working.judged:
@@ -100,18 +109,40 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
         answered |= {amplitudes[p.text].name for p in doubtful}
     if not parts:
         return None
+    unread = [f for f in working.unreadable if f not in solved]
     parts += [
         EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
-        for f in working.unreadable
+        for f in unread
         if f.reading.error
     ]
-    errors = tuple(d for f in working.unreadable if f.reading.error for d in f.reading.error.diagnostics)
+    errors = tuple(d for f in unread if f.reading.error for d in f.reading.error.diagnostics)
     verdict = worst([p for p in parts if p.verdict is not Verdict.UNREADABLE])
     missing = [q.name for q in coordinates if q.name not in answered]
     if verdict is Verdict.EQUIVALENT and missing:
         verdict = Verdict.UNREADABLE if errors else Verdict.INCOMPLETE
     why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+
+
+def _solved(
+    fragment: GivenEquation, working: Working, coordinates: Sequence[sp.Symbol], reference: Reference
+) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The coordinate and the amplitude that an equation states, with an undeclared name for it: X/a = ..."""
+    errors = fragment.reading.error.diagnostics if fragment.reading.error else ()
+    names = {m[1] for d in errors if (m := re.match(r"`(\w+)` is not declared", d.message))}
+    amplitudes = _amplitudes(dict.fromkeys(names, sp.S.Zero), coordinates)
+    if len(names) != 1 or not amplitudes:
+        return None
+    unknown = sp.Symbol("amplitude", real=True)
+    scalars = {**reference.scope.scalars, **working.defined, next(iter(names)): unknown}
+    reading = read_as_written(Fragment.of(fragment.reading.text), replace(reference.scope, scalars=scalars))
+    if reading.error or len(reading.components) != 1:
+        return None
+    [e] = reading.components
+    slope = e.diff(unknown)
+    if slope == 0 or slope.has(unknown):
+        return None
+    return next(iter(amplitudes.values())), sp.expand(unknown - e / slope)
 
 
 def _undamped(

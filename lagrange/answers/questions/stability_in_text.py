@@ -35,7 +35,7 @@ _WORD = re.compile(
     r"(?<![^\W\d_])(?P<not>un|in|not\s+|non[- ]|nicht\s+)?(?P<word>stab(?:le|il)|labil)(?![^\W\d_])", re.IGNORECASE
 )
 _CONDITION = re.compile(
-    r"\s*(?:equilibrium|position|,)?\s*(?:only\s+)?(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
+    r"[^<>≤≥=]*?(?<![^\W\d_])(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
     r"(?P<text>.*[<>≤≥].*)",
     re.IGNORECASE | re.DOTALL,
 )
@@ -69,7 +69,8 @@ def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Refe
                 found[n] = True, WRONG_STABILITY
             elif false:
                 found[n] = False, ONLY_SOMETIMES.format("stable" if claim.stable else "unstable")
-            break
+            if true or false:
+                break
     return found
 
 
@@ -172,7 +173,7 @@ def _places(
             state[s] = sp.Float(values.get(s, number))
         for branch in e.branches:
             for point in branch.points:
-                position = _position(point, coordinates, state)
+                position = _position({k: e.solution.letters.write(v) for k, v in point.items()}, coordinates, state)
                 if position is not None:
                     for turns in (0, 1, -1):
                         yield state | {

@@ -168,7 +168,7 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
             else {}
         )
         constant = sp.Symbol("arbitrary constant", real=True)
-        if len(names) == 1 and not found:
+        if len(names) == 1:
             scope = solution.problem.scope
             wider = replace(scope, scalars={**scope.scalars, next(iter(names)): constant})
             again = read_as_written(Fragment.of(f.reading.text), wider)

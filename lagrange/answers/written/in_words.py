@@ -77,7 +77,8 @@ def stated_in_words(text: str) -> Answers:
 def is_about_freedom(fragment: Fragment) -> bool:
     """Whether an equation is about numbers of degrees of freedom, of coordinates or of constraints alone."""
     beside = f"{fragment.text} {getattr(fragment, 'beside', '')}"
-    return _freedom(beside) is not None and _MOVING.search(fragment.text) is None
+    turned = f"{getattr(fragment, 'beside', '')} {fragment.text}"
+    return (_freedom(beside) is not None or _freedom(turned) is not None) and _MOVING.search(fragment.text) is None
 
 
 def _freedom(text: str) -> int | None:

@@ -25,7 +25,7 @@ _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
 _SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z))"
 _SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
+    rf";|{_ARROW}|\b(?:and|where|with|so|thus)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
 )
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
 _SOFT = re.compile(r",|\s{3,}|\t")
@@ -66,7 +66,9 @@ _TAIL = re.compile(
     r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
-_AFTER_COMMA = re.compile(r",\s+(?=[^\W\d_]{2,}[\s.,;:)])[^=()\[\]+*^]*\Z")
+_AFTER_COMMA = re.compile(
+    r",\s+(?=[^\W\d_]{2,}(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
+)
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
@@ -340,11 +342,20 @@ def _after_words(text: str, start: int, end: int) -> int:
     return at
 
 
+def _is_known(word: str) -> bool:
+    """Whether a word is mathematics: a function, a Greek letter, or a function of one, `cosθ`."""
+    plain = word.rstrip(".,:").lower()
+    return plain in _KNOWN or _OF_GREEK.fullmatch(plain) is not None
+
+
+_OF_GREEK = re.compile(rf"(?:arc|a)?(?:sin|cos|tan|cot|exp|sqrt|ln|log)[{''.join(GREEK)}]\w?")
+
+
 def _prose_words(text: str, at: int, end: int) -> int:
     """The number of words with which a sentence begins: of at least two words one is long, and none is mathematics."""
     number, long = 0, False
     while word := _NEXT_WORD.match(text, at, end):
-        if word[1].lower() in _KNOWN or (len(word[1]) == 1 and number == 0):
+        if _is_known(word[1]) or (len(word[1]) == 1 and number == 0):
             break
         number, long, at = number + 1, long or len(word[1]) > 4, word.end()
     return number if number > 1 and long else 0
@@ -352,14 +363,14 @@ def _prose_words(text: str, at: int, end: int) -> int:
 
 def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
-    if plain in _KNOWN:
+    if _is_known(plain):
         return word.endswith(":")
     if plain in _LINKING or word.endswith(":"):
         return True
     if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
         return True
     following = _WORD.match(text, at + 1, end)
-    return len(plain) > 3 and (words > 0 or (following is not None and following[0].lower() not in _KNOWN))
+    return len(plain) > 3 and (words > 0 or (following is not None and not _is_known(following[0])))
 
 
 def _part(fragment: Fragment, start: int, end: int) -> Fragment:
@@ -394,12 +405,17 @@ def condition_alone(fragment: Fragment) -> Fragment:
         if tail := _AFTER_COMMA.search(draft.text):
             draft.keep(0, tail.start())
     elif "$" in draft.text:
-        draft.replace(_DOLLARS, " ")
+        inside = [m for m in _BETWEEN_DOLLARS.finditer(draft.text) if re.search(r"[<>≤≥]|\\[gl]eq?", m[1])]
+        ends = [0, *(x for m in inside for x in m.span(1)), len(draft.text)]
+        between = [
+            (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
+        ]
+        draft.apply(between if inside else [])
     return draft.finished(latex=is_latex(fragment))
 
 
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
-_DOLLARS = re.compile(r"\$")
+_BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
 
 def conditions_of(fragment: Fragment) -> list[Fragment]:

@@ -318,6 +318,8 @@ def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
 
 def is_rate(name: str, scope: Scope) -> bool:
     """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
+    if name[:1] == "d" and any(q.name == name[1:] for q in scope.slots.coordinates):
+        return True  # a differential
     suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
     if suffix and suffix["short"] != "d":
         stem = suffix["name"].rstrip("_") + (suffix["index"] or "")
