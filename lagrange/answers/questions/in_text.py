@@ -13,7 +13,7 @@ from dataclasses import replace
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
-from lagrange.answers.written.lines import condition_alone
+from lagrange.answers.written.lines import condition_alone, conditions_of
 from lagrange.answers.written.listed_values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.relations import is_inequality, limit_of
@@ -43,6 +43,8 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
             return _hamiltonian(functions, [f for f in answer if f not in functions], solution, judge)
     if any(v.steady is not None for v in solution.views):
         return _steady(answer, solution, judge)
+    if any(v.linearization is not None for v in solution.views) and not solution.asked:
+        return _linearized(answer, solution, judge)
     if any(a.answered for a in solution.asked):
         return _asked(answer, solution, judge)
     if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
@@ -141,11 +143,29 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
 
 
+def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of motion; linear ones are right as such, but the exact ones are missing."""
+    from lagrange.answers.questions.linearized import are_linear_equations
+    from lagrange.answers.written.working import understood
+
+    first = judge(answer)
+    working = understood(answer, reference_of_solution(solution))
+    if first.verdict is not Verdict.WRONG or not are_linear_equations(working.judged, solution):
+        return first
+    remark = "it is right for small displacements from equilibrium; the exact equations of motion are missing"
+    equations = tuple(
+        replace(e, verdict=Verdict.EQUIVALENT, diagnosis="", hints=(), cause="", model="", remarks=(remark,))
+        for e in first.equations.equations
+    )
+    return replace(first, equations=replace(first.equations, verdict=Verdict.INCOMPLETE, equations=equations))
+
+
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     failed: ProblemError | None = None
     first: Judgement | None = None
-    limits = [limit_of(condition_alone(f), "a condition", strict=True)[0] for f in answer if is_inequality(f)]
-    answer = [f for f in answer if not is_inequality(f)]
+    parts = [c for f in answer for c in (conditions_of(condition_alone(f)) if is_inequality(f) else [f])]
+    limits = [limit_of(f, "a condition", strict=True)[0] for f in parts if is_inequality(f)]
+    answer = [f for f in parts if not is_inequality(f)]
     try:
         first = judge(answer) if answer else None
     except ProblemError as error:

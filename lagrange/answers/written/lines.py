@@ -63,11 +63,11 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _AFTER_COMMA = re.compile(
-    r",\s+(?=[^\W\d_]{2,}(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
+    r",\s+(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
 )
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")

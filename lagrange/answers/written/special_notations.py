@@ -10,9 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
+from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, Edit, closings
+from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 
@@ -45,6 +48,16 @@ def special(draft: Draft, scope: Scope) -> None:
     draft.apply(_cube_roots(draft.text))
     draft.apply(_inverses(draft.text, _INVERSE, _WRITTEN_OUT))
     draft.replace(_INDEX, lambda m: _with_index(m, scope))
+
+
+def with_indices(fragment: Fragment, scope: Scope) -> Fragment:
+    """`x1 = ...` as x_1 = ..., so that it is no definition of another name."""
+    if is_latex(fragment) or not _INDEX.search(fragment.text):
+        return fragment
+    draft = Draft(fragment)
+    draft.replace(_INDEX, lambda m: _with_index(m, scope))
+    made = draft.finished()
+    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
 
 
 def special_latex(draft: Draft) -> None:
