@@ -350,7 +350,7 @@ class Examiner:
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            stated = [c for f in answer for c in conditions_of(condition_alone(f))]
+            stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
             return self._with_conditions(stated, solution)
         if solution is not None and self.asks_for_conditions and _asks_for_rest_alone(solution):
             from lagrange.answers.friction.rest_conditions import check_limits

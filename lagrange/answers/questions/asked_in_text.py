@@ -69,6 +69,8 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
             answered |= {name for name, _ in right}
             name, verdict = next(((n, v) for n, v in right if n in named), right[0])
             parts.append(_part(fragment, name, verdict))
+        elif judged and _holds_at_a_limit(fragment, judged, questions, solution, reference):
+            continue
         elif judged and len(judged) == len(named):
             name, verdict = judged[0]
             if len(named) == 1:  # with what is wrong about it
@@ -84,6 +86,26 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     order = (Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+def _holds_at_a_limit(
+    fragment: Fragment,
+    judged: Sequence[tuple[str, EquationVerdict]],
+    questions: Sequence[Asked],
+    solution: Solution,
+    reference: Reference,
+) -> bool:
+    """Whether a line is right for the value of a parameter that is asked for: v = sqrt(g R) at the least height."""
+    names = {name for name, _ in judged}
+    for asked in questions:
+        quantity, found = asked.question.quantity, [v for b in asked.branches for v in b.values]
+        if quantity not in reference.parameters.values() or len(found) != 1 or asked.question.name in names:
+            continue
+        special = replace(reference, values={**reference.values, quantity: found[0]})  # type: ignore[dict-item]
+        others = [a for a in questions if a.question.name in names]
+        if any(v.verdict is Verdict.EQUIVALENT for _, v in _verdicts(fragment, others, solution, special)):
+            return True
+    return False
 
 
 def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> bool:

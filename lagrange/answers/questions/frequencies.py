@@ -156,6 +156,19 @@ _HIGHEST = 2
 """The degree in ω² of a frequency equation that is solved."""
 
 
+def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
+    """The lines of a text that state frequencies or periods, and do not define what other lines contain."""
+    found = []
+    for f in answer:
+        match = _LABELLED.match(f.text)
+        name = match[0].strip(" $=") if match else ""
+        others = [g.text for g in answer if g is not f]
+        is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
+        if match and not is_natural and not any(name.split("^")[0].rstrip("² ") in text for text in others):
+            found.append(f)
+    return found
+
+
 def _listed(fragment: Fragment) -> list[Fragment]:
     """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]

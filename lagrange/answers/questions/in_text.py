@@ -145,9 +145,18 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
 def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion; linear ones are right as such, but the exact ones are missing."""
+    from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
     from lagrange.answers.questions.linearized import are_linear_equations
     from lagrange.answers.written.working import understood
 
+    stated = stated_frequencies(answer)
+    if stated:
+        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
+        frequencies = check_frequencies([stated], linearizations, reference_of_solution(solution))
+        rest = [f for f in answer if f not in stated]
+        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
+            judged = _linearized(rest, solution, judge) if rest else _only(frequencies, solution)
+            return replace(judged, others=(*judged.others, frequencies)) if rest else judged
     first = judge(answer)
     working = understood(answer, reference_of_solution(solution))
     if first.verdict is not Verdict.WRONG or not are_linear_equations(working.judged, solution):
@@ -163,7 +172,11 @@ def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) ->
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     failed: ProblemError | None = None
     first: Judgement | None = None
-    parts = [c for f in answer for c in (conditions_of(condition_alone(f)) if is_inequality(f) else [f])]
+    parts = [
+        c
+        for f in answer
+        for c in (map(condition_alone, conditions_of(condition_alone(f))) if is_inequality(f) else [f])
+    ]
     limits = [limit_of(f, "a condition", strict=True)[0] for f in parts if is_inequality(f)]
     answer = [f for f in parts if not is_inequality(f)]
     try:

@@ -33,6 +33,8 @@ _INVERSE_LATEX = re.compile(
 _COMMAND_AS_INDEX = re.compile(
     r"_\s*(?:\\(?P<plain>infty|max|min|star)(?![A-Za-z])|\{\s*\\(?P<braced>infty|max|min|star)\s*\})"
 )
+_BARE_INDEX = re.compile(r"_(max|min|tot|end|top|side|crit|res|eff)(?![A-Za-z])")
+"""An index of several letters without its braces, which TeX would not print as it is meant."""
 _WRITTEN_OUT = {
     "sinh": "log(({x}) + sqrt(({x})^2 + 1))",
     "cosh": "log(({x}) + sqrt(({x})^2 - 1))",
@@ -63,6 +65,7 @@ def with_indices(fragment: Fragment, scope: Scope) -> Fragment:
 def special_latex(draft: Draft) -> None:
     """Rewrite the notations of LaTeX."""
     draft.replace(_COMMAND_AS_INDEX, lambda m: f"_{{{(m['plain'] or m['braced'])[:3]}}}")
+    draft.replace(_BARE_INDEX, r"_{\1}")
     in_latex = {n: e.replace("log", r"\ln").replace("sqrt((", r"\sqrt{((") for n, e in _WRITTEN_OUT.items()}
     in_latex = {n: e.replace("^2 + 1))", "^2 + 1})").replace("^2 - 1))", "^2 - 1})") for n, e in in_latex.items()}
     draft.apply(_inverses(draft.text, _INVERSE_LATEX, in_latex))
