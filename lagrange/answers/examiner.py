@@ -375,10 +375,10 @@ class Examiner:
             from lagrange.answers.equilibria import alternatives_of
             from lagrange.answers.friction.impending import with_reactions_put_in
 
-            stated = with_reactions_put_in(working.judged, solution)
-            verdict = _impending(solution, alternatives_of(stated))
-            if verdict.verdict is Verdict.WRONG and len(stated) > 1:
-                each = _impending(solution, [(f,) for f in stated])  # up or down, a line each
+            shown = with_reactions_put_in(working.judged, solution)
+            verdict = _impending(solution, alternatives_of(shown))
+            if verdict.verdict is Verdict.WRONG and len(shown) > 1:
+                each = _impending(solution, [(f,) for f in shown])  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:

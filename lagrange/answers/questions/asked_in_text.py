@@ -101,7 +101,7 @@ def _holds_at_a_limit(
         quantity, found = asked.question.quantity, [v for b in asked.branches for v in b.values]
         if quantity not in reference.parameters.values() or len(found) != 1 or asked.question.name in names:
             continue
-        special = replace(reference, values={**reference.values, quantity: found[0]})  # type: ignore[dict-item]
+        special = replace(reference, values={**reference.values, quantity: found[0]})
         others = [a for a in questions if a.question.name in names]
         if any(v.verdict is Verdict.EQUIVALENT for _, v in _verdicts(fragment, others, solution, special)):
             return True
@@ -161,5 +161,5 @@ def _is_named(fragment: Fragment, asked: Asked) -> bool:
         if symbol.name == "t":
             return name in _TIMES
         if symbol.name == base(symbol).name:
-            return name == symbol.name.partition("_")[0] or match[0].strip(" $=\\") == symbol.name
+            return bool(name == symbol.name.partition("_")[0] or match[0].strip(" $=\\") == symbol.name)
     return any(base(s) != s and s.name.count("'") == 1 for s in symbols) and name in _SPEEDS

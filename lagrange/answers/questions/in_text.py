@@ -69,7 +69,7 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
         return _only(verdict, solution)
-    return _with_asked(
+    judged = _with_asked(
         answer,
         solution,
         lambda f: _only(
@@ -77,6 +77,7 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         ),
         _only(verdict, solution),
     )
+    return judged or _only(verdict, solution)
 
 
 def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

@@ -75,13 +75,13 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
         else:
             parts, answered = [*parts, part], answered | {q.name}
     solved: list[GivenEquation] = []
-    for f in working.unreadable:
-        ratio = _solved(f, working, coordinates, reference)
+    for line in working.unreadable:
+        ratio = _solved(line, working, coordinates, reference)
         if ratio is not None:
             verdict, why = judged_amplitude(ratio[1], ratio[0].name, found, reference)
-            parts.append(EquationVerdict.of(f.reading.text, verdict, why))
+            parts.append(EquationVerdict.of(line.reading.text, verdict, why))
             answered |= {ratio[0].name}
-            solved.append(f)
+            solved.append(line)
     unknown = _undamped(working, coordinates, found)
     rows: list[sp.Expr] = []
     for f in working.judged:
@@ -178,7 +178,7 @@ def _motion(
     """The coordinate and the verdict, if an equation gives a coordinate as a function of time."""
     sides = fragment.reading.sides
     for q, value in (sides, sides[::-1]) if len(sides) == 2 else ():
-        if q not in coordinates or not isinstance(value, sp.Expr):
+        if not isinstance(q, sp.Symbol) or q not in coordinates or not isinstance(value, sp.Expr):
             continue
         if any(base(s) in coordinates for s in value.free_symbols):
             return None

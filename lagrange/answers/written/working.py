@@ -250,7 +250,7 @@ class _Sorting:
         self.moving &= {*self.reference.parameters}
         for _ in range(3):
             before = len(self.defined)
-            for line in sorted(plain, key=lambda p: bool(re.match(r"[^=]{0,40}(?:\^\s*\{?2|²)\s*\}?\s*=", p.text))):
+            for line in plain:
                 line.definition = line.definition or self._defines(line)
             if len(self.defined) == before or all(line.definition for line in plain):
                 break
