@@ -19,7 +19,7 @@ from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
 from lagrange.answers.questions.statics import reactions_at_rest
 from lagrange.answers.reactions import check_reaction
-from lagrange.answers.readings import read_answer
+from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
@@ -439,8 +439,12 @@ class Examiner:
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
         listed = [a for f in working.judged for a in alternatives_of([f])]
         each = check_equilibria(listed, equilibria, self._statics_reference)
-        if verdict.verdict is Verdict.INCOMPLETE and each.verdict is not Verdict.EQUIVALENT:
-            return verdict
+        if verdict.verdict is Verdict.INCOMPLETE:  # `theta = asin(M/m)` and `theta = pi - asin(M/m)`, no `x = 0; y = l`
+            readings = [f.reading for f in working.judged if isinstance(f, GivenEquation)]
+            moving = {*self._statics_reference.scope.slots.coordinates}
+            used = {s for r in readings for e in r.components for s in e.free_symbols} & moving
+            if each.verdict is not Verdict.EQUIVALENT or len(used) != 1:
+                return verdict
         if each.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
             return verdict
         message = "the equations cannot hold together, and are read as one position of equilibrium each"

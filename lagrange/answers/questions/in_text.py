@@ -44,7 +44,7 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if any(v.steady is not None for v in solution.views):
         return _steady(answer, solution, judge)
     if any(v.linearization is not None for v in solution.views) and not solution.asked:
-        return _linearized(answer, solution, judge)
+        return _with_frequencies(answer, solution, judge)
     if any(a.answered for a in solution.asked):
         return _asked(answer, solution, judge)
     if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
@@ -144,11 +144,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
 
 
-def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
-    """The verdict on equations of motion; linear ones are right as such, but the exact ones are missing."""
+def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of motion, and on the frequencies beside them."""
     from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
-    from lagrange.answers.questions.linearized import are_linear_equations
-    from lagrange.answers.written.working import understood
 
     stated = stated_frequencies(answer)
     if stated:
@@ -156,18 +154,9 @@ def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) ->
         frequencies = check_frequencies([stated], linearizations, reference_of_solution(solution))
         rest = [f for f in answer if f not in stated]
         if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
-            judged = _linearized(rest, solution, judge) if rest else _only(frequencies, solution)
+            judged = _with_frequencies(rest, solution, judge) if rest else _only(frequencies, solution)
             return replace(judged, others=(*judged.others, frequencies)) if rest else judged
-    first = judge(answer)
-    working = understood(answer, reference_of_solution(solution))
-    if first.verdict is not Verdict.WRONG or not are_linear_equations(working.judged, solution):
-        return first
-    remark = "it is right for small displacements from equilibrium; the exact equations of motion are missing"
-    equations = tuple(
-        replace(e, verdict=Verdict.EQUIVALENT, diagnosis="", hints=(), cause="", model="", remarks=(remark,))
-        for e in first.equations.equations
-    )
-    return replace(first, equations=replace(first.equations, verdict=Verdict.INCOMPLETE, equations=equations))
+    return judge(answer)
 
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
