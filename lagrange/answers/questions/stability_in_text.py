@@ -209,5 +209,5 @@ def _position(
 
 def _numbers(expressions: Sequence[sp.Expr], state: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
     """The values of expressions; those that are no real numbers are missing."""
-    found = [sp.sympify(e).xreplace(dict(state)).evalf() for e in expressions]
+    found = [e.xreplace(dict(state)).evalf() for e in map(sp.Add, expressions)]
     return [v for v in found if v.is_real and v.is_finite]
