@@ -39,7 +39,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.core.symbols import Decimal
+from lagrange.core.symbols import Decimal, Sign
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
@@ -50,6 +50,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _ALL_ANGLES = "only one of the angles with this tangent, sine or cosine is given; all of them are taken to be meant"
+_BRANCH = "it is right on one of the two branches of the square root: {} = {:+d}"
 _INVERSE: dict[type, Callable[[sp.Expr], sp.Expr]] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
 
 
@@ -299,7 +300,18 @@ def _tried(
         in_letters = _judged(readings, equilibrium, reference, {})
         if in_letters is None or in_letters.verdict is Verdict.EQUIVALENT:
             return in_letters
-    return _judged(readings, equilibrium, reference, dict(reference.values))
+    verdict = _judged(readings, equilibrium, reference, dict(reference.values))
+    if verdict is None or verdict.verdict is not Verdict.WRONG:
+        return verdict
+    signs = {s for e in equilibrium.expressions for s in e.free_symbols if isinstance(s, Sign)}
+    for sign in (1, -1) if len(signs) == 1 else ():
+        branch = _judged(
+            readings, equilibrium, reference, {**reference.values, **dict.fromkeys(signs, sp.Integer(sign))}
+        )
+        if branch is not None and branch.verdict is Verdict.EQUIVALENT:
+            remark = _BRANCH.format(next(iter(signs)), sign)
+            return replace(branch, equations=tuple(replace(e, remarks=(*e.remarks, remark)) for e in branch.equations))
+    return verdict
 
 
 def _judged(

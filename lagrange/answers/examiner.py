@@ -17,12 +17,12 @@ import sympy as sp
 from lagrange.answers.equations import ComparedAnswer, check_equations, compared_answer, sides_of
 from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
-from lagrange.answers.reactions import AtRest, check_reaction
+from lagrange.answers.questions.statics import reactions_at_rest
+from lagrange.answers.reactions import check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
-    FIRST,
     WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
@@ -32,6 +32,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.in_words import is_about_freedom, stated_in_words
 from lagrange.answers.written.lines import has_sign_of_equality
+from lagrange.answers.written.listed_values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
@@ -100,7 +101,12 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
             yield quantities.check_generalized_forces(answers.generalized_forces, solution)
         if answers.conserved:
             yield quantities.check_conserved(answers.conserved, solution)
-        if answers.virtual_displacements:
+        if answers.virtual_displacements and about_constraints(solution):
+            from lagrange.answers.written.working import understood
+
+            working = understood(answers.virtual_displacements, reference_of_solution(solution))
+            yield replace(check_constraints(working, solution), name="virtual_displacements")
+        elif answers.virtual_displacements:
             yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
     if answers.steady:
         from lagrange.answers.equilibria import check_steady
@@ -136,6 +142,11 @@ def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
     return check_rest(stated, rests, reference_of_solution(solution), solution)
+
+
+def _asks_for_rest_alone(solution: Solution) -> bool:
+    """Whether a problem asks for conditions of rest, and for neither positions nor motion."""
+    return solution.own.equilibrium is None and not any(v.impending or v.motion for v in solution.views)
 
 
 def _rests(solution: Solution) -> list[Rest | Rolling]:
@@ -244,7 +255,7 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
         return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
-    at_rest = _at_rest(solution) if solution.own.motion is None else None
+    at_rest = reactions_at_rest(solution) if solution.own.motion is None else None
     parts: list[EquationVerdict] = []
     errors: list[Diagnostic] = []
     for name, fragment in stated.items():
@@ -262,14 +273,6 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
     together = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
     return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="reactions")
-
-
-def _at_rest(solution: Solution) -> AtRest | None:
-    """The reactions at the equilibria; None if there are no constraints."""
-    if solution.law is None or solution.own.reactions_at_rest is None:
-        return None
-    reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
-    return AtRest(solution.law.newton, reactions, reference_of_solution(solution))
 
 
 @record
@@ -307,6 +310,13 @@ class Examiner:
         """Whether inequalities are asked for: where friction holds the system."""
         return self.solution is not None and bool(_rests(self.solution))
 
+    @property
+    def reads_inequalities(self) -> bool:
+        """Whether an inequality may be an answer: a condition of rest, or the limit of a parameter."""
+        asked = self.solution.asked if self.solution is not None else ()
+        parameters = {p.symbol for p in self.problem.parameters}
+        return self.asks_for_conditions or any(a.question.quantity in parameters for a in asked)
+
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
         from lagrange.answers.points import score
@@ -325,14 +335,29 @@ class Examiner:
             return self._checked(answer)
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
-        from lagrange.answers.questions.virtual_work import with_conditions
-        from lagrange.answers.written.lines import conditions_of, separated
-        from lagrange.answers.written.working import Working, understood
+        from lagrange.answers.questions.in_text import judged_in_text
+        from lagrange.answers.written.lines import separated
 
         answer = separated(answer)
+        return (
+            self._compared(answer) if self.solution is None else judged_in_text(answer, self.solution, self._compared)
+        )
+
+    def _compared(self, answer: Sequence[Fragment]) -> Judgement:
+        """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.questions.virtual_work import with_conditions
+        from lagrange.answers.written.lines import condition_alone, conditions_of
+        from lagrange.answers.written.working import Working, understood
+
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
+            stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
+            return self._with_conditions(stated, solution)
+        if solution is not None and self.asks_for_conditions and _asks_for_rest_alone(solution):
+            from lagrange.answers.friction.rest_conditions import check_limits
+
+            limits = check_limits(answer, _rests(solution), self._statics_reference, solution)
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (limits,))
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
@@ -343,7 +368,7 @@ class Examiner:
                 message = "the method is quoted, and no equation follows that could be checked"
                 help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
                 raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
-            working = Working(answer)
+            working = Working(tuple(answer))
         if solution is not None and not moving:
             working = with_conditions(working, solution)
         at_rest = solution is not None and (
@@ -351,10 +376,12 @@ class Examiner:
         )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
+            from lagrange.answers.friction.impending import with_reactions_put_in
 
-            verdict = _impending(solution, alternatives_of(working.judged))
-            if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
-                each = _impending(solution, [(f,) for f in working.judged])  # up or down, a line each
+            shown = with_reactions_put_in(working.judged, solution)
+            verdict = _impending(solution, alternatives_of(shown))
+            if verdict.verdict is Verdict.WRONG and len(shown) > 1:
+                each = _impending(solution, [(f,) for f in shown])  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
@@ -362,17 +389,18 @@ class Examiner:
         verdict = self._on_motion(working)
         if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
             alone = understood(answer, scope, eliminating=False)
-            verdict = self._on_motion(alone if alone.judged else Working(answer))
+            verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
         return self._judgement(verdict)
 
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
         """The verdict on conditions of rest, with that on equations where the problem asks for these too."""
         equations = tuple(f for f in answer if not is_inequality(f))
-        alone = solution.own.equilibrium is None and not any(v.impending or v.motion for v in solution.views)
+        alone = _asks_for_rest_alone(solution)
         rest = _rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
-        return replace(self._checked(equations), others=(rest,))
+        judged = self._checked(equations)
+        return replace(judged, others=(rest, *judged.others))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         from lagrange.answers.written.judging import verdict_on
@@ -392,31 +420,39 @@ class Examiner:
         return verdict_on(working, reference, check)
 
     def _statics(self, working: Working, solution: Solution) -> Judgement:
+        from lagrange.answers.questions.stability_in_text import with_stability
+        from lagrange.answers.questions.statics import check_statics
         from lagrange.answers.written.judging import verdict_on
 
         kinds = (True, False)
 
         def check(equations: Sequence[Fragment], _: bool) -> AnswerVerdict:
             nonlocal kinds
-            verdict, *shown = _check_statics(equations, solution)
+            verdict, *shown = check_statics(equations, solution)
             kinds = (shown[0], shown[1])
             return verdict
 
         verdict = verdict_on(working, self._statics_reference, check, moving=False)
-        if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
+        if verdict.verdict in (Verdict.WRONG, Verdict.INCOMPLETE) and len(working.judged) > 1:
             verdict = self._as_alternatives(working, solution, verdict)
         if verdict.verdict is Verdict.WRONG and kinds == (True, False):
             verdict = self._with_explanation(working, solution, verdict)
+        verdict = with_stability(verdict, working.judged, solution, self._statics_reference)
         return self._judgement(verdict, statics=kinds[0], reactions=kinds[1])
 
     def _as_alternatives(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
         """The verdict on equations that cannot hold together, one a line, as on positions of equilibrium in a list."""
-        from lagrange.answers.equilibria import check_equilibria
+        from lagrange.answers.equilibria import alternatives_of, check_equilibria
 
-        if any(not isinstance(f, GivenEquation) for f in working.judged):
-            return verdict
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-        each = check_equilibria([(f,) for f in working.judged], equilibria, self._statics_reference)
+        listed = [a for f in working.judged for a in alternatives_of([f])]
+        each = check_equilibria(listed, equilibria, self._statics_reference)
+        if verdict.verdict is Verdict.INCOMPLETE:  # `theta = asin(M/m)` and `theta = pi - asin(M/m)`, no `x = 0; y = l`
+            readings = [f.reading for f in working.judged if isinstance(f, GivenEquation)]
+            moving = {*self._statics_reference.scope.slots.coordinates}
+            used = {s for r in readings for e in r.components for s in e.free_symbols} & moving
+            if each.verdict is not Verdict.EQUIVALENT or len(used) != 1:
+                return verdict
         if each.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
             return verdict
         message = "the equations cannot hold together, and are read as one position of equilibrium each"
@@ -453,16 +489,29 @@ class Examiner:
 
     def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> Judgement:
         """The verdict on answers to all questions; `more` are equations beside them. Raises ProblemError."""
+        from lagrange.answers.written.lines import separated
+
         solution, equations = self.solution, (*answers.equations, *more)
+        listed: tuple[AnswerVerdict, ...] = ()
+        if solution is not None and solution.own.motion is None and len(answers.equilibrium) == 1:
+            [flat] = answers.equilibrium
+            stated = separated(with_all_values(flat, solution.problem.scope.names()))
+            if [f.text for f in stated] != [f.text for f in flat]:  # `theta = 0, theta = pi` is as in a text
+                listed = (replace(self._compared(stated).equations, name="equilibrium"),)
+                answers = replace(answers, equilibrium=())
+        if len(answers.steady) == 1:  # `v^2 = g r, v = r phi'`
+            answers = replace(answers, steady=(tuple(e for f in answers.steady[0] for e in separated([f])),))
         others = (
             tuple(_nothing_to_compare(answers))
             if solution is None
             else (*on_freedom_and_class(solution, answers), *_after_equations(solution, answers))
         )
+        others = (*others, *listed)
         if not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
-            return replace(self._checked(equations), others=others)
+            judged = self._checked(equations)
+            return replace(judged, others=(*others, *judged.others))
 
     def check_own(self) -> Judgement:
         """The verdict on the answers that the problem file states. Raises ProblemError if it states none."""
@@ -519,39 +568,6 @@ def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
     for answer in fields(Answers):
         if answer.name != "equations" and getattr(answers, name := answer.name) not in (None, (), {}):
             yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
-
-
-def _check_statics(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
-    """The verdict on equations without motion; whether they are about equilibria, and about reactions there."""
-    from lagrange.answers.equilibria import alternatives_of, check_equilibria
-    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
-
-    equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-    reference = reference_of_solution(solution)
-    at_rest = _at_rest(solution)
-    readings = [(f, read_answer(f, reference.scope)) for f in answer] if at_rest else []
-    about = [(f, r) for f, r in readings if at_rest and at_rest.mentions_reactions(r)]
-    rest = [f for f in answer if all(f is not other for other, _ in about)]
-    if not about or at_rest is None:
-        verdict = check_equilibria(alternatives_of(answer), equilibria, reference)
-        return compared_in_numbers(alternatives_of(answer), verdict, solution), True, False
-    stated = tuple(at_rest.check(r) for _, r in about)
-    together = _all_stated(stated)
-    notes = tuple(n for _, r in about for n in r.notes)
-    if not rest:
-        return AnswerVerdict(together, stated, notes=notes), False, True
-    positions = check_equilibria(alternatives_of(rest), equilibria, reference)
-    both = next(
-        (v for v in FIRST if v in (positions.verdict, together) and v is not Verdict.TRIVIAL), positions.verdict
-    )
-    equations, notes = (*positions.equations, *stated), (*positions.notes, *notes)
-    return replace(positions, verdict=both, equations=equations, notes=notes), True, True
-
-
-def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
-    """The verdict on several equations; identities count where there is nothing else."""
-    verdicts = {v.verdict for v in stated}
-    return next((v for v in (*FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
 
 
 def _moves(answer: Sequence[Fragment], scope: Scope) -> bool:

@@ -96,7 +96,8 @@ class GivenEquation(OneEquation):
     @classmethod
     def of_reading_at(cls, reading: Reading, place: Fragment) -> GivenEquation:
         """The equation that was read at a place."""
-        return cls(reading.text, place.span(0, len(place.text)), None, reading)
+        beside = getattr(place, "beside", "")
+        return cls(reading.text, place.span(0, len(place.text)), None, beside=beside, reading=reading)
 
 
 def read_answer(fragment: Fragment, scope: Scope) -> Reading:

@@ -416,7 +416,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += answer_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
+                fragments += answer_in_file(source, ending, conditions=self.examiner.reads_inequalities)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"

@@ -73,7 +73,8 @@ def _initializer(plain: Callable[..., None]) -> Callable[..., None]:
 
 def _compared(instance: Any) -> list[Any]:
     values = instance.__dict__
-    return [values[name] for name in _names_compared(type(instance))]
+    of: Any = type(instance)
+    return [values[name] for name in _names_compared(of)]
 
 
 @cache

@@ -38,6 +38,7 @@ from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
+from lagrange.problem.yaml.words import classes_in, truth_in, whole_number_in
 
 _OPPOSITES = tuple(zip(CLASSES[::2], CLASSES[1::2], strict=True))
 
@@ -80,9 +81,9 @@ class AnswerReader:
         section = Section(mapping, "the answers", ANSWERS, self.diagnostics)
         freedom = section.get("degrees_of_freedom")
         return Answers(
-            degrees_of_freedom=self.diagnostics.attempt(lambda: _whole_number(freedom)) if freedom else None,
+            degrees_of_freedom=self.diagnostics.attempt(lambda: self._freedom(freedom)) if freedom else None,
             classification=self._classification(section.get("classification")),
-            integrable=self._of_constraints(section.get("integrable"), "integrable", "rod: true", _truth_value),
+            integrable=self._of_constraints(section.get("integrable"), "integrable", "rod: true", self._truth),
             equations=self.equations(section.get("equations"), "`equations`"),
             equilibrium=self._equilibrium(section.get("equilibrium")),
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
@@ -99,6 +100,15 @@ class AnswerReader:
             response=self._named(section.get("response"), "`response`", "response: {x: F_0/(k - m*w^2)}"),
             impact=self._named(section.get("impact"), "`impact`", "impact: {x': J/m}"),
         )
+
+    def _freedom(self, node: Node) -> int:
+        """A number of degrees of freedom; in a file of answers in words, too."""
+        stated = whole_number_in(node.text) if isinstance(node, Scalar) and not self.tries else None
+        return _whole_number(node) if stated is None else stated
+
+    def _truth(self, node: Node) -> bool:
+        stated = truth_in(node.text) if isinstance(node, Scalar) and not self.tries else None
+        return _truth_value(node) if stated is None else stated
 
     def points(self, node: Node | None) -> tuple[Weight, ...]:
         """The section `points`: a weight for each part, or for each statement of a part by its name."""
@@ -281,6 +291,8 @@ class AnswerReader:
         if node is None:
             return ()
         example = "classification: [holonomic, scleronomic]"
+        if isinstance(node, MappingNode) and not self.tries:
+            node = _as_list(node)
         items = (
             (node,)
             if isinstance(node, Scalar)
@@ -288,6 +300,10 @@ class AnswerReader:
         )
         words: dict[str, Scalar] = {}
         for item in items or ():
+            loose = classes_in(item.text) if isinstance(item, Scalar) and not self.tries else ()
+            if loose and isinstance(item, Scalar):
+                words |= {word: item for word in loose if word not in words}
+                continue
             scalar = self.diagnostics.attempt(lambda i=item: _class(i))  # type: ignore[misc]
             if scalar is not None:
                 words.setdefault(scalar.text, scalar)
@@ -342,6 +358,19 @@ def _scope_of_answers(scope: Scope, choices: tuple[Choice, ...]) -> Scope:
     if any(c.substitute is None for c in choices):
         signs = {f"sigma_{n}": Sign(f"sigma_{n}") for n in range(1, MOST_SIGNS)}
     return replace(scope, slots=slots, scalars=signs | dict(scope.scalars))
+
+
+def _as_list(node: MappingNode) -> Node:
+    """`{holonomic: true, scleronomic: no}` as the list of what it says; another mapping as it is."""
+    opposite = dict((*_OPPOSITES, *((b, a) for a, b in _OPPOSITES)))
+    words: list[Scalar] = []
+    for key, value in node.entries:
+        holds = truth_in(value.text) if isinstance(value, Scalar) else None
+        named = classes_in(key.text)
+        if holds is None or len(named) != 1:
+            return node
+        words.append(replace(key, text=named[0] if holds else opposite[named[0]]))
+    return ListNode(tuple(words), node.span)
 
 
 def _whole_number(node: Node) -> int:

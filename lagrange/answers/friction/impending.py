@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.equilibria import check_equilibria
-from lagrange.answers.readings import read_answer
+from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
@@ -38,7 +39,10 @@ def check_impending(
     unreadable = next((v for row in table for v in row if v.verdict is Verdict.UNREADABLE), None)
     if unreadable is not None:
         return unreadable
-    right = [[v.verdict in _RIGHT for v in row] for row in table]
+    right = [
+        [v.verdict in _RIGHT and not _foreign(a, m, reference) for v, a in zip(row, alternatives, strict=True)]
+        for row, m in zip(table, motions, strict=True)
+    ]
     if all(any(column) for column in zip(*right, strict=True)):
         complete = True
         for row, stated, m in zip(right, own, motions, strict=True):
@@ -47,7 +51,11 @@ def check_impending(
             complete = complete and check_equilibria(kept, [m.equilibrium], reference).verdict is Verdict.EQUIVALENT
         return AnswerVerdict(Verdict.EQUIVALENT if complete else Verdict.INCOMPLETE)
     columns = [[row[n].verdict for row in table] for n, _ in enumerate(alternatives)]
-    wrong = [a for a, column in zip(alternatives, columns, strict=True) if all(v is Verdict.WRONG for v in column)]
+    wrong = [
+        a
+        for a, column in zip(alternatives, columns, strict=True)
+        if all(v is Verdict.WRONG for v in column) or any(_foreign(a, m, reference) for m in motions)
+    ]
     if not wrong:
         return AnswerVerdict(Verdict.UNDECIDED)
     return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
@@ -74,6 +82,40 @@ def _explained(
     coefficients = {c.coefficient for m in motions for c in m.contacts}
     found = explained_limits(stated, [r.lhs - r.rhs for r in relations], coefficients)
     return found or explained_by_contacts(stated, solution)
+
+
+def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> bool:
+    """Whether an answer contains a parameter on which nothing depends here, the kinetic friction for the static one."""
+    stated = {s for f in alternative for e in read_answer(f, reference.scope).components for s in e.free_symbols}
+    found = motion.equilibrium
+    used = {s for e in found.expressions for s in e.free_symbols} | {s for b in found.branches for s in _symbols(b)}
+    return not stated & {*reference.parameters.values()} <= used
+
+
+def with_reactions_put_in(judged: Sequence[Fragment], solution: Solution) -> tuple[Fragment, ...]:
+    """The equations with N_A = ... put into the others, where these then state something without reactions."""
+    reactions = solution.law.newton.reactions if solution.law is not None else ()
+    names = {s for r in reactions for s in (r.multiplier, r.given, r.symbol) if s is not None}
+    rule: dict[sp.Symbol, sp.Expr] = {}
+    kept: list[GivenEquation] = []
+    for f in judged:
+        if not isinstance(f, GivenEquation):
+            return tuple(judged)
+        sides = f.reading.sides
+        pairs = [(a, b) for a, b in (sides, sides[::-1])] if len(sides) == 2 else []
+        named = next(((a, b) for a, b in pairs if a in names and a not in rule and isinstance(b, sp.Expr)), None)
+        if named and not named[1].xreplace(rule).free_symbols & names:
+            rule[named[0]] = named[1].xreplace(rule)
+        else:
+            kept.append(f)
+    if not rule or not kept:
+        return tuple(judged)
+    return tuple(
+        replace(
+            f, reading=replace(f.reading, components=tuple(e.xreplace(rule) for e in f.reading.components), sides=())
+        )
+        for f in kept
+    )
 
 
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:

@@ -13,16 +13,20 @@ import random
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.results.approximate import approximate
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
@@ -39,11 +43,15 @@ CLEAR = 1e-6
 
 @record
 class _Stated:
-    """slack ≥ 0, or slack = 0."""
+    """slack ≥ 0, or slack = 0.
+
+    rounded  the slack with symbols for its decimals; None if it has none
+    """
 
     text: str
     slack: sp.Expr
     equation: bool
+    rounded: sp.Expr | None = None
 
 
 def check_rest(
@@ -98,6 +106,58 @@ def _explained(
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 
 
+def check_limits(
+    stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
+) -> AnswerVerdict:
+    """The verdict on limits that are stated by equations: Q_max = ..., Q_min = ..., mu = ... = 0.311.
+
+    A limit without an index is meant as an upper or a lower one, whichever is right.
+    """
+    verdicts = [check_rest(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)]
+    if not verdicts:
+        return check_rest(stated, rests, reference, solution)
+    order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
+    return min(verdicts, key=lambda v: order.index(v.verdict))
+
+
+def _as_conditions(stated: Sequence[Fragment], reference: Reference) -> Iterator[list[Fragment]]:
+    """Inequalities for equations between a name and its limits, in both senses where no index tells the sense."""
+    pieces: list[tuple[Fragment, str, Fragment]] = []
+    for f in stated:
+        sides = _pieces(f, _EQUALS)
+        match = _EXTREMUM.fullmatch(sides[0].text.strip(" $"))
+        if len(sides) < 2 or len(sides) > 5 or match is None:
+            return
+        name = scope_name(match["name"], reference)
+        if name is None:
+            return
+        if any(u.name == name for u in reference.unknowns):  # working: T = P e^(mu beta)
+            continue
+        for side in sides[1:]:
+            pieces.append(
+                (f, f"{name} {{}} " if not match["which"] else f"{name} {_SENSES[match['which'][:3]]} ", side)
+            )
+    for sense in ("<=", ">="):
+        made = []
+        for f, start, side in pieces:
+            draft = Draft(f)
+            draft.apply([(0, len(f.text), f"{start.format(sense)}{side.text}")])
+            made.append(draft.finished(latex=is_latex(f)))
+        if made:
+            yield made
+
+
+def scope_name(written: str, reference: Reference) -> str | None:
+    """The declared name that a text is; None if it is none."""
+    name = reference.scope.spelling("".join(GREEK.get(c, c) for c in written.replace("\\", "")))
+    return name if name in reference.declared else None
+
+
+_EQUALS = re.compile(r"(?<![<>!=:])=(?![=>])|\\approx(?![A-Za-z])|≈")
+_SENSES = {"min": ">=", "max": "<="}
+_EXTREMUM = re.compile(
+    r"(?P<name>\\?[^\W\d_]+?(?:_?[0-9])?)(?:_?\s*\{?\s*\\?(?:text|mathrm|rm)?\s*\{?\s*(?P<which>min|max)[a-z]{0,4}\s*\}?\s*\}?)?"
+)
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
 _AND = re.compile(
     r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
@@ -113,7 +173,7 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
     for part in parts:
         signs = [*_RELATION.finditer(part.text)]
         bounds = [0, *(m.end() for m in signs), len(part.text)]
-        for n in range(max(1, len(signs) - 1)):
+        for n in range(max(1, len(signs))):
             start, end = bounds[n], signs[n + 1].start() if n + 1 < len(signs) else len(part.text)
             piece = cut(part, start, end)
             yield from _without_extremes(piece)
@@ -157,7 +217,8 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
     if reading.error is not None:
         raise reading.error
     [difference] = reading.components
-    return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
+    rounded = reading.with_decimals[0] * (side or 1) if reading.with_decimals else None
+    return _Stated(fragment.text.strip(), difference * (side or 1), side is None, rounded)
 
 
 def _of_another_body(stated: Sequence[_Stated], solution: Solution) -> str:
@@ -187,8 +248,14 @@ def _in_parts(
         return rest.configuration.rewritten(e).xreplace(numbers)
 
     given = [
-        part for s in stated for part in _without_modulus(_multiplied_out(_Stated(s.text, valued(s.slack), s.equation)))
+        part
+        for s in stated
+        for part in _without_modulus(
+            _multiplied_out(_Stated(s.text, valued(s.slack), s.equation, s.rounded and valued(s.rounded)))
+        )
     ]
+    always = [s for s in given if not s.equation and Signs(_symbols(s.slack)).of(s.slack) == 1]  # 0 <= P
+    given = [s for s in given if s not in always] or given
     cases = [
         [
             *(part for c in case for part in _without_modulus(_Stated("", valued(c.right - c.left), False))),
@@ -202,7 +269,7 @@ def _in_parts(
 def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
     given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
-        same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c)} for s in given]
+        same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c) or _rounds_to(s, c)} for s in given]
         found = set().union(*same) if same else set()
         if all(same) and len(found) == len(cases[0]):
             return Verdict.EQUIVALENT
@@ -223,7 +290,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         partly = known and given and all(any(_are_same(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
     needed = [c for case in cases for c in case]
-    exact = all(any(_are_same(s, c) or _has_limit(s, c) for c in needed) for s in given)
+    exact = all(any(_are_same(s, c) or _has_limit(s, c) or _rounds_to(s, c) for c in needed) for s in given)
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
 
 
@@ -273,6 +340,40 @@ def _differ(a: sp.Expr, b: sp.Expr) -> bool:
     draw = random.Random(7)
     points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_SAMPLES))
     return any(approximate(a, p) * approximate(b, p) < -CLEAR for p in points)
+
+
+def _rounds_to(a: _Stated, b: _Stated) -> bool:
+    """Whether the limit of a condition with one decimal is, rounded, that of another: μ ≥ 0.31 for μ ≥ 0.3113."""
+    if a.rounded is None or a.equation or b.equation:
+        return False
+    decimals = sorted(decimals_in([a.rounded]), key=str)
+    names = sorted(_symbols(b.slack) & _symbols(a.slack), key=str)
+    if len(decimals) != 1 or not names:
+        return False
+    [decimal], unknown = decimals, names[0]
+    slope = a.rounded.diff(unknown)
+    if slope == 0 or slope.has(unknown):
+        return False
+    limit = sp.expand(unknown - a.rounded / slope)
+    seen = 0
+    for point in islice(_points([_Stated("", b.slack * a.slack, False)]), 8):
+        rest = {s: v for s, v in point.items() if s != unknown}
+        try:
+            ends = [
+                as_written(limit.xreplace({decimal: decimal.written + side * decimal.half_width}))
+                .xreplace(rest)
+                .evalf()
+                for side in (-1, 1)
+            ]
+            low, high = sorted(ends)
+            values = [b.slack.xreplace({**rest, unknown: v}).evalf() for v in (low, high)]
+            rising = bool(slope.xreplace(rest).evalf() > 0)
+            if values[0] * values[1] > 0 or bool(values[1] > values[0]) is not rising:
+                return False
+        except (TypeError, ZeroDivisionError):
+            return False
+        seen += 1
+    return seen > 0
 
 
 def _has_limit(a: _Stated, b: _Stated) -> bool:

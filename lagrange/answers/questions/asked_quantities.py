@@ -66,7 +66,7 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     def judged(name: str, fragment: Fragment) -> Judged:
         if name not in asked:
             return Verdict.UNDECIDED, _NOT_ANSWERED
-        claims = [_Claim(f, asked[name], solution, reference) for f in with_both_signs(fragment)]
+        claims = claims_of(fragment, asked[name], solution, reference)
         found = [(claim.verdict(), claim) for claim in claims]
         (verdict, remark), claim = max(found, key=lambda v: WORST_TO_BEST.index(v[0][0]))
         if verdict is Verdict.EQUIVALENT and any(v[0] is not Verdict.EQUIVALENT for v, _ in found):
@@ -79,6 +79,11 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     return check_each("ask", stated, judged)
 
 
+def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[Claim]:
+    """What a text states about a question; with `±` two of them. Raises ProblemError."""
+    return [Claim(f, asked, solution, reference) for f in with_both_signs(fragment)]
+
+
 def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
     """The answer without the branches that the values exclude."""
     left = tuple(b for b in asked.branches if not b.excluded_by(values))
@@ -88,7 +93,7 @@ def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
 _ONE_SIGN = "it is right with one of the two signs only"
 
 
-class _Claim:
+class Claim:
     """A stated answer to one question."""
 
     def __init__(self, fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> None:
@@ -111,7 +116,7 @@ class _Claim:
         view = next(v for v in self.solution.views if v.name == self.asked.choice)
         return view.configuration.rewritten(e)
 
-    def verdict(self) -> tuple[Verdict, str]:
+    def verdict(self, *, explaining: bool = True) -> tuple[Verdict, str]:
         """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
         if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
@@ -125,7 +130,7 @@ class _Claim:
             if rounded_verdict is Verdict.EQUIVALENT or verdict is Verdict.WRONG:
                 right = rounded_verdict is Verdict.EQUIVALENT
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
-        if verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
+        if explaining and verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
             remark = self._explained(as_written(claim))
         return verdict, remark
 

@@ -13,6 +13,7 @@ values, the stated numbers are compared with the exponents in numbers: a decimal
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -36,6 +37,7 @@ from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
+from lagrange.expressions.edits import cut, cuts
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -116,8 +118,10 @@ def check_frequencies(
 ) -> AnswerVerdict:
     """The verdict on all lists together."""
     try:
-        stated = [[e for f in fragments for e in with_both_signs(f)] for fragments in stated]
-        lists = [[_read(f, reference) for f in fragments] for fragments in stated]
+        stated = [[e for f in fragments for one in _listed(f) for e in with_both_signs(one)] for fragments in stated]
+        read = [[(f, value) for f in fragments for value in _values(f, reference)] for fragments in stated]
+        stated = [[f for f, _ in pairs] for pairs in read]
+        lists = [[value for _, value in pairs] for pairs in read]
     except ProblemError as error:
         why = error.diagnostics[0].message
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
@@ -142,6 +146,51 @@ def check_frequencies(
             return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
     sentence = next(filter(None, (_of_models(claims, places, reference) for claims in lists)), "")
     return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
+
+
+_LABELLED = re.compile(
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*=(?!=)"
+)
+_BETWEEN = re.compile(r"[,;]|\b(?:and|und)\b|\\q?quad(?![A-Za-z])")
+_HIGHEST = 2
+"""The degree in ω² of a frequency equation that is solved."""
+
+
+def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
+    """The lines of a text that state frequencies or periods, and do not define what other lines contain."""
+    found = []
+    for f in answer:
+        match = _LABELLED.match(f.text)
+        name = match[0].strip(" $=") if match else ""
+        others = [g.text for g in answer if g is not f]
+        is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
+        if match and not is_natural and not any(name.split("^")[0].rstrip("² ") in text for text in others):
+            found.append(f)
+    return found
+
+
+def _listed(fragment: Fragment) -> list[Fragment]:
+    """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
+    pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
+    return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]
+
+
+def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
+    """The frequency that a text states, or those that satisfy an equation for them. Raises ProblemError."""
+    omega = reference.scope.scalar("omega")
+    scope = replace(reference.scope, decimals="")
+    if "=" not in fragment.text or _LABELLED.match(fragment.text) or not isinstance(omega, sp.Symbol):
+        return [_read(fragment, reference)]
+    stated = statement(fragment, scope, reference.declared)
+    if len(stated.sides) != 2:
+        return [_read(fragment, reference)]
+    sides = [tried(f, stated.scope, lambda f: read_value(f, stated.scope, [], latex=True)) for f in stated.sides]
+    square = sp.Symbol("square", positive=True)
+    difference = sides[0] - sides[1] if not any(isinstance(side, Vector) for side in sides) else sp.S.Zero
+    equation = sp.numer(sp.together(difference.xreplace({omega: sp.sqrt(square)})))
+    if not equation.is_polynomial(square) or not 0 < sp.degree(sp.expand(equation), square) <= _HIGHEST:
+        return [_read(fragment, reference)]
+    return [sp.sqrt(root) for root in sp.roots(sp.expand(equation), square)]
 
 
 def _of_models(claims: Sequence[sp.Expr], places: Sequence[_Place], reference: Reference) -> str:

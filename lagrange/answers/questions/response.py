@@ -7,19 +7,22 @@ phase, and may be stated either way.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.questions.asked_quantities import read_stated
 from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.reading import tried
+from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
+from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.driven.response import Response
 from lagrange.mechanics.results import Solution
 
@@ -50,28 +53,31 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
 
 
 def _judged(
-    name: str, fragment: Fragment, found: list[Response], reference: Reference, claims: dict[str, sp.Expr]
+    name: str, fragment: Fragment, found: Sequence[Response], reference: Reference, claims: dict[str, sp.Expr]
 ) -> Judged:
     """The verdict on one amplitude, which is added to `claims`. Raises ProblemError, DivisionByZeroError."""
-    squares = {
-        q.name: sp.Add(a**2, b**2)
-        for r in found
-        for q, a, b in zip(r.forced.configuration.slots.coordinates, r.cosines, r.sines, strict=True)
-    }
+    squares = _squares(found)
     if name not in squares:
         message = f"`{name}` is not a coordinate with an amplitude"
         raise ProblemError(
             Diagnostic("unknown-name", message, fragment.whole, help=suggestion(name, list(squares), "coordinates"))
         )
-    text = fragment.text
-    if "=" in text:  # x = F/k, A = F/k, |x| = F/k: what stands on the left is the amplitude
-        start = text.rindex("=") + 1
-        fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
-    claim, _ = read_stated(fragment, replace(reference.scope, decimals=""), name)
-    assert claim is not None  # without a sign of equality it is an expression
+    scalars = {n: e for n, e in reference.scope.scalars.items() if n not in reference.letters}
+    stated = statement(fragment, replace(reference.scope, scalars=scalars, decimals=""), name=name)
+    # x = F/k, A = F/k, |x| = F/k: what stands on the left is the amplitude
+    claim = tried(stated.sides[-1], stated.scope, lambda f: read_value(f, stated.scope, [], latex=True))
+    if isinstance(claim, Vector):
+        raise ProblemError(Diagnostic("vector-for-scalar", "an amplitude is a number, not a vector", fragment.whole))
+    if not any(s.name == "t" for s in claim.free_symbols):
+        claims[name] = as_written(claim).xreplace(dict(reference.values))
+    return judged_amplitude(claim, name, found, reference)
+
+
+def judged_amplitude(claim: sp.Expr, name: str, found: Sequence[Response], reference: Reference) -> Judged:
+    """The verdict on the value of the amplitude of a coordinate. Raises DivisionByZeroError."""
+    squares = _squares(found)
     if any(s.name == "t" for s in claim.free_symbols):
         return Verdict.WRONG, _MOVES
-    claims[name] = as_written(claim).xreplace(dict(reference.values))
     difference = (claim**2 - squares[name]).xreplace(dict(reference.values))
     same = is_zero(as_written(difference))
     if same is False and decimals_in([difference]):
@@ -83,3 +89,12 @@ def _judged(
     amplitude = sp.powdenest(sp.sqrt(sp.factor(sp.expand(squares[name]))), force=True)
     why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
     return Verdict.WRONG, next(filter(None, why), "")
+
+
+def _squares(found: Sequence[Response]) -> dict[str, sp.Expr]:
+    """The squares of the amplitudes by the names of their coordinates."""
+    return {
+        q.name: sp.Add(a**2, b**2)
+        for r in found
+        for q, a, b in zip(r.forced.configuration.slots.coordinates, r.cosines, r.sines, strict=True)
+    }

@@ -8,7 +8,9 @@ displacements as the constraints do. A relation f = const, and one with dq or dt
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -24,6 +26,8 @@ from lagrange.answers.verdicts import (
     Verdict,
 )
 from lagrange.answers.written.in_words import is_about_freedom
+from lagrange.answers.written.reading import read_as_written
+from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import CONSTANT, base, differential, prime, symbols_in, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import Standing, System, agreed_in_motion, compare
@@ -35,6 +39,11 @@ if TYPE_CHECKING:
 
 _NOT_REQUIRED = "the constraints do not require it"
 _IDENTITY = "it is an identity"
+_INTEGRATED = "it holds up to a constant, which the initial position determines"
+_DIFFERENTIALS = "`dx` is read as a differential"
+_UNDECLARED = re.compile(r"`(\w+)` is not declared")
+_Stated = tuple[str, tuple[sp.Expr, ...], tuple[sp.Expr, ...]]
+"""The text of an equation, its components, and those in its other reading; none if it has no other."""
 _ORDER = (Verdict.WRONG, Verdict.UNREADABLE, Verdict.UNDECIDED)
 
 
@@ -92,17 +101,19 @@ def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:
     """The verdict on equations that state constraints, between coordinates, velocities or displacements."""
     judged: list[EquationVerdict] = []
     stated: list[sp.Expr] = []
-    for fragment in working.judged:
-        if not isinstance(fragment, GivenEquation):
-            continue
-        reading = fragment.reading
+    integrals, unread = with_constants(working, solution)
+    for text, components, other in [*_readings(working, solution), *integrals]:
         try:
-            verdict, why = _judged(reading.components, solution)
+            verdict, why = _judged(components, solution)
+            if verdict is Verdict.WRONG and other and _judged(other, solution)[0] is Verdict.EQUIVALENT:
+                verdict, why, components = Verdict.EQUIVALENT, _DIFFERENTIALS, other
+            elif verdict is Verdict.WRONG and (up_to_constant := _up_to_a_constant(components, solution)):
+                verdict, why, components = Verdict.EQUIVALENT, _INTEGRATED, up_to_constant
         except DivisionByZeroError:
             verdict, why = Verdict.UNREADABLE, DIVIDES_BY_ZERO
-        judged.append(EquationVerdict.of(reading.text, verdict, why))
-        stated += reading.components if verdict is Verdict.EQUIVALENT else ()
-    unreadable = [f for f in working.unreadable if f.reading.error and not is_about_freedom(f)]
+        judged.append(EquationVerdict.of(text, verdict, why))
+        stated += components if verdict is Verdict.EQUIVALENT else ()
+    unreadable = [f for f in unread if f.reading.error and not is_about_freedom(f)]
     errors = tuple(d for f in unreadable if f.reading.error for d in f.reading.error.diagnostics)
     verdicts = {e.verdict for e in judged}
     whole = next((v for v in _ORDER if v in verdicts), Verdict.EQUIVALENT if stated else Verdict.TRIVIAL)
@@ -118,6 +129,71 @@ def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:
     ]
     diagnosis = "" if not missing else f"{missing} independent equation{'s are' if missing > 1 else ' is'} missing"
     return AnswerVerdict(whole, tuple(judged), missing, unreadable=errors, notes=working.notes, diagnosis=diagnosis)
+
+
+def _readings(working: Working, solution: Solution) -> Iterator[_Stated]:
+    """The equations of an answer, with their other reading where `dx` is a product: a differential."""
+    scope = solution.problem.scope
+    names = "|".join(re.escape(q.name) for q in scope.slots.coordinates)
+    differential_ = re.compile(rf"(?<![A-Za-z0-9_\\])d\s?(?P<name>{names}|t)(?![A-Za-z0-9_'(])")
+    for fragment in working.judged:
+        if not isinstance(fragment, GivenEquation):
+            continue
+        reading = fragment.reading
+        other: tuple[sp.Expr, ...] = ()
+        if scope.scalar("d") is not None and "'" not in reading.text:
+            text = differential_.sub(lambda m: "1" if m["name"] == "t" else f"{m['name']}'", reading.text)
+            if text != reading.text:
+                again = read_as_written(Fragment.of(text), scope)
+                other = () if again.error else again.components
+        yield reading.text, reading.components, other
+
+
+def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated], list[GivenEquation]]:
+    """Integrated constraints with a constant that the problem does not declare, and what remains unreadable.
+
+    x^2 + y^2 + z^2 = R^2, x = v t - v/k + C exp(-k t): of the name that stands for a constant the rate is zero.
+    """
+    found: list[_Stated] = []
+    rest: list[GivenEquation] = []
+    moving = {q for v in solution.views for q in v.configuration.slots.coordinates}
+    for name, value in working.defined.items():
+        used = symbols_in(value)
+        if used & moving and all(base(s) == s for s in used) and not displaced_coordinates([value], tuple(moving)):
+            found.append((f"{name} = ...", (value - CONSTANT,), ()))
+    for f in working.unreadable:
+        names = (
+            {m[1] for d in f.reading.error.diagnostics if (m := _UNDECLARED.match(d.message))}
+            if f.reading.error
+            else {}
+        )
+        constant = sp.Symbol("arbitrary constant", real=True)
+        if len(names) == 1:
+            scope = solution.problem.scope
+            wider = replace(scope, scalars={**scope.scalars, next(iter(names)): constant})
+            again = read_as_written(Fragment.of(f.reading.text), wider)
+            if not again.error and len(again.components) == 1:
+                [e] = again.components
+                slope = e.diff(constant)
+                used = symbols_in(e)
+                if slope != 0 and not slope.has(constant) and used & moving and all(base(s) == s for s in used):
+                    found.append((f.reading.text, (sp.cancel(constant - e / slope) - CONSTANT,), ()))
+                    continue
+        rest.append(f)
+    return found, rest
+
+
+def _up_to_a_constant(components: Sequence[sp.Expr], solution: Solution) -> tuple[sp.Expr, ...]:
+    """A finite relation as one with an arbitrary constant, if constraints, all of them on velocities, require that."""
+    configuration = solution.own.configuration
+    used = {s for e in components for s in symbols_in(e)}
+    moving = {*configuration.slots.coordinates}
+    if configuration.finite_constraints or not used & moving or any(base(s) != s for s in used):
+        return ()
+    if displaced_coordinates(components, tuple(moving)) or CONSTANT in used:
+        return ()
+    stated = tuple(e - CONSTANT for e in components)
+    return stated if _judged(stated, solution)[0] is Verdict.EQUIVALENT else ()
 
 
 def _judged(components: Sequence[sp.Expr], solution: Solution) -> tuple[Verdict, str]:

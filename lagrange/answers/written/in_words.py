@@ -68,13 +68,17 @@ def stated_in_words(text: str) -> Answers:
     for m in _CLASS.finditer(text):
         positive, negative = _NAMES[m["word"].lower()]
         classes[negative if m["not"] else positive] = None
+    for pair in (("holonomic", "nonholonomic"), ("scleronomic", "rheonomic"), ("catastatic", "acatastatic")):
+        if all(word in classes for word in pair):  # `z = R is the only holonomic one` is about single constraints
+            classes = {word: None for word in classes if word not in pair}
     return Answers(degrees_of_freedom=_freedom(text), classification=tuple(classes))
 
 
 def is_about_freedom(fragment: Fragment) -> bool:
     """Whether an equation is about numbers of degrees of freedom, of coordinates or of constraints alone."""
     beside = f"{fragment.text} {getattr(fragment, 'beside', '')}"
-    return _freedom(beside) is not None and _MOVING.search(fragment.text) is None
+    turned = f"{getattr(fragment, 'beside', '')} {fragment.text}"
+    return (_freedom(beside) is not None or _freedom(turned) is not None) and _MOVING.search(fragment.text) is None
 
 
 def _freedom(text: str) -> int | None:

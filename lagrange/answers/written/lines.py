@@ -9,9 +9,10 @@ braces of a list around equations are left out.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -41,6 +42,7 @@ _SPECIAL_CASE = re.compile(
 _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
+_SO = re.compile(r"(?<![<>!])=[^=]{1,80}?\s(so|thus)\s(?=[^=]*=)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
@@ -61,11 +63,13 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 """
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
-    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in|the|q\.?e\.?d"
+    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
-_AFTER_COMMA = re.compile(r",\s+(?=[^\W\d_]{2,}[\s.,;:)])[^=()\[\]+*^]*\Z")
+_AFTER_COMMA = re.compile(
+    r",\s+(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
+)
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
@@ -78,7 +82,9 @@ _BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))
 _BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 
 
-_OTHER_EQUALS = re.compile(r"[=≡≔]|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
+_RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
+_RULE = re.compile(r"->")
+_OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 
 
 def has_sign_of_equality(line: str) -> bool:
@@ -125,8 +131,33 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    if _RULES.match(text, 0, end):
+        draft = Draft(fragment)
+        draft.replace(_RULE, " =")
+        yield from equations_of_line(draft.finished(), beside)
+        return
+    remarks = [*STABILITY.finditer(text, 0, end)]
+    if remarks or CONDITIONAL.search(text, 0, end):
+        draft = Draft(fragment)
+        draft.apply([(m.start(), m.end(), " " * len(m[0])) for m in (*remarks, *CONDITIONAL.finditer(text, 0, end))])
+        fragment = draft.finished()
+        text = fragment.text
     for start, stop in _parts(text, 0, end):
-        yield from _one(fragment, start, stop, beside)
+        yield from _one(fragment, start, stop, f"{beside} {_remarks_on(text, start, stop, remarks)}".strip())
+
+
+def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
+    """The remarks on stability that stand after an equation, or before it if the first one stands before all."""
+    signs = [m.start() for m in _EQUALS.finditer(text)]
+    own = [s for s in signs if start <= s < stop]
+    if not remarks or not own:
+        return ""
+    before = remarks[0].start() < signs[0]
+    others = [s for s in signs if (s < own[0] if before else s > own[-1])]
+    limit = (others[-1:] or [-1])[0] if before else (others[:1] or [len(text)])[0]
+    return "; ".join(
+        m[0].strip(" ,;()") for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
+    )
 
 
 def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
@@ -160,7 +191,7 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         for first, last in cuts(aside[1], re.compile(",")):
             yield from _parts(text, aside.start(1) + first, aside.start(1) + last)
         return
-    if colon := _COLON.search(text, start, end):
+    if colon := _COLON.search(text, start, end) or _SO.search(text, start, end):
         yield from _parts(text, start, colon.start(1))
         yield from _parts(text, colon.end(1), end)
         return
@@ -312,11 +343,20 @@ def _after_words(text: str, start: int, end: int) -> int:
     return at
 
 
+def _is_known(word: str) -> bool:
+    """Whether a word is mathematics: a function, a Greek letter, or a function of one, `cosθ`."""
+    plain = word.rstrip(".,:").lower()
+    return plain in _KNOWN or _OF_GREEK.fullmatch(plain) is not None
+
+
+_OF_GREEK = re.compile(rf"(?:arc|a)?(?:sin|cos|tan|cot|exp|sqrt|ln|log)[{''.join(GREEK)}]\w?")
+
+
 def _prose_words(text: str, at: int, end: int) -> int:
     """The number of words with which a sentence begins: of at least two words one is long, and none is mathematics."""
     number, long = 0, False
     while word := _NEXT_WORD.match(text, at, end):
-        if word[1].lower() in _KNOWN or (len(word[1]) == 1 and number == 0):
+        if _is_known(word[1]) or (len(word[1]) == 1 and number == 0):
             break
         number, long, at = number + 1, long or len(word[1]) > 4, word.end()
     return number if number > 1 and long else 0
@@ -324,14 +364,14 @@ def _prose_words(text: str, at: int, end: int) -> int:
 
 def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
-    if plain in _KNOWN:
+    if _is_known(plain):
         return word.endswith(":")
     if plain in _LINKING or word.endswith(":"):
         return True
     if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
         return True
     following = _WORD.match(text, at + 1, end)
-    return len(plain) > 3 and (words > 0 or (following is not None and following[0].lower() not in _KNOWN))
+    return len(plain) > 3 and (words > 0 or (following is not None and not _is_known(following[0])))
 
 
 def _part(fragment: Fragment, start: int, end: int) -> Fragment:
@@ -352,6 +392,31 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
     return tuple(e for fragment in answer for e in _separated(fragment))
+
+
+def condition_alone(fragment: Fragment) -> Fragment:
+    """A text with inequalities without the words before, after and in parentheses behind them."""
+    if not is_inequality(fragment):
+        return fragment
+    draft = Draft(fragment)
+    draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
+    if not is_latex(fragment):
+        start = _after_words(draft.text, 0, len(draft.text))
+        draft.keep(start, len(draft.text.rstrip(" .,;")))
+        if tail := _AFTER_COMMA.search(draft.text):
+            draft.keep(0, tail.start())
+    elif "$" in draft.text:
+        inside = [m for m in _BETWEEN_DOLLARS.finditer(draft.text) if re.search(r"[<>≤≥]|\\[gl]eq?", m[1])]
+        ends = [0, *(x for m in inside for x in m.span(1)), len(draft.text)]
+        between = [
+            (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
+        ]
+        draft.apply(between if inside else [])
+    return draft.finished(latex=is_latex(fragment))
+
+
+_WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
+_BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
 
 def conditions_of(fragment: Fragment) -> list[Fragment]:

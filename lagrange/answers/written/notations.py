@@ -20,6 +20,7 @@ import unicodedata
 from collections.abc import Collection, Iterator
 
 from lagrange.answers.written.latex_groups import over_as_fraction, power_groups
+from lagrange.answers.written.special_notations import special, special_latex
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -75,7 +76,7 @@ _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
 _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\s*t\s*\)")
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
 _OF_TIME = re.compile(r"(?<=[\w'])\[\s*t\s*\]")
-_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7}|D)\s*(?=\[)")
+_APPLIED = re.compile(r"(?<![A-Za-z0-9_])(Arc(?:Sin|Cos|Tan)|[A-Z][a-z]{1,7}|D)\s*(?=\[)")
 _CALLED = re.compile(
     r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
 )
@@ -101,6 +102,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     """A plain text with other notations written in that of the language; the text itself where there are none."""
     draft = Draft(fragment)
     _characters(draft)
+    special(draft, scope)
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
     draft.replace(_METHOD, lambda m: f"diff({m['name']}, t{m['comma']}")
     draft.apply(_exponentials(draft.text, scope))
@@ -160,6 +162,8 @@ def _displacements(draft: Draft, scope: Scope) -> None:
         own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
         if name in moving or own:
             return None if own else f" {sign}({name})"
+        if sign == "d" and any(f.name == name for f in scope.slots.prescribed):
+            return f" {name}'*d(t)"
         value = scope.scalar(name) if sign == "delta" else None
         varied = sorted(value.free_symbols & {*scope.slots.coordinates}, key=str) if value is not None else []
         terms = [f"diff({name}, {q})*delta({q})" for q in varied]
@@ -314,6 +318,8 @@ def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
 
 def is_rate(name: str, scope: Scope) -> bool:
     """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
+    if name[:1] == "d" and any(q.name == name[1:] for q in scope.slots.coordinates):
+        return True  # a differential
     suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
     if suffix and suffix["short"] != "d":
         stem = suffix["name"].rstrip("_") + (suffix["index"] or "")
@@ -484,6 +490,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     """A text in LaTeX with other commands written as those that are read."""
     draft = Draft(fragment)
     _characters(draft)
+    special_latex(draft)
     draft.replace(_L_COLOUR, "")
     draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
     draft.replace(_L_SIGNS, "=")

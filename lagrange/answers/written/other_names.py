@@ -18,6 +18,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.references import Reference
+from lagrange.answers.written.special_notations import with_indices
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import prime, t
 from lagrange.core.vectors import Vector
@@ -83,7 +84,8 @@ def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
 
 
 def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
-    """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left."""
+    """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left; `x1` as x_1."""
+    fragment = with_indices(fragment, scope)
     match = _OF_COORDINATE.match(fragment.text)
     if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
         return fragment

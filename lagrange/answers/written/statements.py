@@ -34,7 +34,7 @@ _BEYOND = re.compile(
     r"[,;]|\b(?:where|with|and|wobei|mit|und)\b|(?<![_^])\\(?:text|mbox)\s*\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])",
     re.IGNORECASE,
 )
-_INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]{0,20}\}|\\?\w{1,12}|\*)"
+_INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]{0,20}\}|\\?(?:(?![²³])\w){1,12}|\*)"
 _GREEK = "|".join(sorted(set(GREEK.values()), key=len, reverse=True))
 _MARKED = re.compile(rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\text\s*\{{)?(?P<index>\w{{1,12}})")
 _LABEL = re.compile(

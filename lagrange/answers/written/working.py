@@ -11,8 +11,8 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import sympy as sp
@@ -105,7 +105,7 @@ class Working:
     written      both together, in the order in which they were written
     notes        what is not judged, and why
     unknowns     undeclared names that are eliminated as unknown forces
-    defined      the names that the answer defines
+    defined      the names that the answer defines, with their meanings
     quoting      whether it quotes the method, d/dt(∂L/∂q') − ∂L/∂q = 0
     """
 
@@ -115,7 +115,7 @@ class Working:
     written: tuple[Fragment, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
     unknowns: tuple[sp.Symbol, ...] = ()
-    defined: tuple[str, ...] = ()
+    defined: Mapping[str, sp.Expr] = field(default_factory=dict)
     quoting: bool = False
 
 
@@ -283,7 +283,7 @@ class _Sorting:
             tuple(given.values()),
             tuple(self.notes),
             tuple(self.unknowns),
-            tuple(self.defined),
+            {n: self.scope.scalars[n] for n in self.defined if n in self.scope.scalars},
             len(quotes) > 0,
         )
 

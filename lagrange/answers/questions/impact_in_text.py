@@ -1,0 +1,166 @@
+"""An impact as it is worked out on paper: velocities after it, impulses, and the laws that lead to them.
+
+    m x' + M X' = 0          (x' - X') sin(alpha) + y' cos(alpha) = e v cos(alpha)          N = m (v + y')/cos(alpha)
+
+An equation between velocities just after the impact and impulses is right if the derived ones satisfy it in the
+position of the impact. The answer is complete if it determines all velocities that the impact changes, together with
+the constraints, which need not be restated. The name of a reaction may stand for the opposite impulse, in the whole
+answer alike. A letter that the problem does not declare, V = m v/(m + M), may be one of the results, or a speed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.questions.named_values import worst
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in
+from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.working import Working
+from lagrange.core.symbols import prime, velocity_before
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion
+
+MOST_IMPULSES = 4
+"""So many names of impulses may each stand for the opposite one."""
+_WRONG = "it does not hold for the velocities just after the impact"
+_IDENTITY = "it says nothing about the impact"
+_ACCELERATION = "accelerations have no meaning during an impact"
+_OPPOSITE = "it is taken as the opposite force"
+_ROUNDED = "it is taken as a rounded number"
+_SPEED = "it is taken as the magnitude of {}"
+_MISSING = "the answer does not determine {}"
+
+
+def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Reference) -> AnswerVerdict:
+    """The verdict on equations between velocities and impulses."""
+    judged = [f for f in working.judged if isinstance(f, GivenEquation)]
+    readings = [f.reading for f in judged]
+    names = sorted(
+        {s for r in readings for e in r.components for s in e.free_symbols} & _impulses(found).keys(), key=str
+    )
+    best: list[EquationVerdict] | None = None
+    rows: list[sp.Expr] = []
+    for signs in product((1, -1), repeat=min(len(names), MOST_IMPULSES)):
+        turned = {s: -s for s, sign in zip(names, signs, strict=False) if sign < 0}
+        each = [_judged(r, found, reference, turned) for r in readings]
+        if best is None or _right(each) > _right(best):
+            best = each
+            rows = [
+                e.xreplace(turned)
+                for r, v in zip(readings, each, strict=True)
+                if v.verdict is Verdict.EQUIVALENT
+                for e in r.components
+            ]
+    parts = best or []
+    if all(p.verdict is Verdict.TRIVIAL for p in parts):  # what it calls by names of its own
+        speeds = [_named(name, value, found, reference) for name, value in working.defined.items()]
+        parts += [named[0] for named in speeds if named is not None]
+        rows += [named[1] for named in speeds if named is not None]
+    parts += [
+        EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
+        for f in working.unreadable
+        if f.reading.error
+    ]
+    errors = tuple(d for f in working.unreadable if f.reading.error for d in f.reading.error.diagnostics)
+    verdict, why = worst([p for p in parts if p.verdict is not Verdict.TRIVIAL] or parts), ""
+    if verdict is Verdict.EQUIVALENT and (missing := _missing(rows, found)):
+        verdict, why = Verdict.INCOMPLETE, _MISSING.format(", ".join(f"{q}'" for q in missing))
+    if not parts:
+        verdict, why = Verdict.UNDECIDED, "there is nothing in it that could be compared with the impact"
+    return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+
+
+def _right(parts: Sequence[EquationVerdict]) -> int:
+    return sum(p.verdict is Verdict.EQUIVALENT for p in parts)
+
+
+def _impulses(found: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
+    """The impulses that are determined, under each of their names."""
+    values = {i.symbol: i.value for i in found.impulses if i.value is not None}
+    return values | {i.reaction.multiplier: i.multiplier for i in found.impulses if i.multiplier is not None}
+
+
+def _state(found: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
+    """Velocities and impulses, and the velocities just before under their own names."""
+    before = dict(zip(map(velocity_before, found.slots.coordinates), found.before, strict=True))
+    return {**before, **dict(zip(found.slots.velocities, found.velocities, strict=True)), **_impulses(found)}
+
+
+def _judged(
+    reading: Reading,
+    found: ImpulsiveMotion,
+    reference: Reference,
+    turned: Mapping[sp.Symbol, sp.Expr],
+) -> EquationVerdict:
+    """The verdict on one equation."""
+    text, components = reading.text, reading.with_decimals or reading.components
+    if any(e.free_symbols & {*found.slots.accelerations, *found.full.slots.accelerations} for e in components):
+        return EquationVerdict.of(text, Verdict.WRONG, _ACCELERATION)
+    remarks = [_OPPOSITE] if any(e.free_symbols & turned.keys() for e in components) else []
+    try:
+        claims = [found.at(e.xreplace(dict(turned))) for e in components]
+        residuals = [e.xreplace(_state(found)).xreplace(dict(reference.values)) for e in claims]
+        if all(found.surface.is_zero(as_written(e)) is True for e in claims):
+            return EquationVerdict.of(text, Verdict.TRIVIAL, _IDENTITY)
+        holds = {found.surface.is_zero(as_written(e)) for e in residuals}
+    except DivisionByZeroError:
+        return EquationVerdict.of(text, Verdict.UNREADABLE, DIVIDES_BY_ZERO)
+    if False in holds and decimals_in(residuals) and rounded(residuals) is not None:
+        holds, remarks = {True}, [*remarks, _ROUNDED]
+    if False in holds:
+        return EquationVerdict.of(text, Verdict.WRONG, _WRONG)
+    if None in holds:
+        return EquationVerdict.of(text, Verdict.UNDECIDED, UNDECIDED)
+    return EquationVerdict.of(text, Verdict.EQUIVALENT, "; ".join(remarks))
+
+
+def _named(
+    name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Reference
+) -> tuple[EquationVerdict, sp.Expr] | None:
+    """The verdict on a value under a name that the problem does not declare, and the equation that it states.
+
+    None if it is none of the results.
+    """
+    for symbol, derived in (*found.all_velocities.items(), *_impulses(found).items()):
+        what = f"{symbol}'" if symbol in found.all_velocities else str(symbol)
+        for sign in (1, -1):
+            if (
+                derived != 0
+                and found.surface.is_zero((value - sign * derived).xreplace(dict(reference.values))) is True
+            ):
+                unknown = prime(symbol) if symbol in found.all_velocities else symbol
+                return EquationVerdict.of(name, Verdict.EQUIVALENT, _SPEED.format(what)), unknown - sign * value
+    return None
+
+
+def _missing(claims: Sequence[sp.Expr], found: ImpulsiveMotion) -> list[str]:
+    """The coordinates whose velocities just after the impact the equations leave open."""
+    velocities, impulses = found.slots.velocities, list(_impulses(found))
+    columns = [*velocities, *impulses]
+    unchanged = [found.surface.is_zero(a - b) is True for a, b in zip(found.velocities, found.before, strict=True)]
+    rows = [[found.at(e).diff(c).xreplace(_state(found)) for c in columns] for e in claims]
+    rows += [[*row.coefficients, *[0] * len(impulses)] for row in found.rows]
+    rows += [[int(c is v) for c in columns] for v, same in zip(velocities, unchanged, strict=True) if same]
+    rank = found.surface.rank(rows) if rows else 0
+    missing = []
+    for q, v in zip(found.slots.coordinates, velocities, strict=True):
+        with_it = found.surface.rank([*rows, [int(c is v) for c in columns]])
+        if rank is not None and with_it is not None and with_it > rank:
+            missing.append(q.name)
+    return missing
+
+
+def with_impulses(reference: Reference, found: ImpulsiveMotion) -> Reference:
+    """The names that an answer may use, with those of the impulses and without those of the kinetic energies."""
+    names = {s.name: s for s in _impulses(found)}
+    hidden = {n for n in ("T", "T_0", "K", "K_0") if n not in reference.declared}
+    scalars = {n: e for n, e in reference.scope.scalars.items() if n not in hidden} | names
+    return replace(
+        reference, scope=replace(reference.scope, scalars=scalars), declared=reference.declared | names.keys()
+    )

@@ -1,0 +1,209 @@
+"""Texts that answer other questions than for equations of motion: impacts, steady states, values, Hamilton's function.
+
+In a file of answers each question has its key. In a text it is recognised by what the problem asks for and by what
+stands in the lines. What is an equation of motion, a position of equilibrium or a constraint is judged as such.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from lagrange.answers.questions.asked_in_text import asked_in_text
+from lagrange.answers.references import reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
+from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.written.listed_values import with_all_values
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.expressions.relations import is_inequality, limit_of
+from lagrange.mechanics.results import Solution
+
+Judge = Callable[[Sequence[Fragment]], Judgement]
+"""The verdict on equations of motion, of equilibrium, and of constraints. May raise ProblemError."""
+
+_SECOND_VARIATION = re.compile(
+    r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
+)
+"""The second derivative of a potential energy, which is working."""
+_HAMILTON = re.compile(
+    r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
+)
+
+
+def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on a text; what `judge` says of it if it is about nothing else. Raises ProblemError."""
+    if solution.impact is not None and solution.own.motion is None:
+        return _impact(answer, solution)
+    if any(v.response is not None for v in solution.views):
+        return _response(answer, solution, judge)
+    if any(v.hamiltonian is not None for v in solution.views):
+        functions = [f for f in answer if _HAMILTON.match(f.text)]
+        if functions:
+            return _hamiltonian(functions, [f for f in answer if f not in functions], solution, judge)
+    if any(v.steady is not None for v in solution.views):
+        return _steady(answer, solution, judge)
+    if any(v.linearization is not None for v in solution.views) and not solution.asked:
+        return _with_frequencies(answer, solution, judge)
+    if any(a.answered for a in solution.asked):
+        return _asked(answer, solution, judge)
+    if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
+        answer = with_all_values(answer, solution.problem.scope.names())
+        answer = [f for f in answer if not _SECOND_VARIATION.match(f.text)] or answer
+    return judge(answer)
+
+
+def _only(verdict: AnswerVerdict, solution: Solution) -> Judgement:
+    """The verdict on an answer to one question, where there is nothing else."""
+    return Judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,), problem=solution.problem)
+
+
+def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
+    from lagrange.answers.questions.impact_in_text import check_impact_in_text, with_impulses
+    from lagrange.answers.written.working import understood
+
+    found = solution.impact
+    assert found is not None
+    reference = with_impulses(reference_of_solution(solution), found)
+    verdict = check_impact_in_text(understood(answer, reference), found, reference)
+    verdict = replace(verdict, name="impact")
+    if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
+        return _only(verdict, solution)
+    judged = _with_asked(
+        answer,
+        solution,
+        lambda f: _only(
+            replace(check_impact_in_text(understood(f, reference), found, reference), name="impact"), solution
+        ),
+        _only(verdict, solution),
+    )
+    return judged or _only(verdict, solution)
+
+
+def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    from lagrange.answers.questions.response_in_text import (
+        check_response_in_text,
+        with_names_of_response,
+        without_hats,
+    )
+    from lagrange.answers.written.working import understood
+
+    found = [v.response for v in solution.views if v.response is not None]
+    for lags in (False, True):
+        reference = with_names_of_response(reference_of_solution(solution), found, lags=lags)
+        working = understood([without_hats(f) for f in answer], reference)
+        verdict = check_response_in_text(working, found, reference)
+        if verdict is not None and not verdict.unreadable:
+            break
+    return judge(answer) if verdict is None else _only(replace(verdict, name="response"), solution)
+
+
+def _hamiltonian(
+    functions: Sequence[Fragment], rest: Sequence[Fragment], solution: Solution, judge: Judge
+) -> Judgement:
+    from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+
+    verdicts = tuple(check_hamiltonian_answer(f, solution) for f in functions)
+    alone = Judgement(AnswerVerdict(Verdict.EQUIVALENT), verdicts[-1:], problem=solution.problem)
+    if not rest:
+        return alone
+    try:
+        others = judge(rest)
+    except ProblemError:
+        return alone
+    if others.verdict in (Verdict.EQUIVALENT, Verdict.WRONG):
+        return replace(others, others=(*others.others, *verdicts[-1:]))
+    return alone
+
+
+def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations without accelerations as conditions of steady motion, where they are no others."""
+    from lagrange.answers.equilibria import alternatives_of, check_steady
+    from lagrange.answers.readings import GivenEquation
+    from lagrange.answers.written.working import understood
+    from lagrange.core.symbols import base, prime
+
+    reference = reference_of_solution(solution)
+    working = understood(answer, reference, moving=False)
+    used = {
+        s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
+    }
+    if not working.judged or any(base(s) != s and prime(base(s)) != s for s in used):
+        return judge(answer)
+    conditions = [v.steady.general for v in solution.views if v.steady is not None]
+    try:
+        verdict = check_steady(alternatives_of(working.judged), conditions, reference)
+    except ProblemError:
+        return judge(answer)
+    if verdict.verdict in (Verdict.UNREADABLE, Verdict.TRIVIAL):
+        return judge(answer)
+    if verdict.verdict is Verdict.WRONG:
+        first = judge(answer)
+        if first.verdict is not Verdict.WRONG:
+            return first
+    return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
+
+
+def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of motion, and on the frequencies beside them."""
+    from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
+
+    stated = stated_frequencies(answer)
+    if stated:
+        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
+        frequencies = check_frequencies([stated], linearizations, reference_of_solution(solution))
+        rest = [f for f in answer if f not in stated]
+        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
+            judged = _with_frequencies(rest, solution, judge) if rest else _only(frequencies, solution)
+            return replace(judged, others=(*judged.others, frequencies)) if rest else judged
+    return judge(answer)
+
+
+def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    failed: ProblemError | None = None
+    first: Judgement | None = None
+    parts = [
+        c
+        for f in answer
+        for c in (map(condition_alone, conditions_of(condition_alone(f))) if is_inequality(f) else [f])
+    ]
+    limits = [limit_of(f, "a condition", strict=True)[0] for f in parts if is_inequality(f)]
+    answer = [f for f in parts if not is_inequality(f)]
+    try:
+        first = judge(answer) if answer else None
+    except ProblemError as error:
+        failed = error
+    answer = [*answer, *limits]
+    if first is not None and first.verdict is Verdict.EQUIVALENT:
+        return first
+    judged = _with_asked(answer, solution, judge, first)
+    if judged is None:
+        raise failed or ProblemError(Diagnostic("no-answer", "there is no equation to check", answer[0].whole))
+    return judged
+
+
+def _with_asked(
+    answer: Sequence[Fragment], solution: Solution, judge: Judge, first: Judgement | None
+) -> Judgement | None:
+    """The verdict on the lines that answer questions and on the others; `first` if there are none of the former."""
+    lines = asked_in_text(answer, solution)
+    if lines.verdict is None:
+        return first
+    from lagrange.answers.written.working import understood
+
+    verdict = lines.verdict
+    others: Judgement | None = None
+    working = understood(lines.rest, reference_of_solution(solution)) if lines.rest else None
+    if working is not None and (working.judged or working.unreadable):
+        try:
+            others = judge(lines.rest)
+        except ProblemError:
+            others = None
+    if others is not None and others.verdict in (Verdict.EQUIVALENT, Verdict.WRONG):
+        return replace(others, others=(*others.others, verdict))
+    if verdict.verdict is Verdict.EQUIVALENT and lines.missing:
+        unread = others is not None and others.verdict is Verdict.UNREADABLE
+        why = f"there is no answer to {', '.join(f'`{name}`' for name in lines.missing)}"
+        verdict = replace(verdict, verdict=Verdict.UNREADABLE if unread else Verdict.INCOMPLETE, diagnosis=why)
+    messages = others.messages if others is not None else ()
+    return _only(replace(verdict, notes=tuple(d.as_note() for d in messages)), solution)

@@ -1,0 +1,213 @@
+"""Words on stability beside positions of equilibrium: are they true?
+
+    theta = 0, stable for W < c h        theta = pi is unstable        sin(theta) = M/m, stable if cos(theta) > 0
+
+A claim is tried at random values of the parameters, at every position that its equation describes and that exists
+there, against the second variation of the potential energy. A position that is called stable under a condition is
+meant to be unstable elsewhere. Where V'' has no clear sign nothing is said. A claim without a condition that is true
+for some values of the parameters only lacks its condition.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.answers.readings import GivenEquation
+from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.reading import read_as_written
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.records import record
+from lagrange.core.symbols import symbols_in
+from lagrange.expressions.relations import is_inequality, limit_of
+from lagrange.mechanics.results import InCoordinates, Solution
+
+SAMPLES = 60
+ENOUGH = 10
+"""So many random places with a clear sign settle a claim."""
+CLEAR = 1e-7
+WRONG_STABILITY = "what is said about its stability is not true"
+ONLY_SOMETIMES = "it is {} for some values of the parameters only: the condition is missing"
+_WORD = re.compile(
+    r"(?<![^\W\d_])(?P<not>un|in|not\s+|non[- ]|nicht\s+)?(?P<word>stab(?:le|il)|labil)(?![^\W\d_])", re.IGNORECASE
+)
+_CONDITION = re.compile(
+    r"[^<>≤≥=]*?(?<![^\W\d_])(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
+    r"(?P<text>.*[<>≤≥].*)",
+    re.IGNORECASE | re.DOTALL,
+)
+_ENDS = re.compile(
+    r"[;\n]|,(?=\s)|\.(?=\s|$)|\s(?:and|but|otherwise|else|while|whereas|sonst|und|aber)\s", re.IGNORECASE
+)
+_AMBIGUOUS = re.compile(r"marginal|neutral|indiff|metastab", re.IGNORECASE)
+
+
+@record
+class _Claim:
+    stable: bool
+    condition: sp.Expr | None = None  # that it is stable, or unstable, where this is positive
+
+
+def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Reference) -> dict[int, tuple[bool, str]]:
+    """Place of an equation in the answer -> whether what is said of its stability is wrong, and what is amiss."""
+    views = [v for v in solution.views if v.equilibrium is not None and v.stability is not None]
+    found: dict[int, tuple[bool, str]] = {}
+    for n, fragment in enumerate(judged):
+        if not isinstance(fragment, GivenEquation):
+            continue
+        claim = _claim(fragment, reference)
+        if claim is None:
+            continue
+        for view in views:
+            used = {s for e in fragment.reading.components for s in symbols_in(e)}
+            moving = set(reference.scope.slots.coordinates)
+            if not used & moving <= set(view.configuration.slots.coordinates):
+                continue
+            true, false = _tried(fragment.reading.components, claim, view, reference.values)
+            if false and (not true or claim.condition is not None):
+                found[n] = True, WRONG_STABILITY
+            elif false:
+                found[n] = False, ONLY_SOMETIMES.format("stable" if claim.stable else "unstable")
+            if true or false:
+                break
+    return found
+
+
+def with_stability(
+    verdict: AnswerVerdict, judged: Sequence[Fragment], solution: Solution, reference: Reference
+) -> AnswerVerdict:
+    """The verdict on positions of equilibrium, with that on what is said about their stability."""
+    if len(verdict.equations) != len(judged) or not any(_WORD.search(getattr(f, "beside", "")) for f in judged):
+        return verdict
+    equations, whole = list(verdict.equations), verdict.verdict
+    for n, (is_wrong, why) in on_stability(judged, solution, reference).items():
+        if equations[n].verdict is not Verdict.EQUIVALENT:
+            continue
+        equations[n] = EquationVerdict.of(equations[n].text, Verdict.WRONG if is_wrong else Verdict.INCOMPLETE, why)
+        worse = Verdict.WRONG if is_wrong else Verdict.INCOMPLETE
+        whole = worse if whole in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else whole
+    return replace(verdict, verdict=whole, equations=tuple(equations))
+
+
+def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
+    """What is said about stability beside an equation; None if nothing is, or several things."""
+    words = getattr(fragment, "beside", "")
+    matches = [*_WORD.finditer(words)]
+    if not matches or _AMBIGUOUS.search(words):
+        return None
+    kinds = {bool(m["not"]) or m["word"].lower() == "labil" for m in matches}
+    first = matches[0]
+    rest = words[first.end() : matches[1].start() if len(matches) > 1 else len(words)]
+    otherwise = re.search(r"otherwise|else|if\s+not|sonst", words[first.end() :], re.IGNORECASE)
+    conditional = _CONDITION.match(rest)
+    if len(matches) > 2 or (len(kinds) > 1 and not (conditional and otherwise)):
+        return None
+    stable = not (first["not"] or first["word"].lower() == "labil")
+    if conditional is None:
+        return _Claim(stable) if not is_inequality(Fragment.of(rest)) else None
+    text = _ENDS.split(conditional["text"])[0].strip(" .]")
+    text = text.rstrip(")") if text.count(")") > text.count("(") else text
+    try:
+        limit, side = limit_of(Fragment.of(text), "a condition", strict=True)
+    except ProblemError:
+        return None
+    reading = read_as_written(limit, reference.scope)
+    if reading.error is not None or len(reading.components) != 1:
+        return None
+    return _Claim(stable, reading.components[0] * (side or 1))
+
+
+def _tried(
+    components: Sequence[sp.Expr], claim: _Claim, view: InCoordinates, values: Mapping[sp.Symbol, sp.Rational]
+) -> tuple[int, int]:
+    """At how many random places a claim is true, and at how many false."""
+    assert view.stability is not None
+    true = false = 0
+    for state in _places(view, components, claim, values):
+        if any(
+            abs(residual) > CLEAR for residual in _numbers([view.configuration.rewritten(e) for e in components], state)
+        ):
+            continue
+        entries = [_numbers(row, state) for row in view.stability.matrix]
+        if any(len(row) < len(entries) for row in entries):
+            continue
+        stable = _is_stable(sp.Matrix(entries))
+        holds: bool | None = True
+        if claim.condition is not None:
+            numbers = _numbers([claim.condition], state)
+            holds = None if not numbers or abs(numbers[0]) < CLEAR else bool(numbers[0] > 0)
+        if stable is None or holds is None:
+            continue
+        right = stable is (claim.stable if holds else not claim.stable)
+        true, false = true + right, false + (not right)
+        if true + false >= ENOUGH:
+            break
+    return true, false
+
+
+def _is_stable(hessian: sp.Matrix) -> bool | None:
+    """Whether a matrix of numbers is positive definite; None where that is not clear."""
+    minors = [hessian[:n, :n].det() for n in range(1, hessian.rows + 1)]
+    return None if any(abs(m) < CLEAR for m in minors) else all(m > 0 for m in minors)
+
+
+def _places(
+    view: InCoordinates,
+    components: Sequence[sp.Expr],
+    claim: _Claim,
+    values: Mapping[sp.Symbol, sp.Rational],
+) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """Random parameters, with each position of equilibrium that exists there."""
+    e, stability = view.equilibrium, view.stability
+    assert e is not None
+    assert stability is not None
+    coordinates = e.configuration.slots.coordinates
+    everything = [*e.required, *components, *(m for row in stability.matrix for m in row)]
+    everything += [claim.condition] if claim.condition is not None else []
+    parameters = sorted({s for x in everything for s in x.free_symbols} - {*coordinates}, key=str)
+    angles = {s for x in everything for f in x.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
+    draw = random.Random(7)
+    for _ in range(SAMPLES):
+        state: dict[sp.Symbol, sp.Expr] = {}
+        for s in parameters:
+            number = draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)
+            state[s] = sp.Float(values.get(s, number))
+        for branch in e.branches:
+            for point in branch.points:
+                position = _position({k: e.solution.letters.write(v) for k, v in point.items()}, coordinates, state)
+                if position is not None:
+                    for turns in (0, 1, -1):
+                        yield state | {
+                            q: p + turns * 2 * sp.pi.evalf() if q in angles else p for q, p in position.items()
+                        }
+                        if not angles & {*coordinates}:
+                            break
+
+
+def _position(
+    point: Mapping[sp.Expr, sp.Expr], coordinates: Sequence[sp.Symbol], state: Mapping[sp.Symbol, sp.Expr]
+) -> dict[sp.Symbol, sp.Expr] | None:
+    """The coordinates at a point of a branch, in numbers; None if it does not exist there, or leaves one open."""
+    named = {str(k): v for k, v in point.items()}
+    position: dict[sp.Symbol, sp.Expr] = {}
+    for q in coordinates:
+        written = [named.get(str(f)) for f in (sp.sin(q), sp.cos(q))]
+        stated = (
+            [v for v in written if v is not None] if None not in written else [named[q.name]] if q.name in named else []
+        )
+        numbers = _numbers(stated, state)
+        if not stated or len(numbers) < len(stated):
+            return None
+        position[q] = sp.atan2(*numbers).evalf() if len(numbers) == 2 else numbers[0]
+    return position
+
+
+def _numbers(expressions: Sequence[sp.Expr], state: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
+    """The values of expressions; those that are no real numbers are missing."""
+    found = [e.xreplace(dict(state)).evalf() for e in map(sp.Add, expressions)]
+    return [v for v in found if v.is_real and v.is_finite]
