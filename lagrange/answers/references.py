@@ -55,6 +55,7 @@ class ReferenceCandidate:
     positive     radii that are taken as positive
     remarks      the meanings of names of forces that differ from those in the derivation, in words
     mechanics    the parts of the system, in which a model may change it; None if they are not known
+    starts       what vanishes in every state after the initial one of the file, if it gives one
     """
 
     choice: str
@@ -69,6 +70,12 @@ class ReferenceCandidate:
     positive: tuple[sp.Symbol, ...] = ()
     remarks: Mapping[str, str] = field(default_factory=dict)
     mechanics: Callable[[], Mechanics] | None = None
+    starts: Callable[[], sp.Expr | None] | None = None
+
+    @cached_property
+    def from_start(self) -> sp.Expr | None:
+        """What vanishes in every state after the initial one; None if it is not known."""
+        return self.starts() if self.starts is not None else None
 
     @cached_property
     def models(self) -> Models:
@@ -245,7 +252,7 @@ def reference_of_solution(solution: Solution) -> Reference:
     )
     values = values_of(problem)
     certain = _settled(solution)
-    plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
+    plain = [replace(c, values=values, certain=certain, starts=_start_of(c, solution)) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
     newton = solution.law.newton if solution.law else None
     added = {**of_oscillations, **_potential(solution), **energies, **_lengths(solution)}
@@ -255,6 +262,16 @@ def reference_of_solution(solution: Solution) -> Reference:
     return Reference(
         wider, candidates, values, problem.unknowns, units_of(problem), newton, declared, letters, parameters
     )
+
+
+def _start_of(candidate: ReferenceCandidate, solution: Solution) -> Callable[[], sp.Expr | None] | None:
+    """What vanishes after the initial state, found on first use; None if the file gives no initial state."""
+    from lagrange.answers.initial_integrals import relation_from_start
+
+    view = next((v for v in solution.views if v.name == candidate.choice), None)
+    if view is None or not solution.problem.initial:
+        return None
+    return lambda: relation_from_start(solution, view)
 
 
 def declared_names(problem: Problem) -> frozenset[str]:

@@ -326,6 +326,8 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
     if plain in _KNOWN:
         return word.endswith(":")
+    if text[at:end].lstrip()[:1] == "=" and text[at:end].lstrip()[:2] != "=>" and not word.endswith(":"):
+        return False  # a name, as in `den = ...`
     if plain in _LINKING or word.endswith(":"):
         return True
     if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):

@@ -19,7 +19,7 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
-from lagrange.answers.written.latex_groups import over_as_fraction, power_groups
+from lagrange.answers.written.latex_groups import over_as_fraction, power_groups, products_with_numbers
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -505,6 +505,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(power_groups(draft.text))
+    draft.apply(products_with_numbers(draft.text))
     return draft.finished(latex=True)
 
 

@@ -1,6 +1,7 @@
 r"""Names of coordinates and of their rates that the problem does not declare, and everybody understands.
 
     th, ph1                      θ, φ1, where these are coordinates and `th` is nothing else
+    \ell, ℓ                      l
     a_x, v_x                     x'', x', where x is a coordinate; unless the answer defines them: a_x = x''
     dx, where ddx stands, too    x'
     r_1, r_2                     the positions of the first and the second particle
@@ -31,6 +32,7 @@ _SHORT = {"th": "theta", "tht": "theta", "ph": "phi", "ps": "psi", "al": "alpha"
 _SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
+_SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(
     r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])"
@@ -58,6 +60,9 @@ def other_names(
             and not _defined(name, texts)
         ):
             scalars[name] = value
+    if _SCRIPT_L.search(whole) and scope.role("ell") is Role.UNDECLARED and not _defined("ell", texts):
+        length = scope.scalar("l")
+        scalars |= {"ell": length} if length is not None and "l" in reference.declared else {}
     if "a_" in whole or "v_" in whole:
         for q in scope.slots.coordinates:
             for letter, value in (("a", prime(prime(q))), ("v", prime(q))):
