@@ -326,12 +326,15 @@ class Examiner:
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         from lagrange.answers.questions.virtual_work import with_conditions
         from lagrange.answers.written.lines import conditions_of, separated
+        from lagrange.answers.written.prose import without_prose
         from lagrange.answers.written.working import Working, understood
 
         answer = separated(answer)
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
-            return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
+            stated = [c for f in answer for c in conditions_of(f)]
+            known = self._statics_reference.scope.names()
+            return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
@@ -365,6 +368,12 @@ class Examiner:
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
         """The verdict on conditions of rest, with that on equations where the problem asks for these too."""
         equations = tuple(f for f in answer if not is_inequality(f))
+        forces = {s.name for r in solution.law.newton.reactions for s in (r.multiplier, r.force)} if solution.law else {}
+        laws = [f for f in answer if is_inequality(f) and not {*_WORD.findall(f.text)}.isdisjoint(forces)]
+        if equations and laws and solution.own.motion is not None:  # |F| <= mu_s*N beside the equations of motion
+            answer = [f for f in answer if f not in laws]
+            if len(answer) == len(equations):
+                return self._checked(equations)
         alone = solution.own.equilibrium is None and not any(v.impending or v.motion for v in solution.views)
         rest = _rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
         if alone or not equations:
@@ -491,6 +500,7 @@ class Examiner:
         return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
 
 
+_WORD = re.compile(r"[^\W\d]\w*")
 _UNEXPLAINED = ("it holds in no position of equilibrium",)
 """Diagnoses of equilibria that say no more than that they are wrong."""
 

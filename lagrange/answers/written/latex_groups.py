@@ -10,7 +10,8 @@ from lagrange.expressions.edits import Edit, closings
 _L_OVER = re.compile(r"\\over(?![A-Za-z])")
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_BEFORE_NUMBER = re.compile(
-    r"(?:(?<=[A-Za-z})\]])|(?P<power>\^\s*(?:[0-9]|\{\s*[0-9]{1,2}\s*\})))\s*(?P<space>(?:\\[,;:! ]|~)\s*)*(?<=[\s~,;:!])(?=[0-9])"
+    r"(?:(?<=[A-Za-z})\]])|(?P<power>\^\s*(?:[0-9]|\{\s*[0-9]{1,2}\s*\})))\s*"
+    r"(?P<space>(?:\\[,;:! ]|~)\s*)*(?<=[\s~,;:!])(?=[0-9])"
 )
 _L_FUNCTION = re.compile(r"\\(?:sin|cos|tan|cot|sinh|cosh|tanh|ln|log|exp|sqrt|begin|[a-z]*arrow)\s*\Z")
 

@@ -41,6 +41,7 @@ _SPECIAL_CASE = re.compile(
 _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
+_HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
@@ -125,8 +126,10 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    heading = _HEADING.match(text, 0, end)
     for start, stop in _parts(text, 0, end):
-        yield from _one(fragment, start, stop, beside)
+        under = heading[0] if heading and start >= heading.end() else ""
+        yield from _one(fragment, start, stop, f"{beside} {under}".strip())
 
 
 def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
@@ -358,7 +361,8 @@ def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
 
 def conditions_of(fragment: Fragment) -> list[Fragment]:
     """The parts of a text between commas, if each of them is an equation or an inequality."""
-    places = [*cuts(fragment.text, re.compile("[,;]"))]
+    places = [*cuts(fragment.text, re.compile(r"[,;]|\bi\.\s?e\.|\bor equivalently\b"))]
+    places = [(start, end) for start, end in places if fragment.text[start:end].strip()]
     parts = [_part(fragment, start, end) for start, end in places]
     return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]
 

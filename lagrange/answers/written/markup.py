@@ -49,7 +49,7 @@ def text_of_html(html: str) -> str:
 
 
 _NAMED = re.compile(r"\\\[(?P<kind>Capital|Curly)?(?P<name>[A-Z][a-z]{1,12}D?)\]")
-_SIGNS = {"Equal": "==", "Prime": "'", "Degree": " deg", "Times": "*", "DifferentialD": "d", "PartialD": "∂", "Minus": "-"}
+_SIGNS = {"Equal": "==", "Prime": "'", "Degree": " deg", "Times": "*", "DifferentialD": "d", "PartialD": "∂"}
 _LETTERS = {name: letter for letter, name in GREEK.items()}
 
 

@@ -2,6 +2,7 @@ r"""Names of coordinates and of their rates that the problem does not declare, a
 
     th, ph1                      θ, φ1, where these are coordinates and `th` is nothing else
     \ell, ℓ                      l
+    a, in `m a = ...`            x'', where x is the only coordinate that is a length
     a_x, v_x                     x'', x', where x is a coordinate; unless the answer defines them: a_x = x''
     dx, where ddx stands, too    x'
     r_1, r_2                     the positions of the first and the second particle
@@ -33,6 +34,7 @@ _SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
 _SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
+_MASS_TIMES_A = re.compile(r"(?<![A-Za-z_])[mM](?:_?[0-9])?\s*[*·]?\s*a(?![A-Za-z0-9_'(^])")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(
     r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])"
@@ -70,9 +72,21 @@ def other_names(
                 written = re.compile(rf"(?<![A-Za-z0-9_\\]){letter}_\{{?\\?{q}\}}?(?![A-Za-z0-9])")
                 if scope.role(name) is Role.UNDECLARED and written.search(whole) and not _states_a_rate(written, texts):
                     scalars[name] = value
+    if (acceleration := _acceleration(texts, scope, reference)) is not None:
+        scalars["a"] = acceleration
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
         scalars.update(_of_states(max(states), reference))
     return scalars, _positions(whole, scope)
+
+
+def _acceleration(texts: Sequence[str], scope: Scope, reference: Reference) -> sp.Expr | None:
+    """What `a` is in `m a = m g - F`: the acceleration of the only coordinate that is a length; None if it is not."""
+    if scope.role("a") is not Role.UNDECLARED or not any(_MASS_TIMES_A.search(text) for text in texts):
+        return None
+    lengths = {q for q, unit in reference.units.items() if unit == "m" and q in scope.slots.coordinates}
+    sets = [c.configuration.slots.coordinates for c in reference.candidates]
+    alone = {q for s in sets for q in s if len(s) == 1 and q in lengths} or (lengths if len(lengths) == 1 else set())
+    return prime(prime(alone.pop())) if len(alone) == 1 and not _states_a_rate(re.compile("a"), texts) else None
 
 
 def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:

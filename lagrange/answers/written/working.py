@@ -21,20 +21,24 @@ from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
+from lagrange.answers.written.new_coordinates import defined_coordinate
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
+from lagrange.answers.written.prose import is_condition, names_alone, without_prose
 from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.latex_names import LatexNames
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
-from lagrange.expressions.reader import Scope, read_value, token_texts
+from lagrange.expressions.reader import read_value, token_texts
 from lagrange.expressions.scope import RESERVED
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
@@ -248,10 +252,14 @@ class _Sorting:
         self._use_printed_names(plain)
         self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
         self.moving &= {*self.reference.parameters}
+        self._leave_prose_out(plain)
         for _ in range(3):
             before = len(self.defined)
             for line in plain:
                 line.definition = line.definition or self._defines(line)
+            if len(self.defined) == before:
+                for line in plain:
+                    line.definition = line.definition or self._defines_coordinate(line)
             if len(self.defined) == before or all(line.definition for line in plain):
                 break
         for line in waiting:
@@ -262,13 +270,18 @@ class _Sorting:
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         waiting = [line for line in waiting if line.reading and not line.definition]
-        quotes = [line for line in waiting if _quotes_the_method(line, self.scope)]
+        quotes = [line for line in waiting if quotes_the_method(line.reading, line.text, self.scope)]
         for line in quotes:
             self._note(line, f"`{line.text}` quotes the method, and is not judged")
         laws = [line for line in waiting if self._is_general_law(line)]
         for line in laws:
             self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
         quotes += laws
+        conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
+        if len(conditions) < len(waiting):
+            for line in conditions:
+                self._note(line, f"`{line.text}` is taken as a condition, and is not judged")
+            quotes += conditions
         waiting = [line for line in waiting if not any(line is quote for quote in quotes)]
         for line in waiting:
             self._note_number(line)
@@ -361,7 +374,7 @@ class _Sorting:
 
     def _is_general_law(self, line: _Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
-        if len(set(_undeclared(line))) < 2 or len(line.text) > _LONGEST_LAW:
+        if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > _LONGEST_LAW:
             return False
         names = {n.strip("_") for n in _WORDS.findall(line.text)}
         names |= {GREEK[c] for c in line.text if c in GREEK}
@@ -428,15 +441,15 @@ class _Sorting:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
         match texts:
-            case [name] if _is_name(name):
+            case [name] if is_name(name):
                 return ("", "") if is_rate(name, self.scope) else (name, "")
-            case [name, "^", "2"] if _is_name(name):
+            case [name, "^", "2"] if is_name(name):
                 return name, "^2"
-            case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
+            case [("sin" | "cos" | "tan") as function, "(", name, ")"] if is_name(name):
                 return name, function
-            case [name, "(", argument, ")"] if _is_name(name) and argument in ("t", *self.reference.coordinates):
+            case [name, "(", argument, ")"] if is_name(name) and argument in ("t", *self.reference.coordinates):
                 return ("", "") if name in DIFFERENTIALS or name in RESERVED else (name, "")
-            case [("sin" | "cos" | "tan") as function, name] if _is_name(name):
+            case [("sin" | "cos" | "tan") as function, name] if is_name(name):
                 return name, function
         return "", ""
 
@@ -476,6 +489,37 @@ class _Sorting:
             return True
         return False
 
+    def _defines_coordinate(self, line: _Line) -> bool:
+        """Whether an equation with a coordinate defines one of the answer's own: s by r = l + s."""
+        names = {*undeclared(read_as_written(line.fragment, self.scope, line.text), line.text)}
+        if len(names) != 1 or not self.values_are_asides or not is_name(name := names.pop()):
+            return False
+        value = defined_coordinate(line.fragment, name, self.scope)
+        if value is None:
+            return False
+        self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
+        self.defined.append(name)
+        self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
+        return True
+
+    def _leave_prose_out(self, lines: list[_Line]) -> None:
+        """Take the equations out of their sentences."""
+        alone = names_alone([line.fragment.text for line in lines])
+        names = LatexNames(self.scope)
+
+        def known(word: str) -> bool:
+            run = names.run(word)
+            declared = not run.several and all(names.is_declared(name) for _, name in run.pieces)
+            return declared or word in alone or is_rate(word, self.scope)
+
+        for line in lines:
+            kept = without_prose(line.fragment, known)
+            if kept is not line.fragment:
+                beside = getattr(line.fragment, "beside", "")
+                words = f"{beside} {line.fragment.text[: line.fragment.text.find(kept.text)]}"
+                line.fragment = replace(kept, beside=words) if isinstance(kept, OneEquation) else kept
+                line.text = kept.text.strip()
+
     def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
@@ -498,12 +542,12 @@ class _Sorting:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
         occurring: dict[str, list[_Line]] = {}
         for line in lines:
-            for name in _undeclared(line):
+            for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
         names = [
             n
             for n, where in occurring.items()
-            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)
+            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)
         ]
         if not names or len(names) > 6:
             return
@@ -512,7 +556,7 @@ class _Sorting:
         read = {
             id(line): read_as_written(line.fragment, wider, line.text)
             for line in lines
-            if line.reading and line.reading.error and set(_undeclared(line)) & set(names)
+            if line.reading and line.reading.error and set(undeclared(line.reading, line.text)) & set(names)
         }
         readings = [r for r in read.values() if not r.error]
         for symbol in symbols.values():
@@ -527,10 +571,6 @@ class _Sorting:
             strange = set(symbols.values()) - set(self.unknowns)
             if new and not new.error and not any(c.free_symbols & strange for c in new.components):
                 line.reading = new
-
-
-def _is_name(text: str) -> bool:
-    return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
 
 
 def _plain(text: str) -> str:
@@ -558,43 +598,6 @@ def _given(line: _Line) -> Fragment:
     )
 
 
-_ENERGY = r"(?:[LTVUEH]|\\?L|ℒ|𝓛|\\(?:mathcal|mathscr|mathfrak|cal)\s*\{?\s*[LTVU]\s*\}?)"
-_QUOTED = re.compile(
-    rf"(?:[d∂]|\\partial|\\mathrm\s*\{{\s*d\s*\}}|\bdiff\(|\bD\[|\bDerivative\(|\\p?dv\s*\{{)"
-    rf"\s*\(?\{{?\s*(?P<name>{_ENERGY})(?:\(t\)|\[t\])?\s*\}}?\)?\s*(?:/|,|\}}\s*\{{|\{{)"
-)
-
-
-def _quotes_the_method(line: _Line, scope: Scope) -> bool:
-    """Whether an unreadable line has derivatives of a Lagrangian, or an energy, that is not given anywhere."""
-    if line.reading is None or line.reading.error is None:
-        return False
-    names = [m["name"][-2:].strip("{} ")[-1:] for m in _QUOTED.finditer(line.text)]
-    return bool(names) and all(scope.scalar("L" if n in "ℒ𝓛" else n) is None for n in names)
-
-
 def _is_approximation(line: _Line) -> bool:
     beside = getattr(line.fragment, "beside", "")
     return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)
-
-
-def _undeclared(line: _Line) -> list[str]:
-    """The undeclared names for which an equation could not be read; none if there is another reason."""
-    if line.reading is None or line.reading.error is None:
-        return []
-    names = []
-    for d in line.reading.error.diagnostics:
-        match = re.match(r"`(\w+)` is (?:not declared|neither a function)", d.message)
-        if d.code not in ("unknown-symbol", "unknown-function") or match is None:
-            return []
-        if d.code == "unknown-function" and not _multiplies(match[1], line.text):
-            return []
-        names.append(match[1])
-    return names
-
-
-def _multiplies(name: str, text: str) -> bool:
-    """Whether a name before a parenthesis may be a factor, as in `S(x - a)`: a letter, and not applied to a number."""
-    letters = {name, *(c for c, n in GREEK.items() if n == name)}
-    calls = re.findall(rf"(?:{'|'.join(map(re.escape, letters))})\s*\(([^()]*)\)?", text)
-    return (len(name) <= 3 or len(letters) > 1) and not any(re.fullmatch(r"\s*(?:\d+|t)\s*", c) for c in calls)
