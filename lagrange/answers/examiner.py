@@ -368,7 +368,9 @@ class Examiner:
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
         """The verdict on conditions of rest, with that on equations where the problem asks for these too."""
         equations = tuple(f for f in answer if not is_inequality(f))
-        forces = {s.name for r in solution.law.newton.reactions for s in (r.multiplier, r.force)} if solution.law else {}
+        forces = (
+            {s.name for r in solution.law.newton.reactions for s in (r.multiplier, r.force)} if solution.law else {}
+        )
         laws = [f for f in answer if is_inequality(f) and not {*_WORD.findall(f.text)}.isdisjoint(forces)]
         if equations and laws and solution.own.motion is not None:  # |F| <= mu_s*N beside the equations of motion
             answer = [f for f in answer if f not in laws]

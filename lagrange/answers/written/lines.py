@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from lagrange.answers.written.programs import by_method_of_lagrange, one_by_one
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -44,7 +45,7 @@ _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
-_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
+_LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
@@ -126,10 +127,22 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    if stated := by_method_of_lagrange(text):
+        yield from (_rewritten(fragment, equation) for equation in stated)
+        return
+    if pairs := list(one_by_one(text[:end])):
+        yield from (_rewritten(fragment, f"{text[a:b].strip()} = {text[c:d].strip()}") for a, b, c, d in pairs)
+        return
     heading = _HEADING.match(text, 0, end)
     for start, stop in _parts(text, 0, end):
         under = heading[0] if heading and start >= heading.end() else ""
         yield from _one(fragment, start, stop, f"{beside} {under}".strip())
+
+
+def _rewritten(fragment: Fragment, text: str) -> Fragment:
+    draft = Draft(fragment)
+    draft.apply([(0, len(fragment.text), text)])
+    return draft.finished()
 
 
 def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:

@@ -20,6 +20,7 @@ import unicodedata
 from collections.abc import Collection, Iterator
 
 from lagrange.answers.written.latex_groups import over_as_fraction, power_groups, products_with_numbers
+from lagrange.answers.written.programs import as_functions
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -89,9 +90,6 @@ _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[
 _EXPONENTIAL = re.compile(
     rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))"
 )
-_METHOD = re.compile(
-    rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)"
-)
 _AFTER_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp)\s*\Z")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
 _PRODUCT = re.compile(r"[A-Za-z]+")
@@ -102,7 +100,6 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft = Draft(fragment)
     _characters(draft)
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
-    draft.replace(_METHOD, lambda m: f"diff({m['name']}, t{m['comma']}")
     draft.apply(_exponentials(draft.text, scope))
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
@@ -216,6 +213,7 @@ def cleaned(fragment: Fragment) -> Fragment:
     draft.replace(_COLON_EQUALS, "=")
     draft.replace(_MODULE, "")
     draft.replace(_RATIONAL, r"(\1/\2)")
+    as_functions(draft)
     if "\\" not in draft.text and "$" not in draft.text:
         draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))

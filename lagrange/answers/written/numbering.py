@@ -19,7 +19,8 @@ _IN_TEXT = (
     r"\s*\\(?:text|textrm|mathrm|mbox|tag)\s*\{\s*\(\s*(?:[ivxIVX]{1,4}|[a-hA-H]|[0-9]{1,3}[a-z]?|\*{1,3})\s*\)\s*\}"
 )
 _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
-_ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)\.?\s*[)\]}}]?"
+_RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
+_ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
 _NUMBER = re.compile(rf"(?:{_ANY}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
 _LONGEST = 60
 """Characters at the end of an equation that are searched for its number."""

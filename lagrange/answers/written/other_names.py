@@ -43,6 +43,12 @@ _OF_COORDINATE = re.compile(
     r"[\s$&]*(?P<name>\\?[^\W\d_](?:\w{0,12}|_\{\w{1,12}\}))\s*(?P<bracket>(?:\\left)?\(\s*(?P<argument>\\?\w{1,12})\s*(?:\\right)?\))"
     r"\s*&?=(?!=)"
 )
+_QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
+_STATIONARY = re.compile(
+    rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
+    rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
+    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?=\s*0[\s.,;$]*\Z"
+)
 _RATE_SIGN = re.compile(r"['\u0307\u0308¨˙′]|\\d?dot|_?d?dot|/\s*d")
 
 
@@ -113,6 +119,19 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
     draft.apply([(match.end("name"), match.end("bracket"), "")])
     made = draft.finished(latex=is_latex(fragment))
     return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:
+    """`dy/dθ = 0` in statics as δy = 0: a total derivative, where other coordinates depend on θ."""
+    match = _STATIONARY.match(fragment.text)
+    if match is None:
+        return fragment
+    name, by = _plain(match["name"] or match["name2"]), _plain(match["by"] or match["by2"])
+    if scope.scalar(scope.spelling(by)) not in scope.slots.coordinates or scope.scalar(scope.spelling(name)) is None:
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(0, len(fragment.text), f"δ{name} = 0")])
+    return draft.finished()
 
 
 def _plain(name: str) -> str:

@@ -15,11 +15,14 @@ An equation after `when`, `if`, `until` and the like is a condition: it is no st
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 
+from lagrange.answers.written.notations import is_rate
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_names import LatexNames
+from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS
 
 _RELATION = re.compile(r"(?<![<>!:])==?(?![=>])|[≤≥]|<=|>=|:=")
@@ -62,9 +65,17 @@ def is_condition(beside: str) -> bool:
     return bool(words) and words[-1].lower() in _CONDITIONAL and not beside.rstrip().endswith((":", ",", "."))
 
 
-def names_alone(texts: Sequence[str]) -> Collection[str]:
-    """The words that stand alone before a sign of equality, which are names and no prose."""
-    return {m[1] for text in texts if (m := re.match(r"\s*([^\W\d]\w*)\s*(?::=|==?)", text))}
+def words_known(scope: Scope, texts: Sequence[str]) -> Callable[[str], bool]:
+    """Whether a word is a name of the problem, a product of such names, or defined by one of several equations."""
+    names = LatexNames(scope)
+    alone = {m[1] for text in texts if (m := re.match(r"\s*([^\W\d]\w*)\s*(?::=|==?)", text))}
+
+    def known(word: str) -> bool:
+        run = names.run(word)
+        declared = not run.several and all(names.is_declared(name) for _, name in run.pieces)
+        return declared or word in alone or is_rate(word, scope)
+
+    return known
 
 
 def _is_prose(word: str, known: Callable[[str], bool]) -> bool:

@@ -24,10 +24,11 @@ from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with
 from lagrange.answers.written.new_coordinates import defined_coordinate
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
-from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
+from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
-from lagrange.answers.written.prose import is_condition, names_alone, without_prose
+from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
@@ -35,7 +36,6 @@ from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
-from lagrange.expressions.latex_names import LatexNames
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import read_value, token_texts
@@ -58,15 +58,6 @@ _LABEL = re.compile(
 )
 """What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
-_NUMBER = re.compile(
-    r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
-    r"(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{?(?P<ten>-?[0-9]{1,3})\}?|[eE](?P<power>-?[0-9]{1,3}))?(?P<unit>[^+=]{0,60})\Z"
-)
-_UNIT_NAMES = """
-m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb lbf slug mph K Nm Ns SI grad m2 m3
-kgm2 units metres meters seconds kilograms newton newtons
-"""
-_UNITS = frozenset(_UNIT_NAMES.split())
 _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
 _LONGEST_NAME = 60
@@ -74,8 +65,6 @@ _LONGEST_NAME = 60
 _INDEX = re.compile(r"[_^]\{[^{}]*\}")
 _NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
 """What does not occur in a side that is a name alone: a quick test before the side is read."""
-_UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
-_NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
@@ -253,10 +242,12 @@ class _Sorting:
         self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
         self.moving &= {*self.reference.parameters}
         self._leave_prose_out(plain)
-        for _ in range(3):
+        for kinematic in (True, False, False, False):
             before = len(self.defined)
             for line in plain:
-                line.definition = line.definition or self._defines(line)
+                line.definition = line.definition or self._defines(line, kinematic)
+            if kinematic:
+                continue
             if len(self.defined) == before:
                 for line in plain:
                     line.definition = line.definition or self._defines_coordinate(line)
@@ -266,6 +257,8 @@ class _Sorting:
             if line.whole:
                 line.reading = Reading(line.text)
             elif not line.definition and line.reading is None:
+                if not self.values_are_asides:
+                    line.fragment = as_virtual(line.fragment, self.scope)
                 line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
@@ -407,23 +400,19 @@ class _Sorting:
                 self._note(line, f"`{line.text}` states a time, and is not judged")
                 return True
             name = self._name_alone(side)[0]
-            match = _NUMBER.match(other.text.strip())
-            if name in self.reference.parameters and match and self._is_unit(match["unit"]):
+            match = NUMBER.match(other.text.strip())
+            if (
+                name in self.reference.parameters
+                and match
+                and is_unit(match["unit"], self.declared, self.values_are_asides)
+            ):
                 self._note_value(line, name, match)
                 return True
         return False
 
-    def _is_unit(self, text: str) -> bool:
-        """Whether what follows a number is a unit. Where a parameter may have a particular value, one is needed."""
-        words = _UNIT_WORDS.findall(_NO_WORDS.sub(" ", text))
-        if not words:
-            return self.values_are_asides and not text.strip(" .,;$\\{}")
-        return all(w in _UNITS for w in words) and (text[0] in " \\~" or not all(w in self.declared for w in words))
-
     def _note_value(self, line: _Line, name: str, number: re.Match[str]) -> None:
         known = self.reference.values.get(self.reference.parameters[name])
-        power = int(number["ten"] or number["power"] or 0)
-        stated = sp.Rational(number["number"].replace(",", ".").strip("{}")) * sp.Integer(10) ** power
+        stated = value_of(number)
         if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
             self._note(line, f"`{line.text}` is taken as a value, and is not judged")
         else:
@@ -453,8 +442,11 @@ class _Sorting:
                 return name, function
         return "", ""
 
-    def _defines(self, line: _Line) -> bool:
-        """Whether an equation defines a name that the problem does not declare; it is in scope from here on."""
+    def _defines(self, line: _Line, kinematic: bool) -> bool:
+        """Whether an equation defines a name that the problem does not declare; it is in scope from here on.
+
+        kinematic  only of a velocity or an acceleration, v = x': of several equations with v, this one defines it
+        """
         sides = _sides(line.fragment)
         if sides is None:
             return False
@@ -469,6 +461,8 @@ class _Sorting:
             try:
                 value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
             except ProblemError:
+                continue
+            if kinematic and (isinstance(value, Vector) or not self._is_rate_of(value)):
                 continue
             if isinstance(value, Vector):
                 self.scope = replace(self.scope, vectors={**self.scope.vectors, name: value})
@@ -489,6 +483,12 @@ class _Sorting:
             return True
         return False
 
+    def _is_rate_of(self, value: sp.Expr) -> bool:
+        """Whether an expression is a velocity or an acceleration, linear in the velocities and accelerations."""
+        slots = self.scope.slots
+        rates = {*slots.velocities, *slots.accelerations} & value.free_symbols
+        return bool(rates) and all(rates.isdisjoint(sp.diff(value, s).free_symbols) for s in rates)
+
     def _defines_coordinate(self, line: _Line) -> bool:
         """Whether an equation with a coordinate defines one of the answer's own: s by r = l + s."""
         names = {*undeclared(read_as_written(line.fragment, self.scope, line.text), line.text)}
@@ -504,14 +504,7 @@ class _Sorting:
 
     def _leave_prose_out(self, lines: list[_Line]) -> None:
         """Take the equations out of their sentences."""
-        alone = names_alone([line.fragment.text for line in lines])
-        names = LatexNames(self.scope)
-
-        def known(word: str) -> bool:
-            run = names.run(word)
-            declared = not run.several and all(names.is_declared(name) for _, name in run.pieces)
-            return declared or word in alone or is_rate(word, self.scope)
-
+        known = words_known(self.scope, [line.fragment.text for line in lines])
         for line in lines:
             kept = without_prose(line.fragment, known)
             if kept is not line.fragment:
