@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 from lagrange.answers.written.programs import by_method_of_lagrange, one_by_one
 from lagrange.core.diagnostics import Fragment
@@ -23,7 +24,9 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z))"
+_SENTENCE = (
+    r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z)|[^\W\d_]{1,5}(?:_\w{1,8}|\d)?['\u0307\u0308]*\s*=)"
+)
 _SEPARATOR = re.compile(
     rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
 )
@@ -47,6 +50,8 @@ _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
+"""What follows a word that is a name, as in `den = ...`."""
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING_WORDS = """
@@ -80,6 +85,7 @@ _BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))
 _BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 
 
+_OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 _OTHER_EQUALS = re.compile(r"[=≡≔]|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
 
 
@@ -319,7 +325,9 @@ def _after_words(text: str, start: int, end: int) -> int:
             at += 1
         elif leading := _LEADING.match(text, at, end):
             at = leading.end()
-        elif (word := _WORD.match(text, at, end)) and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
+        elif (word := _WORD.match(text, at, end)) and _STANDS_ALONE.match(text, word.end(), end) and word[0][-1] != ":":
+            break
+        elif word and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
             at, words, read = word.end(), words - 1, read + 1
         elif read and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
             at = article.end()
@@ -342,8 +350,6 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     plain = word.rstrip(".,:").lower()
     if plain in _KNOWN:
         return word.endswith(":")
-    if text[at:end].lstrip()[:1] == "=" and text[at:end].lstrip()[:2] != "=>" and not word.endswith(":"):
-        return False  # a name, as in `den = ...`
     if plain in _LINKING or word.endswith(":"):
         return True
     if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
@@ -365,6 +371,28 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
     if isinstance(part, OneEquation):
         return replace(part, beside=beside)
     return OneEquation(part.text, part.whole, part.start, beside=beside)
+
+
+def in_pairs(fragment: Fragment) -> list[Draft]:
+    """`N = b = c` as N = b and N = c, each of which says what N is; none where there are not three to eight sides.
+
+    `d/dt(∂L/∂x') = b = c`, whose first side may be the method quoted, is that and b = c.
+    """
+    parts = cuts(fragment.text, _EQUALS)
+    if not 2 < len(parts) <= 8:
+        return []
+    pieces = []
+    (first, end), *_ = parts
+    from_first = _OPERATOR.search(fragment.text, first, end) is None
+    for (start, _), (begin, last) in pairwise(parts):
+        piece = Draft(fragment)
+        if from_first and start != first:
+            piece.apply([(end, begin, " = ")])
+            piece.keep(first, last - (begin - end) + 3)
+        else:
+            piece.keep(start, last)
+        pieces.append(piece)
+    return pieces
 
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:

@@ -91,6 +91,9 @@ def _acceleration(texts: Sequence[str], scope: Scope, reference: Reference) -> s
         return None
     lengths = {q for q, unit in reference.units.items() if unit == "m" and q in scope.slots.coordinates}
     sets = [c.configuration.slots.coordinates for c in reference.candidates]
+    for c in reference.candidates:
+        rows = [[q for q, a in zip(sets[0], r.coefficients, strict=False) if a != 0] for r in c.configuration.rows]
+        lengths -= {row[0] for row in rows if len(row) == 1} if c.configuration.slots.coordinates == sets[0] else set()
     alone = {q for s in sets for q in s if len(s) == 1 and q in lengths} or (lengths if len(lengths) == 1 else set())
     return prime(prime(alone.pop())) if len(alone) == 1 and not _states_a_rate(re.compile("a"), texts) else None
 

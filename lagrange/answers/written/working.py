@@ -13,13 +13,13 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
+from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
 from lagrange.answers.written.new_coordinates import defined_coordinate
 from lagrange.answers.written.notations import cleaned, is_rate
@@ -161,7 +161,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
         return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
-    draft = Draft(cleaned(fragment))
+    draft = Draft(cleaned(fragment, declared))
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
     if label := _LABEL.match(draft.text):
@@ -174,16 +174,11 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     latex = is_latex(fragment)
     draft.keep(0, min(end, about))
     whole = _finished(draft, fragment, latex)
-    parts = cuts(draft.text, _EQUALS) if draft.text.count("=") > 1 else []
-    if len(parts) <= 2 or len(parts) > 8:
+    pieces = in_pairs(whole) if draft.text.count("=") > 1 else []
+    if not pieces:
         return [_Line(whole, text, number)]
-    lines = []
-    for (first, _), (_, last) in pairwise(parts):
-        piece = Draft(whole)
-        piece.keep(first, last)
-        made = _finished(piece, fragment, latex)
-        lines.append(_Line(made, made.text.strip(" &$\n")))
-    return lines
+    made = [_finished(piece, fragment, latex) for piece in pieces]
+    return [_Line(m, m.text.strip(" &$\n")) for m in made]
 
 
 def _without_braces(draft: Draft) -> None:
