@@ -27,9 +27,17 @@ _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|
 _SENTENCE = (
     r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z)|[^\W\d_]{1,5}(?:_\w{1,8}|\d)?['\u0307\u0308]*\s*=)"
 )
-_SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
+_BETWEEN = (
+    r"(?<=[\w)\]²³'])[,.]?\s+(?:(?:this|which|that|it|we|so|and|thus|then)\s+){0,3}"
+    r"(?:becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
+    r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
 )
+"""Words between two equations."""
+_SEPARATOR = re.compile(
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf"|{_BETWEEN}|{_SENTENCE}|\\n"
+)
+_LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
@@ -46,6 +54,7 @@ _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
+_WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}[\s,.:]{0,3}){1,8}\Z")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
@@ -72,6 +81,12 @@ _TAIL = re.compile(
     r"|provided|valid|and|wobei|mit|für|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
+_RATE_MARKS = "='\u0307\u0308¨˙"
+_WHERE_VALID = re.compile(
+    rf"\s+\((?=[^()]*[<>≤≥≠])[^(){_RATE_MARKS}]*\)[.,;]?\s*\Z"
+    rf"|,?\s+(?:for|as long as|while)\s+(?=[^=]*[<>≤≥≠])[^{_RATE_MARKS}]*\Z"
+)
+"""Where an equation is valid: `(r > 0)`. A sign of a velocity is no such remark, since friction depends on it."""
 _AFTER_COMMA = re.compile(r",\s+(?=[^\W\d_]{2,}[\s.,;:)])[^=()\[\]+*^]*\Z")
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
@@ -141,8 +156,11 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         return
     heading = _HEADING.match(text, 0, end)
     for start, stop in _parts(text, 0, end):
-        under = heading[0] if heading and start >= heading.end() else ""
-        yield from _one(fragment, start, stop, f"{beside} {under}".strip())
+        words = _WORDS_BEFORE.search(text, max(0, start - 80), start) if start else None
+        about = [beside, heading[0] if heading and start >= heading.end() else "", words[0] if words else ""]
+        for e in _one(fragment, start, stop, " ".join(filter(None, about))):
+            leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
+            yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
 
 
 def _rewritten(fragment: Fragment, text: str) -> Fragment:
@@ -269,7 +287,7 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
         yield from _from_call(fragment, match.end(), beside)
         return
     tail = ""
-    if rest := _AFTER_COMMA.search(text, begin, end):
+    if rest := _WHERE_VALID.search(text, begin, end) or _AFTER_COMMA.search(text, begin, end):
         tail, end = rest[0], rest.start()
     words = _TAIL.search(text, begin, end)
     remark = words["remark"] if words else None
@@ -383,7 +401,9 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
         return []
     pieces = []
     (first, end), *_ = parts
-    from_first = _OPERATOR.search(fragment.text, first, end) is None
+    between = _LONG_WORDS.findall(fragment.text[end : parts[-1][0]])
+    prose = any(word.lower() not in _KNOWN for word in between) and "\\" not in fragment.text
+    from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose
     for (start, _), (begin, last) in pairwise(parts):
         piece = Draft(fragment)
         if from_first and start != first:
