@@ -8,7 +8,7 @@ leaves position and velocity free, and both are compared as ever, exactly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,6 @@ from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.dynamics.comparison import Standing, System, compare
 
 if TYPE_CHECKING:
-    from lagrange.answers.references import ReferenceCandidate
     from lagrange.mechanics.results import InCoordinates, Solution
 
 FROM_THE_START = "it holds for the motion from the given initial state"
@@ -44,23 +43,23 @@ def relation_from_start(solution: Solution, view: InCoordinates) -> sp.Expr | No
     return None if value.free_symbols & {*place.moving} else integral.expression - value
 
 
-def holds_from_start(claims: Sequence[sp.Expr], written: Sequence[sp.Expr], candidate: ReferenceCandidate) -> bool:
-    """Whether claims, in the coordinates of a candidate, hold for the motion from the initial state.
+def holds_from_start(
+    claims: Sequence[sp.Expr], written: Sequence[sp.Expr], relation: sp.Expr, system: System, forces: Collection[str]
+) -> bool:
+    """Whether claims in the coordinates of a system hold for the motion from the initial state.
 
-    written  the same as the answer has them: about a reaction, or an energy, or with a parameter of the initial state
+    written   the same as the answer has them: about a reaction, or an energy, or with a parameter of the initial state
+    relation  what vanishes in every state after the initial one
+    forces    the names of reactions
 
     Other equations must hold in every state.
     """
-    relation = candidate.from_start
-    if relation is None:
-        return False
-    system = candidate.system
     slots = system.configuration.slots
     known = (e.free_symbols for e in system.equations)
     of_start = relation.free_symbols.difference({t, *slots.coordinates, *slots.velocities}, *known)
-    if any(e.free_symbols.isdisjoint(of_start) and not _may_depend_on_start(e, candidate) for e in written):
+    if any(e.free_symbols.isdisjoint(of_start) and not _may_depend_on_start(e, forces) for e in written):
         return False
-    rule = _rule(relation.xreplace(dict(candidate.values)), system)
+    rule = _rule(relation, system)
     if not rule:
         return False
     on_the_way = replace(system, equations=tuple(e.xreplace(rule) for e in system.equations))
@@ -72,8 +71,8 @@ def holds_from_start(claims: Sequence[sp.Expr], written: Sequence[sp.Expr], cand
     return result is not None and not bad & {*result.standings}
 
 
-def _may_depend_on_start(e: sp.Expr, candidate: ReferenceCandidate) -> bool:
-    if {s.name for s in e.free_symbols} & {s.name for s in (*candidate.multipliers, *candidate.meanings)}:
+def _may_depend_on_start(e: sp.Expr, forces: Collection[str]) -> bool:
+    if any(s.name in forces for s in e.free_symbols):
         return True
     rates = {s for s in e.free_symbols if base(s) != s}
     return bool(rates) and all(s == prime(base(s)) for s in rates)

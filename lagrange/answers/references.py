@@ -9,7 +9,7 @@ T = −2 l λ; where an answer is not right with these, the other usual ones are
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -75,7 +75,17 @@ class ReferenceCandidate:
     @cached_property
     def from_start(self) -> sp.Expr | None:
         """What vanishes in every state after the initial one; None if it is not known."""
-        return self.starts() if self.starts is not None else None
+        relation = self.starts() if self.starts is not None else None
+        return None if relation is None else relation.xreplace(dict(self.values))
+
+    def holds_from_start(self, claims: Sequence[sp.Expr], written: Sequence[sp.Expr]) -> bool:
+        """Whether claims, `written` so in an answer, hold for the motion from the initial state of the file."""
+        if self.from_start is None:
+            return False
+        from lagrange.answers.initial_integrals import holds_from_start
+
+        forces = {s.name for s in (*self.multipliers, *self.meanings)}
+        return holds_from_start(claims, written, self.from_start, self.system, forces)
 
     @cached_property
     def models(self) -> Models:
