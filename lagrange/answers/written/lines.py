@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
-from lagrange.answers.written.programs import by_method_of_lagrange, one_by_one
+from lagrange.answers.written.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -148,7 +148,7 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
-    if stated := by_method_of_lagrange(text):
+    if stated := by_method_of_lagrange(text) or by_comprehension(text[:end]):
         yield from (_rewritten(fragment, equation) for equation in stated)
         return
     if pairs := list(one_by_one(text[:end])):

@@ -16,6 +16,7 @@ Calls of methods in symbolic programs are written as functions:
     e.simplify()                           e
     LagrangesMethod(L, [x, theta])         diff(diff(L, x'), t) - diff(L, x) = 0, and so with theta
     ad, bd = alpha.diff(), beta.diff()     ad = diff(alpha, t); bd = diff(beta, t)
+    [f(q) for q in (x, theta)]             f(x) = 0; f(theta) = 0
 """
 
 from __future__ import annotations
@@ -70,6 +71,10 @@ _METHOD = re.compile(r"\.\s*(?P<name>diff|doit|simplify|expand|trigsimp|factor|e
 _NAME_BEFORE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)?\Z")
 _METHOD_OF_LAGRANGE = re.compile(
     r"(?:[^\W\d]\w*\s*=\s*)?(?:\w+\.)*LagrangesMethod\s*\(\s*(?P<function>[^\W\d]\w*)\s*,\s*\[(?P<coordinates>[\w\s,()]{1,80})\]\s*\)"
+)
+_COMPREHENSION = re.compile(
+    r"\s*(?:[^\W\d]\w*\s*=\s*)?\[(?P<expression>[^\[\]]{1,400})\sfor\s+(?P<variable>[^\W\d]\w*)\s+in\s+[\[(]"
+    r"(?P<names>[\w\s,]{1,80})[\])]\s*\]\s*\Z"
 )
 _SEVERAL = re.compile(r"\s*(?P<names>[^\W\d]\w*(?:\s*,\s*[^\W\d]\w*)+)\s*=(?!=)\s*(?P<values>[^=]*)\Z")
 _MOST_CALLS = 12
@@ -434,6 +439,18 @@ def by_method_of_lagrange(text: str) -> list[str]:
     names = [q.split("(")[0].strip() for q in match["coordinates"].split(",") if q.strip()]
     function = match["function"]
     return [f"diff(diff({function}, {q}'), t) - diff({function}, {q}) = 0" for q in names]
+
+
+def by_comprehension(text: str) -> list[str]:
+    """The equations that `[L.diff(q.diff(t)).diff(t) - L.diff(q) for q in (x, y)]` makes, each zero."""
+    match = _COMPREHENSION.match(text)
+    if match is None or "for" in match["expression"].split():
+        return []
+    own = re.compile(rf"(?<![\w.]){re.escape(match['variable'])}(?!\w)")
+    names = [q.strip() for q in match["names"].split(",") if q.strip()]
+    expression = match["expression"].strip()
+    zero = "" if re.search(r"(?<![<>=!])=|\bEq\(", expression) else " = 0"
+    return [own.sub(q, expression) + zero for q in names]
 
 
 def one_by_one(text: str) -> Iterator[tuple[int, int, int, int]]:
