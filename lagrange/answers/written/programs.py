@@ -22,7 +22,7 @@ Calls of methods in symbolic programs are written as functions:
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment
@@ -72,6 +72,10 @@ _NAME_BEFORE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)?\Z")
 _METHOD_OF_LAGRANGE = re.compile(
     r"(?:[^\W\d]\w*\s*=\s*)?(?:\w+\.)*LagrangesMethod\s*\(\s*(?P<function>[^\W\d]\w*)\s*,\s*\[(?P<coordinates>[\w\s,()]{1,80})\]\s*\)"
 )
+_NAMED_EQUATION = re.compile(
+    r"\s*(?P<name>(?:eom|EOM|eqn?|ode|equation|residual)s?(?:_?\w{1,8})?)\s*:?=(?!=)\s*(?P<zero>[^=<>{}\[\]]*[^=<>{}\[\]\s;])\s*;?\s*\Z"
+)
+_HAS_RATE = re.compile(r"\bdiff\(|''|ddot|\bDerivative\(|[\u0308¨]")
 _COMPREHENSION = re.compile(
     r"\s*(?:[^\W\d]\w*\s*=\s*)?\[(?P<expression>[^\[\]]{1,400})\sfor\s+(?P<variable>[^\W\d]\w*)\s+in\s+[\[(]"
     r"(?P<names>[\w\s,]{1,80})[\])]\s*\]\s*\Z"
@@ -439,6 +443,13 @@ def by_method_of_lagrange(text: str) -> list[str]:
     names = [q.split("(")[0].strip() for q in match["coordinates"].split(",") if q.strip()]
     function = match["function"]
     return [f"diff(diff({function}, {q}'), t) - diff({function}, {q}) = 0" for q in names]
+
+
+def as_equation(draft: Draft, declared: Collection[str]) -> None:
+    """`eom = m*diff(x, t, 2) + k*x` as m*diff(x, t, 2) + k*x = 0: programs name what vanishes."""
+    match = _NAMED_EQUATION.match(draft.text)
+    if match and match["name"] not in declared and _HAS_RATE.search(match["zero"]):
+        draft.apply([(0, match.start("zero"), ""), (match.end("zero"), match.end("zero"), " = 0")])
 
 
 def by_comprehension(text: str) -> list[str]:

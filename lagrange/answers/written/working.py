@@ -26,6 +26,7 @@ from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
+from lagrange.answers.written.programs import as_equation
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
@@ -162,6 +163,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
         return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
     draft = Draft(cleaned(fragment, declared))
+    as_equation(draft, declared)
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
     if label := _LABEL.match(draft.text):
