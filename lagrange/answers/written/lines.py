@@ -157,7 +157,10 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     heading = _HEADING.match(text, 0, end)
     for start, stop in _parts(text, 0, end):
         words = _WORDS_BEFORE.search(text, max(0, start - 80), start) if start else None
-        about = [beside, heading[0] if heading and start >= heading.end() else "", words[0] if words else ""]
+        before = words[0] if words else ""
+        if _EQUALS.search(text, 0, start) is None:  # prose with mathematics: `small angles sin θ ≈ θ so ...`
+            before = text[:start]
+        about = [beside, heading[0] if heading and start >= heading.end() else "", before]
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
             yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
@@ -403,7 +406,8 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
     (first, end), *_ = parts
     between = _LONG_WORDS.findall(fragment.text[end : parts[-1][0]])
     prose = any(word.lower() not in _KNOWN for word in between) and "\\" not in fragment.text
-    from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose
+    vanishes = fragment.text[slice(*parts[-1])].strip(" $&.,;") == "0"  # δW = W δy - P δx = 0
+    from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose and not vanishes
     for (start, _), (begin, last) in pairwise(parts):
         piece = Draft(fragment)
         if from_first and start != first:
