@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.limits import MAX_EQUATIONS
 from lagrange.answers.readings import (
     NOT_FOR_ALL,
@@ -189,7 +190,18 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
         components, standings, missing = _with_rounded(
             values, readings, components, standings, candidate, free, missing
         )
+    from_start = {
+        n
+        for n, several in enumerate(standings)
+        if Standing.CONTRADICTS in several and candidate.holds_from_start(components[n], readings[n].components)
+    }
+    standings = tuple((Standing.CONSTRAINT,) * len(s) if n in from_start else s for n, s in enumerate(standings))
     verdict = _verdict(readings, standings, missing, candidate.choice)
+    if from_start:
+        marked = (
+            replace(e, remarks=(FROM_THE_START,)) if n in from_start else e for n, e in enumerate(verdict.equations)
+        )
+        verdict = replace(verdict, equations=tuple(marked))
     if values:
         equations = tuple(
             replace(e, remarks=(*e.remarks, remark))

@@ -347,12 +347,14 @@ class Examiner:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
         from lagrange.answers.questions.virtual_work import with_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
+        from lagrange.answers.written.prose import without_prose
         from lagrange.answers.written.working import Working, understood
 
         solution = self.solution
         if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
             stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
-            return self._with_conditions(stated, solution)
+            known = self._statics_reference.scope.names()
+            return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
         if solution is not None and self.asks_for_conditions and _asks_for_rest_alone(solution):
             from lagrange.answers.friction.rest_conditions import check_limits
 
@@ -395,6 +397,14 @@ class Examiner:
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
         """The verdict on conditions of rest, with that on equations where the problem asks for these too."""
         equations = tuple(f for f in answer if not is_inequality(f))
+        forces = (
+            {s.name for r in solution.law.newton.reactions for s in (r.multiplier, r.force)} if solution.law else {}
+        )
+        laws = [f for f in answer if is_inequality(f) and not {*_WORD.findall(f.text)}.isdisjoint(forces)]
+        if equations and laws and solution.own.motion is not None:  # |F| <= mu_s*N beside the equations of motion
+            answer = [f for f in answer if f not in laws]
+            if len(answer) == len(equations):
+                return self._checked(equations)
         alone = _asks_for_rest_alone(solution)
         rest = _rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
         if alone or not equations:
@@ -548,6 +558,7 @@ class Examiner:
         return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
 
 
+_WORD = re.compile(r"[^\W\d]\w*")
 _UNEXPLAINED = ("it holds in no position of equilibrium",)
 """Diagnoses of equilibria that say no more than that they are wrong."""
 

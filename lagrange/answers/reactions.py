@@ -17,6 +17,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
+from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
@@ -97,6 +98,8 @@ def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationV
     for c in reference.candidates_for({s.name for s in zero.free_symbols}):
         verdict = _verdict(as_written(zero), c, reference)
         more = c.remarks_on([zero])
+        if verdict is Verdict.WRONG and c.holds_from_start([c.read(zero)], [zero]):
+            verdict, more = Verdict.EQUIVALENT, (FROM_THE_START, *more)
         if verdict is Verdict.WRONG and decimals_in([zero]):
             values = rounded_in_motion([c.read(zero)], c.system)
             if values is not None:

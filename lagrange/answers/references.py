@@ -9,7 +9,7 @@ T = −2 l λ; where an answer is not right with these, the other usual ones are
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
@@ -56,6 +56,7 @@ class ReferenceCandidate:
     positive     radii that are taken as positive
     remarks      the meanings of names of forces that differ from those in the derivation, in words
     mechanics    the parts of the system, in which a model may change it; None if they are not known
+    starts       what vanishes in every state after the initial one of the file, if it gives one
     """
 
     choice: str
@@ -70,6 +71,22 @@ class ReferenceCandidate:
     positive: tuple[sp.Symbol, ...] = ()
     remarks: Mapping[str, str] = field(default_factory=dict)
     mechanics: Callable[[], Mechanics] | None = None
+    starts: Callable[[], sp.Expr | None] | None = None
+
+    @cached_property
+    def from_start(self) -> sp.Expr | None:
+        """What vanishes in every state after the initial one; None if it is not known."""
+        relation = self.starts() if self.starts is not None else None
+        return None if relation is None else relation.xreplace(dict(self.values))
+
+    def holds_from_start(self, claims: Sequence[sp.Expr], written: Sequence[sp.Expr]) -> bool:
+        """Whether claims, `written` so in an answer, hold for the motion from the initial state of the file."""
+        if self.from_start is None:
+            return False
+        from lagrange.answers.initial_integrals import holds_from_start
+
+        forces = {s.name for s in (*self.multipliers, *self.meanings)}
+        return holds_from_start(claims, written, self.from_start, self.system, forces)
 
     @cached_property
     def models(self) -> Models:
@@ -273,7 +290,7 @@ def _reference_of(same: Identical) -> Reference:
     )
     values = values_of(problem)
     certain = _settled(solution)
-    plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
+    plain = [replace(c, values=values, certain=certain, starts=_start_of(c, solution)) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
     newton = solution.law.newton if solution.law else None
     added = {**of_oscillations, **_potential(solution), **energies, **_lengths(solution)}
@@ -283,6 +300,16 @@ def _reference_of(same: Identical) -> Reference:
     return Reference(
         wider, candidates, values, problem.unknowns, units_of(problem), newton, declared, letters, parameters
     )
+
+
+def _start_of(candidate: ReferenceCandidate, solution: Solution) -> Callable[[], sp.Expr | None] | None:
+    """What vanishes after the initial state, found on first use; None if the file gives no initial state."""
+    from lagrange.answers.initial_integrals import relation_from_start
+
+    view = next((v for v in solution.views if v.name == candidate.choice), None)
+    if view is None or not solution.problem.initial:
+        return None
+    return lambda: relation_from_start(solution, view)
 
 
 def declared_names(problem: Problem) -> frozenset[str]:

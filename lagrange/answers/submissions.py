@@ -32,7 +32,7 @@ from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement,
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.macros import macros_of, with_macros
-from lagrange.answers.written.markup import text_of_html
+from lagrange.answers.written.markup import text_of_html, without_named_letters
 from lagrange.answers.written.programs import declares, equations_of_program
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
@@ -83,7 +83,8 @@ def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment
         case ".md" | ".markdown":
             yield from _in_markdown(fragment)
         case _:
-            yield from _in_lines(fragment)
+            text = without_named_letters(source.text)
+            yield from _in_lines(fragment if text == source.text else Fragment.of(text, source.name))
 
 
 def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:

@@ -66,6 +66,7 @@ class AnswerReader:
         self.components: dict[str, list[str]] = {name: [] for name in context.constraints.known()}
         for c in constraints:
             self.components.setdefault(_vector_equation(c.name), []).append(c.name)
+        self.by_reaction = {c.reaction.name: c.name for c in constraints}
         self.tries = tries
         self.scope = _scope_of_answers(scope, choices)
         self.questions = {q.name: q for q in questions}
@@ -330,13 +331,15 @@ class AnswerReader:
         return answers
 
     def _constraints(self, scalar: Scalar) -> list[str]:
-        """The constraints that a name means: one, or the components of a vector equation."""
+        """The constraints that a name means: one, also by its reaction, or the components of a vector equation."""
         name = canonical(scalar.text, self.components)
         if name in self.components:
             return self.components[name]
         known = [c for names in self.components.values() for c in names]
         if name in known or (_vector_equation(name) in self.components and not self.components[_vector_equation(name)]):
             return [name]
+        if reacting := self.by_reaction.get(name):
+            return [reacting]
         if self.context.names.has_failed(scalar.text):
             return []
         help_ = suggestion(name, list(dict.fromkeys((*self.components, *known))), "constraints")

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.fuzzers.inputs import KINDS
 
-NUMBERS = {"problems": 40, "grammar": 12, "files": 40, "texts": 100, "answers": 60, "journals": 60}
+NUMBERS = {"problems": 40, "grammar": 12, "files": 40, "texts": 100, "answers": 60, "submissions": 40, "journals": 60}
 
 
 @pytest.mark.parametrize(("kind", "seed"), [(kind, seed) for kind, number in NUMBERS.items() for seed in range(number)])

@@ -11,7 +11,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
+from lagrange.answers.written.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
@@ -23,10 +25,20 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SENTENCE = r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z))"
-_SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)|{_SENTENCE}|\\n"
+_SENTENCE = (
+    r"(?<=[\w)\]²³'])\.\s+(?=(?:[A-ZÄÖÜÉ][^\W\d_]+|A|I)(?:[\s,:]|\Z)|[^\W\d_]{1,5}(?:_\w{1,8}|\d)?['\u0307\u0308]*\s*=)"
 )
+_BETWEEN = (
+    r"(?<=[\w)\]²³'])[,.]?\s+(?:(?:this|which|that|it|we|so|and|thus|then)\s+){0,3}"
+    r"(?:becomes|gives|give|yields|giving|yielding|means|reads|leads\s+to|results\s+in|get|obtain|find|so|thus)"
+    r"(?:\s+that)?[,:]?\s+(?=[^=]*=)"
+)
+"""Words between two equations."""
+_SEPARATOR = re.compile(
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf"|{_BETWEEN}|{_SENTENCE}|\\n"
+)
+_LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
@@ -43,10 +55,14 @@ _LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _SO = re.compile(r"(?<![<>!])=[^=]{1,80}?\s(so|thus)\s(?=[^=]*=)")
+_HEADING = re.compile(r"[^\W\d_]{4,}[^:;'\u0308¨]{0,60}:(?=\s)")
+_WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}[\s,.:]{0,3}){1,8}\Z")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
-_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
+_LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
+_STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
+"""What follows a word that is a name, as in `den = ...`."""
 _NEXT_WORD = re.compile(r"\s*(?:[^\W\d_]['’])?([^\W\d_]{2,})(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING_WORDS = """
@@ -67,6 +83,12 @@ _TAIL = re.compile(
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
+_RATE_MARKS = "='\u0307\u0308¨˙"
+_WHERE_VALID = re.compile(
+    rf"\s+\((?=[^()]*[<>≤≥≠])[^(){_RATE_MARKS}]*\)[.,;]?\s*\Z"
+    rf"|,?\s+(?:for|as long as|while)\s+(?=[^=]*[<>≤≥≠])[^{_RATE_MARKS}]*\Z"
+)
+"""Where an equation is valid: `(r > 0)`. A sign of a velocity is no such remark, since friction depends on it."""
 _AFTER_COMMA = re.compile(
     r",\s+(?=[^\W\d_]{2,}(?:-[^\W\d_]+)*(?:[\s.,;:)]|\Z)|[0-9]{1,2}\s+(?:degrees?|DOFs?|d\.o\.f|Freiheitsgrade?)\b)[^=()\[\]+*^]*\Z"
 )
@@ -85,6 +107,7 @@ _BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
 _RULES = re.compile(r"\s*(?:Out\[[0-9]{0,4}\]\s*=)?\s*\{\s*\{?\s*\w+'*(?:\[t\])?\s*->")
 _RULE = re.compile(r"->")
 _OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
+_OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
 def has_sign_of_equality(line: str) -> bool:
@@ -131,6 +154,12 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    if stated := by_method_of_lagrange(text) or by_comprehension(text[:end]):
+        yield from (_rewritten(fragment, equation) for equation in stated)
+        return
+    if pairs := list(one_by_one(text[:end])):
+        yield from (_rewritten(fragment, f"{text[a:b].strip()} = {text[c:d].strip()}") for a, b, c, d in pairs)
+        return
     if _RULES.match(text, 0, end):
         draft = Draft(fragment)
         draft.replace(_RULE, " =")
@@ -142,8 +171,17 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         draft.apply([(m.start(), m.end(), " " * len(m[0])) for m in (*remarks, *CONDITIONAL.finditer(text, 0, end))])
         fragment = draft.finished()
         text = fragment.text
+    heading = _HEADING.match(text, 0, end)
     for start, stop in _parts(text, 0, end):
-        yield from _one(fragment, start, stop, f"{beside} {_remarks_on(text, start, stop, remarks)}".strip())
+        words = _WORDS_BEFORE.search(text, max(0, start - 80), start) if start else None
+        before = words[0] if words else ""
+        if _EQUALS.search(text, 0, start) is None:  # prose with mathematics: `small angles sin θ ≈ θ so ...`
+            before = text[:start]
+        remark = _remarks_on(text, start, stop, remarks)
+        about = [beside, remark, heading[0] if heading and start >= heading.end() else "", before]
+        for e in _one(fragment, start, stop, " ".join(filter(None, about))):
+            leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
+            yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
@@ -158,6 +196,12 @@ def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str
     return "; ".join(
         m[0].strip(" ,;()") for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
     )
+
+
+def _rewritten(fragment: Fragment, text: str) -> Fragment:
+    draft = Draft(fragment)
+    draft.apply([(0, len(fragment.text), text)])
+    return draft.finished()
 
 
 def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
@@ -278,7 +322,7 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
         yield from _from_call(fragment, match.end(), beside)
         return
     tail = ""
-    if rest := _AFTER_COMMA.search(text, begin, end):
+    if rest := _WHERE_VALID.search(text, begin, end) or _AFTER_COMMA.search(text, begin, end):
         tail, end = rest[0], rest.start()
     words = _TAIL.search(text, begin, end)
     remark = words["remark"] if words else None
@@ -334,7 +378,9 @@ def _after_words(text: str, start: int, end: int) -> int:
             at += 1
         elif leading := _LEADING.match(text, at, end):
             at = leading.end()
-        elif (word := _WORD.match(text, at, end)) and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
+        elif (word := _WORD.match(text, at, end)) and _STANDS_ALONE.match(text, word.end(), end) and word[0][-1] != ":":
+            break
+        elif word and (words > 0 or _is_word(word[0], read, text, word.end(), end)):
             at, words, read = word.end(), words - 1, read + 1
         elif read and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
             at = article.end()
@@ -389,6 +435,31 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
     return OneEquation(part.text, part.whole, part.start, beside=beside)
 
 
+def in_pairs(fragment: Fragment) -> list[Draft]:
+    """`N = b = c` as N = b and N = c, each of which says what N is; none where there are not three to eight sides.
+
+    `d/dt(∂L/∂x') = b = c`, whose first side may be the method quoted, is that and b = c.
+    """
+    parts = cuts(fragment.text, _EQUALS)
+    if not 2 < len(parts) <= 8:
+        return []
+    pieces = []
+    (first, end), *_ = parts
+    between = _LONG_WORDS.findall(fragment.text[end : parts[-1][0]])
+    prose = any(word.lower() not in _KNOWN for word in between) and "\\" not in fragment.text
+    vanishes = fragment.text[slice(*parts[-1])].strip(" $&.,;") == "0"  # δW = W δy - P δx = 0
+    from_first = _OPERATOR.search(fragment.text, first, end) is None and not prose and not vanishes
+    for (start, _), (begin, last) in pairwise(parts):
+        piece = Draft(fragment)
+        if from_first and start != first:
+            piece.apply([(end, begin, " = ")])
+            piece.keep(first, last - (begin - end) + 3)
+        else:
+            piece.keep(start, last)
+        pieces.append(piece)
+    return pieces
+
+
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
     return tuple(e for fragment in answer for e in _separated(fragment))
@@ -421,7 +492,8 @@ _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
 def conditions_of(fragment: Fragment) -> list[Fragment]:
     """The parts of a text between commas, if each of them is an equation or an inequality."""
-    places = [*cuts(fragment.text, re.compile("[,;]"))]
+    places = [*cuts(fragment.text, re.compile(r"[,;]|\bi\.\s?e\.|\bor equivalently\b"))]
+    places = [(start, end) for start, end in places if fragment.text[start:end].strip()]
     parts = [_part(fragment, start, end) for start, end in places]
     return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]
 

@@ -1,13 +1,17 @@
-"""Answers as HTML, as Moodle stores what is typed into its editor: the text, one line for each paragraph.
+r"""Answers as HTML, as Moodle stores what is typed into its editor: the text, one line for each paragraph.
 
 Tags are left out, line breaks and paragraphs end lines, raised and lowered characters get their `^` and `_`. One pass
 over the text; nothing of it is ever shown as HTML.
+
+Letters of Mathematica, `\[Theta]` and `\[CapitalOmega]`, are written as the Greek letters that they are.
 """
 
 from __future__ import annotations
 
 import re
 from html import unescape
+
+from lagrange.expressions.characters import GREEK
 
 _TAG = re.compile(
     r"<!--.*?(?:-->|\Z)|<(?P<closing>/?)(?P<name>[A-Za-z][A-Za-z0-9]{0,15})(?P<rest>[^<>]{0,2000})>", re.DOTALL
@@ -42,3 +46,20 @@ def text_of_html(html: str) -> str:
         pieces.append(unescape(html[at:]))
     text = "".join(pieces).translate(_BREAKS)
     return re.sub(r"\^\(\s*([0-9]{1,2})\s*\)", r"^\1", text)
+
+
+_NAMED = re.compile(r"\\\[(?P<kind>Capital|Curly)?(?P<name>[A-Z][a-z]{1,12}D?)\]")
+_SIGNS = {"Equal": "==", "Prime": "'", "Degree": " deg", "Times": "*", "DifferentialD": "d", "PartialD": "∂"}
+_LETTERS = {name: letter for letter, name in GREEK.items()}
+
+
+def without_named_letters(text: str) -> str:
+    """The text with `\\[Theta]` as θ."""
+
+    def letter(match: re.Match[str]) -> str:
+        if not match["kind"] and match["name"] in _SIGNS:
+            return _SIGNS[match["name"]]
+        name = match["name"] if match["kind"] == "Capital" else match["name"].lower()
+        return _LETTERS.get(f"var{name}" if match["kind"] == "Curly" else name, _LETTERS.get(name, match[0]))
+
+    return _NAMED.sub(letter, text) if "\\[" in text else text

@@ -7,8 +7,6 @@ r"""Other notations of an equation, rewritten in the language of expressions: no
     Derivative(x(t), (t, 2))   diff(x(t), t$2)         diff(x, t, t)
     Sin[x]   arctan(x)   sgn(x)                        sin(x)   atan(x)   sign(x)
     mgl sinθ                                           m*g*l sin θ, where m, g, l are declared
-    \dv[2]{x}{t}   \pdv{L}{x}   {a \over b}            \frac{d^2x}{dt^2}   \frac{\partial L}{\partial x}   \frac{a}{b}
-    \overset{..}{x}   \color{red}   \underbrace{a}_{b}   \ddot{x}   (nothing)   a
 
 A name that the problem declares keeps its meaning. Each rule is one pass over the text.
 """
@@ -19,8 +17,8 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
-from lagrange.answers.written.latex_groups import over_as_fraction, power_groups
-from lagrange.answers.written.special_notations import special, special_latex
+from lagrange.answers.written.programs import as_functions
+from lagrange.answers.written.special_notations import special
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -46,7 +44,10 @@ _OPERATOR = re.compile(
     rf"(?<![A-Za-z0-9_'])\(?[dⅆ∂]{_POWER}\s*/\s*\(?\s*[dⅆ∂]\s*(?P<by>{_NAME})(?P<more>['\u0307\u0308]*)"
     r"(?:\s*\^\s*\{?\s*[1-4]\s*\}?|[²³]|\*\*[1-4])?\s*\)?"
 )
+_RATE_OF_BRACKET = re.compile(r"(?<![A-Za-z0-9_'/])d\s?(?=\()")
+_BY_TIME = re.compile(r"\s*/\s*\(?\s*dt\b(?!\s*\()")
 _GREEK_INDEX = re.compile(rf"(?<=[A-Za-z{''.join(GREEK)}]_)[{''.join(GREEK)}]")
+_MOMENTUM = re.compile(rf"(?<![A-Za-z0-9_])p(?=[{''.join(GREEK)}])")
 _VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
 _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _DISPLACED = re.compile(r"(?<![A-Za-z0-9_'/])(d|δ|delta)\s?(?=\()(?!d\(t\))")
@@ -82,6 +83,7 @@ _CALLED = re.compile(
 )
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
+_DER = re.compile(r"(?<![A-Za-z0-9_])der\s*(?=\()")
 _SPOKEN = re.compile(
     rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s+(?P<dots>double[- ]?dot|dot\s+dot|dot)(?![A-Za-z0-9_]|\s*\()"
 )
@@ -89,9 +91,6 @@ _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A
 _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
 _EXPONENTIAL = re.compile(
     rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))"
-)
-_METHOD = re.compile(
-    rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)"
 )
 _AFTER_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp)\s*\Z")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
@@ -101,10 +100,9 @@ _PRODUCT = re.compile(r"[A-Za-z]+")
 def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     """A plain text with other notations written in that of the language; the text itself where there are none."""
     draft = Draft(fragment)
-    _characters(draft)
+    characters(draft)
     special(draft, scope)
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
-    draft.replace(_METHOD, lambda m: f"diff({m['name']}, t{m['comma']}")
     draft.apply(_exponentials(draft.text, scope))
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
@@ -119,6 +117,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
+    draft.apply(_modelica(draft.text, scope))
     draft.replace(_SPOKEN, lambda m: _spoken(m, scope))
     draft.apply(_dotted(draft.text))
     draft.replace(_INDEXED, lambda m: _indexed(m, scope))
@@ -127,7 +126,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_INVERSE, r"a\1")
     _derivatives(draft, scope)
     _displacements(draft, scope)
-    draft.apply(_of_argument(draft.text, scope))
+    draft.apply(of_argument(draft.text, scope))
     draft.replace(_RUN, lambda m: _product(m, scope))
     return draft.finished()
 
@@ -201,7 +200,8 @@ def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> 
             yield match.start(), end + 1, f"({' + '.join(terms)})"
 
 
-def _characters(draft: Draft) -> None:
+def characters(draft: Draft) -> None:
+    """Replace invisible operators, italic letters and spacing dots."""
     draft.replace(_BLANK_DOTS, "")
     draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))
     draft.replace(_DOTS_BEFORE_INDEX, lambda m: f"{m[2]}{_SPACED[m[1]]}")
@@ -213,14 +213,20 @@ _SPACED = {"¨": "''", "˙": "'"}
 _COLON_EQUALS = re.compile(r":\s?=(?!=)")
 
 
-def cleaned(fragment: Fragment) -> Fragment:
-    """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
+def cleaned(fragment: Fragment, declared: Collection[str] = ("p",)) -> Fragment:
+    """The text with invisible operators and odd signs replaced: they are harmless in an answer.
+
+    declared  the names of the problem: where `p` is none, pφ is the momentum p_φ
+    """
     draft = Draft(fragment)
-    _characters(draft)
+    characters(draft)
     draft.replace(_COLON_EQUALS, "=")
     draft.replace(_MODULE, "")
     draft.replace(_RATIONAL, r"(\1/\2)")
+    as_functions(draft)
     if "\\" not in draft.text and "$" not in draft.text:
+        if "p" not in declared:
+            draft.replace(_MOMENTUM, "p_")
         draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
 
@@ -264,6 +270,17 @@ def _dotted(text: str) -> Iterator[Edit]:
             continue
         yield match.start(), match.end(), ""
         yield end + 1, end + 1, "'" * len(match[1])
+
+
+def _modelica(text: str, scope: Scope) -> Iterator[Edit]:
+    """`der(x)` as diff(x, t)."""
+    if "der" not in text or scope.role("der") is not Role.UNDECLARED:
+        return
+    ends = closings(text)
+    for match in _DER.finditer(text):
+        if match.end() in ends:
+            yield match.start(), match.end(), "diff"
+            yield ends[match.end()], ends[match.end()], ", t"
 
 
 def _spoken(match: re.Match[str], scope: Scope) -> str | None:
@@ -335,12 +352,25 @@ def _derivatives(draft: Draft, scope: Scope) -> None:
     """dθ/dt, d^2θ/dt^2, dU/dr, ∂L/∂θ', and the operators d/dt and ∂/∂x before what they are applied to."""
     if "/" not in draft.text:
         return
+    draft.apply(_rates_of_brackets(draft.text, scope))
     draft.replace(_RATE, lambda m: _rate(m, scope))
     for _ in range(8):  # nested operators, the last first
         matches = [m for m in _OPERATOR.finditer(draft.text) if scope.role("d") is Role.UNDECLARED or m[0][0] != "d"]
         if not matches:
             return
         draft.apply(_operator(draft.text, matches[-1]))
+
+
+def _rates_of_brackets(text: str, scope: Scope) -> Iterator[Edit]:
+    """`d(m x')/dt` as diff(m x', t)."""
+    ends: dict[int, int] | None = None
+    for match in _RATE_OF_BRACKET.finditer(text):
+        ends = closings(text) if ends is None else ends
+        end = ends.get(match.end())
+        over = _BY_TIME.match(text, end + 1) if end is not None else None
+        if end is not None and over is not None and scope.role("d") is Role.UNDECLARED:
+            yield match.start(), match.end(), "diff"
+            yield end, over.end(), ", t)"
 
 
 def _order(match: re.Match[str]) -> int:
@@ -355,7 +385,7 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
     if by == "t" and not match["more"]:
         return f"{name}{chr(39) * order}{_left_over(match)}" if not name.isdigit() else None
     along = order == 1 and not match["more"] and match[0].lstrip("(")[0] != "∂"
-    if along and _is_rate(match["name"], match["dots"], scope):
+    if along and is_velocity(match["name"], match["dots"], scope):
         return f"(diff({name}, t)/{by}'){_left_over(match)}"
     inner = f"{name}"
     for _ in range(order):
@@ -363,7 +393,7 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
     return inner + _left_over(match)
 
 
-def _is_rate(name: str, dots: str, scope: Scope) -> bool:
+def is_velocity(name: str, dots: str, scope: Scope) -> bool:
     """Whether a name, or its derivative, is a velocity: `dv/dx` is then meant along the motion, v'/x'.
 
     An energy depends on velocities too, by their squares, and its derivatives are partial ones.
@@ -406,7 +436,7 @@ def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
     yield end, end, f", {match['by']}{match['more']})" * order
 
 
-def _of_argument(text: str, scope: Scope) -> Iterator[Edit]:
+def of_argument(text: str, scope: Scope) -> Iterator[Edit]:
     """`U'(r)` as diff(U, r), where U is a function of r: a prime on a function of one argument, which follows."""
     for name, function in scope.functions.items():
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
@@ -447,143 +477,3 @@ def _product(match: re.Match[str], scope: Scope) -> str | None:
         power = _CLOSED_POWER.match(text, match.end())
         return f"({product})" if power is None else None
     return product
-
-
-# LaTeX
-
-_L_COLOUR = re.compile(r"\\(?:color|textcolor|colorbox)\s*(?:\[[A-Za-z]{1,8}\])?\s*\{[^{}\\]{0,40}\}")
-_L_DROPPED = re.compile(
-    r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|left\s*\.|right\s*\.|bf|it|large|Large|small"
-    r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
-    r"|Leftrightarrow|blacksquare|square|Box|qed|checkmark|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
-)
-_L_DEGREES = re.compile(
-    r"(?<=[0-9])\s*(?:\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\})|\\(?:degree|textdegree)(?![A-Za-z])|°)"
-)
-_L_FRAC = re.compile(r"\\(?:nicefrac|sfrac|flatfrac|xfrac)(?![A-Za-z])")
-_L_OVERSET = re.compile(
-    r"\\(?:overset|stackrel)\s*\{\s*(\.{1,3}|(?:\\cdot\s*){1,3}|(?:\\bullet\s*){1,3})\s*\}\s*(?=[{\\A-Za-z])"
-)
-_L_SIGNS = re.compile(r":=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overset|stackrel)\s*\{[^{}]{0,20}\}\s*\{=\}")
-_L_CANCEL = re.compile(r"\\(?:cancel|bcancel|xcancel|sout|not)\s*(?=\{)")
-_L_BRACE = re.compile(r"\\(under|over)(?:brace|bracket|line|set)\s*(?=\{)")
-_L_DV = re.compile(r"\\(?P<kind>dv|odv|derivative|pdv|pderivative|fdv)\*?\s*(?:\[\s*(?P<order>[1-4])\s*\])?\s*(?=\{)")
-_L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
-_L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
-_L_PARTIAL = re.compile(
-    r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"
-    r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
-)
-_L_ALONG = re.compile(
-    r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*\\dot\s*(?P<f>\{\s*\\?[A-Za-z]+\s*\}|\s[A-Za-z]|\\[A-Za-z]+)\s*\}"
-    r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
-)
-_L_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
-_L_STARS = re.compile(r"\*\*")
-_L_NAMED = re.compile(
-    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*([aA]rctan|[aA]rcsin|[aA]rccos|[Ss]in|[Cc]os|[Tt]an|[Cc]ot|sgn|sign|ln|log|exp)\s*\}"
-)
-_L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
-
-
-def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = False) -> Fragment:
-    """A text in LaTeX with other commands written as those that are read."""
-    draft = Draft(fragment)
-    _characters(draft)
-    special_latex(draft)
-    draft.replace(_L_COLOUR, "")
-    draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
-    draft.replace(_L_SIGNS, "=")
-    draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
-    draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")
-    draft.replace(_L_FRAC, r"\\frac")
-    draft.replace(
-        _L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " "
-    )
-    draft.replace(_L_STARS, "^")
-    draft.replace(_L_INVERSE, r"\\arc\1 ")
-    draft.apply(_cancelled(draft.text, keep_cancelled))
-    draft.apply(_braces(draft.text))
-    for _ in range(4):  # nested, the outer first
-        if not draft.apply(_physics(draft.text)):
-            break
-    draft.apply(over_as_fraction(draft.text))
-    draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
-    draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
-    draft.apply(_of_argument_in_latex(draft.text, scope))
-    draft.apply(power_groups(draft.text))
-    return draft.finished(latex=True)
-
-
-def _named_function(match: re.Match[str]) -> str:
-    return rf"\operatorname{{{match[1]}}}" if match[1] in ("sgn", "sign") else f"\\{match[1].lower()} "
-
-
-def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:
-    for start, end, new in _of_argument(text, scope):
-        name, argument = new[5:-1].split(", ")
-        yield start, end, rf"\frac{{\partial {_in_latex(name)}}}{{\partial {_in_latex(argument)}}}"
-
-
-def _in_latex(name: str) -> str:
-    return f"\\{name}" if name in GREEK.values() else name
-
-
-def _total_as_partial(match: re.Match[str], scope: Scope) -> str | None:
-    r"""`\frac{dU}{dr}` as a partial derivative, where U is a function or a quantity and r is not the time."""
-    if match["x"] == "t" or scope.role("d" + match["f"]) is not Role.UNDECLARED:
-        return None
-    if _is_rate(match["f"].lstrip("\\"), "", scope):
-        return rf"\frac{{\frac{{d}}{{dt}}\left({match['f']}\right)}}{{\dot{{{match['x']}}}}}"
-    return rf"\frac{{\partial {match['f']}}}{{\partial {match['x']}}}"
-
-
-def _cancelled(text: str, keep: bool) -> Iterator[Edit]:
-    ends: dict[int, int] | None = None
-    for match in _L_CANCEL.finditer(text):
-        ends = closings(text) if ends is None else ends
-        if (end := ends.get(match.end())) is not None:
-            yield (match.start(), match.end(), "") if keep else (match.start(), end + 1, " ")
-
-
-def _braces(text: str) -> Iterator[Edit]:
-    r"""`\underbrace{a}_{b}` as {a}."""
-    ends: dict[int, int] | None = None
-    for match in _L_BRACE.finditer(text):
-        if match[0].rstrip().endswith(("line", "set")):
-            continue
-        ends = closings(text) if ends is None else ends
-        end = ends.get(match.end())
-        if end is None:
-            continue
-        yield match.start(), match.end(), ""
-        label = re.compile(r"\s*[_^]\s*(?=\{)").match(text, end + 1)
-        if label and label.end() in ends:
-            yield end + 1, ends[label.end()] + 1, ""
-
-
-def _physics(text: str) -> list[Edit]:
-    r"""`\dv[2]{x}{t}`, `\dv{t}(...)`, `\pdv{L}{x}`, outermost ones only."""
-    edits: list[Edit] = []
-    ends: dict[int, int] | None = None
-    done = -1
-    for match in _L_DV.finditer(text):
-        ends = closings(text) if ends is None else ends
-        first = match.end()
-        if match.start() < done or first not in ends:
-            continue
-        above = text[first + 1 : ends[first]].strip()
-        at = ends[first] + 1
-        following = re.compile(r"\s*(?=\{)").match(text, at)
-        below = ""
-        if following and following.end() in ends:
-            below = text[following.end() + 1 : ends[following.end()]].strip()
-            at = ends[following.end()] + 1
-        else:
-            above, below = "", above
-        total = match["kind"] in ("dv", "odv", "derivative") and below == "t"
-        sign = "d" if total else r"\partial "
-        power = f"^{match['order']}" if match["order"] else ""
-        edits.append((match.start(), at, rf"\frac{{{sign}{power} {above}}}{{{sign}{below}{power}}}"))
-        done = at
-    return edits

@@ -1,7 +1,8 @@
 r"""Numbers of equations: `... = 0   (2)`, `\;(2)`, `~~(2)`, `[2]`, `(2a)`, `(*)`. None is a factor.
 
 A number in brackets after a space, or after a 0, at the end of an equation with a `=` numbers it: nobody writes a
-factor there. Roman numerals and letters, which may be names, are numbers only after a wide space.
+factor there. `(Ans.)`, `[Result]` and `q.e.d.` are none either. Roman numerals and letters, which may be names, are
+numbers only after a wide space.
 """
 
 from __future__ import annotations
@@ -18,7 +19,9 @@ _IN_TEXT = (
     r"\s*\\(?:text|textrm|mathrm|mbox|tag)\s*\{\s*\(\s*(?:[ivxIVX]{1,4}|[a-hA-H]|[0-9]{1,3}[a-z]?|\*{1,3})\s*\)\s*\}"
 )
 _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
-_NUMBER = re.compile(rf"(?:{_ANY}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
+_RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
+_ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
+_NUMBER = re.compile(rf"(?:{_ANY}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
 _LONGEST = 60
 """Characters at the end of an equation that are searched for its number."""
 

@@ -1,6 +1,9 @@
 r"""Names of coordinates and of their rates that the problem does not declare, and everybody understands.
 
     th, ph1                      θ, φ1, where these are coordinates and `th` is nothing else
+    \ell, ℓ                      l
+    a, in `m a = ...`            x'', where x is the only coordinate that is a length
+    v, in `m dv/dt = ...`        x', likewise
     a_x, v_x                     x'', x', where x is a coordinate; unless the answer defines them: a_x = x''
     dx, where ddx stands, too    x'
     r_1, r_2                     the positions of the first and the second particle
@@ -32,6 +35,14 @@ _SHORT = {"th": "theta", "tht": "theta", "ph": "phi", "ps": "psi", "al": "alpha"
 _SHORT |= {"w": "omega", "W": "Omega"}
 _SHORT |= {"bet": "beta", "ga": "gamma", "gam": "gamma", "ka": "kappa", "om": "omega", "Om": "Omega", "lam": "lambda"}
 _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0,2}})(?=d{{0,2}}(?:ot)?(?![A-Za-z]))")
+_SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
+_MASS_TIMES_A = re.compile(r"(?<![A-Za-z_])[mM](?:_?[0-9])?\s*[*·]?\s*a(?![A-Za-z0-9_'(^])")
+_A_IS = re.compile(r"[\s$&]*a\s*&?=(?!=)(?=[^=]*(?<![A-Za-z\\])g(?![A-Za-z]))[^=]*\Z")
+_A_STATED = re.compile(
+    r"(?<![\w\\])a\s*&?=[^=+]*(?:''|ddot|\u0308|¨|dv|d\^2|d²)|(?:''|\u0308|¨|\}|v\u0307)[^=+]*=\s*a\s*\Z"
+)
+_RATE_OF_V = re.compile(r"(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307")
+_V_IS = re.compile(r"(?<![A-Za-z_])v(?:\^2|²|\^\{2\})?\s*&?=(?!=)|=\s*v\s*\Z")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(
     r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])"
@@ -39,6 +50,12 @@ _PLACE = re.compile(
 _OF_COORDINATE = re.compile(
     r"[\s$&]*(?P<name>\\?[^\W\d_](?:\w{0,12}|_\{\w{1,12}\}))\s*(?P<bracket>(?:\\left)?\(\s*(?P<argument>\\?\w{1,12})\s*(?:\\right)?\))"
     r"\s*&?=(?!=)"
+)
+_QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
+_STATIONARY = re.compile(
+    rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
+    rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
+    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?=\s*0[\s.,;$]*\Z"
 )
 _RATE_SIGN = re.compile(r"['\u0307\u0308¨˙′]|\\d?dot|_?d?dot|/\s*d")
 
@@ -59,6 +76,9 @@ def other_names(
             and not _defined(name, texts)
         ):
             scalars[name] = value
+    if _SCRIPT_L.search(whole) and scope.role("ell") is Role.UNDECLARED and not _defined("ell", texts):
+        length = scope.scalar("l")
+        scalars |= {"ell": length} if length is not None and "l" in reference.declared else {}
     if "a_" in whole or "v_" in whole:
         for q in scope.slots.coordinates:
             for letter, value in (("a", prime(prime(q))), ("v", prime(q))):
@@ -66,9 +86,41 @@ def other_names(
                 written = re.compile(rf"(?<![A-Za-z0-9_\\]){letter}_\{{?\\?{q}\}}?(?![A-Za-z0-9])")
                 if scope.role(name) is Role.UNDECLARED and written.search(whole) and not _states_a_rate(written, texts):
                     scalars[name] = value
+    if (length := _only_length(scope, reference)) is not None:
+        if _is_acceleration(texts, scope):
+            scalars["a"] = prime(prime(length))
+        if _is_speed(texts, scope, reference):
+            scalars["v"] = prime(length)
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
         scalars.update(_of_states(max(states), reference))
     return scalars, _positions(whole, scope)
+
+
+def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
+    """The only coordinate that is a length and is not fixed by a constraint; None if there is none, or another."""
+    lengths = {q for q, unit in reference.units.items() if unit == "m" and q in scope.slots.coordinates}
+    sets = [c.configuration.slots.coordinates for c in reference.candidates]
+    for c in reference.candidates:
+        if c.configuration.slots.coordinates == sets[0]:
+            rows = [[q for q, a in zip(sets[0], r.coefficients, strict=False) if a != 0] for r in c.configuration.rows]
+            lengths -= {row[0] for row in rows if len(row) == 1}
+    alone = {q for s in sets for q in s if len(s) == 1 and q in lengths} or (lengths if len(lengths) == 1 else set())
+    return alone.pop() if len(alone) == 1 else None
+
+
+def _is_acceleration(texts: Sequence[str], scope: Scope) -> bool:
+    """Whether `a` is an acceleration: in `m a = ...` or `a = g/2`, where nothing else says what it is."""
+    if scope.role("a") is not Role.UNDECLARED or any(_A_STATED.search(text) for text in texts):
+        return False
+    return any(_MASS_TIMES_A.search(text) or _A_IS.match(text) for text in texts)
+
+
+def _is_speed(texts: Sequence[str], scope: Scope, reference: Reference) -> bool:
+    """Whether `v` is a velocity: where dv/dt occurs, and nothing says what it is."""
+    known = scope.role("v") is not Role.UNDECLARED and "v" not in reference.parameters
+    if known or _states_a_rate(re.compile("v"), texts):
+        return False
+    return any(_RATE_OF_V.search(text) for text in texts) and not any(_V_IS.search(text) for text in texts)
 
 
 def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
@@ -96,6 +148,19 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
     draft.apply([(match.end("name"), match.end("bracket"), "")])
     made = draft.finished(latex=is_latex(fragment))
     return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:
+    """`dy/dθ = 0` in statics as δy = 0: a total derivative, where other coordinates depend on θ."""
+    match = _STATIONARY.match(fragment.text)
+    if match is None:
+        return fragment
+    name, by = _plain(match["name"] or match["name2"]), _plain(match["by"] or match["by2"])
+    if scope.scalar(scope.spelling(by)) not in scope.slots.coordinates or scope.scalar(scope.spelling(name)) is None:
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(0, len(fragment.text), f"δ{name} = 0")])
+    return draft.finished()
 
 
 def _plain(name: str) -> str:

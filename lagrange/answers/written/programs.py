@@ -9,12 +9,20 @@ one is its velocity; the rates of the velocities are accelerations. All other as
 written out where they are used, so that they may have names that mean something else in the problem. Columns, and
 matrices times columns, are written out by rows; of `acc = A\b` the rows of A acc = b are the equations. Components that
 have no name, y(1), are called state_1, ...: they are coordinates in their order. Python, MATLAB and Julia are known.
+
+Calls of methods in symbolic programs are written as functions:
+
+    L.diff(theta.diff(t)).diff(t)          diff(diff(L, diff(theta, t)), t)
+    e.simplify()                           e
+    LagrangesMethod(L, [x, theta])         diff(diff(L, x'), t) - diff(L, x) = 0, and so with theta
+    ad, bd = alpha.diff(), beta.diff()     ad = diff(alpha, t); bd = diff(beta, t)
+    [f(q) for q in (x, theta)]             f(x) = 0; f(theta) = 0
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment
@@ -59,6 +67,22 @@ _COMMA, _SEMICOLON = re.compile(","), re.compile(";|\n")
 _STATEMENT = re.compile(r";|\n")
 _BLANKS = re.compile(r"\s+(?![-+*/^]\s)(?=[^\s*/^)])(?<![-+*/^(]\s)")
 _MOST_STATEMENTS, _MOST_STATES = 80, 12
+_METHOD = re.compile(r"\.\s*(?P<name>diff|doit|simplify|expand|trigsimp|factor|evalf)\s*(?=\()")
+_NAME_BEFORE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)?\Z")
+_METHOD_OF_LAGRANGE = re.compile(
+    r"(?:[^\W\d]\w*\s*=\s*)?(?:\w+\.)*LagrangesMethod\s*\(\s*(?P<function>[^\W\d]\w*)\s*,\s*\[(?P<coordinates>[\w\s,()]{1,80})\]\s*\)"
+)
+_NAMED_EQUATION = re.compile(
+    r"\s*(?P<name>(?:eom|EOM|eqn?|ode|equation|residual)s?(?:_?\w{1,8})?)\s*:?=(?!=)\s*(?P<zero>[^=<>{}\[\]]*[^=<>{}\[\]\s;])\s*;?\s*\Z"
+)
+_HAS_RATE = re.compile(r"\bdiff\(|''|ddot|\bDerivative\(|[\u0308¨]")
+_COMPREHENSION = re.compile(
+    r"\s*(?:[^\W\d]\w*\s*=\s*)?\[(?P<expression>[^\[\]]{1,400})\sfor\s+(?P<variable>[^\W\d]\w*)\s+in\s+[\[(]"
+    r"(?P<names>[\w\s,]{1,80})[\])]\s*\]\s*\Z"
+)
+_SEVERAL = re.compile(r"\s*(?P<names>[^\W\d]\w*(?:\s*,\s*[^\W\d]\w*)+)\s*=(?!=)\s*(?P<values>[^=]*)\Z")
+_MOST_CALLS = 12
+"""Calls of methods in one equation."""
 
 Column = list[str]
 
@@ -366,3 +390,88 @@ def _stated(function: _Function) -> Iterator[str]:
 
 def _renamed(text: str, names: Mapping[str, str]) -> str:
     return _WORD.sub(lambda m: names.get(m["name"], m["name"]), text)
+
+
+# Symbolic programs
+
+
+def as_functions(draft: Draft) -> None:
+    """Write the method calls of an equation as functions, the inner ones first."""
+    for _ in range(_MOST_CALLS):
+        text = draft.text
+        calls = list(_METHOD.finditer(text))
+        ends = closings(text) if calls else {}
+        begins = {end: start for start, end in ends.items()}
+        for match in calls:
+            stop = ends.get(match.end())
+            if stop is None or _METHOD.search(text, match.end(), stop):
+                continue
+            start = _receiver(text, match.start(), begins)
+            if start == match.start():
+                continue
+            given = text[match.end() + 1 : stop].strip()
+            if match["name"] == "diff":
+                draft.apply(
+                    [
+                        (start, start, "diff("),
+                        (match.start(), match.end() + 1, ", "),
+                        (stop, stop, "" if given else "t"),
+                    ]
+                )
+            else:
+                draft.apply([(match.start(), stop + 1, "")])
+            break
+        else:
+            return
+
+
+def _receiver(text: str, end: int, begins: dict[int, int]) -> int:
+    """Where the object of a method begins: a name, a call, or an expression in parentheses."""
+    while end > 0 and text[end - 1] == " ":
+        end -= 1
+    if end > 0 and text[end - 1] == ")" and end - 1 in begins:
+        end = begins[end - 1]
+    name = _NAME_BEFORE.search(text, max(0, end - 60), end)
+    return name.start() if name else end
+
+
+def by_method_of_lagrange(text: str) -> list[str]:
+    """Lagrange's equations that `LagrangesMethod(L, [x, y])` stands for; none where it has forces as well."""
+    match = _METHOD_OF_LAGRANGE.search(text)
+    if match is None:
+        return []
+    names = [q.split("(")[0].strip() for q in match["coordinates"].split(",") if q.strip()]
+    function = match["function"]
+    return [f"diff(diff({function}, {q}'), t) - diff({function}, {q}) = 0" for q in names]
+
+
+def as_equation(draft: Draft, declared: Collection[str]) -> None:
+    """`eom = m*diff(x, t, 2) + k*x` as m*diff(x, t, 2) + k*x = 0: programs name what vanishes."""
+    match = _NAMED_EQUATION.match(draft.text)
+    if match and match["name"] not in declared and _HAS_RATE.search(match["zero"]):
+        draft.apply([(0, match.start("zero"), ""), (match.end("zero"), match.end("zero"), " = 0")])
+
+
+def by_comprehension(text: str) -> list[str]:
+    """The equations that `[L.diff(q.diff(t)).diff(t) - L.diff(q) for q in (x, y)]` makes, each zero."""
+    match = _COMPREHENSION.match(text)
+    if match is None or "for" in match["expression"].split():
+        return []
+    own = re.compile(rf"(?<![\w.]){re.escape(match['variable'])}(?!\w)")
+    names = [q.strip() for q in match["names"].split(",") if q.strip()]
+    expression = match["expression"].strip()
+    zero = "" if re.search(r"(?<![<>=!])=|\bEq\(", expression) else " = 0"
+    return [own.sub(q, expression) + zero for q in names]
+
+
+def one_by_one(text: str) -> Iterator[tuple[int, int, int, int]]:
+    """Where each name and its value stand in `a, b = c, d`; nothing where the text is no such assignment."""
+    match = _SEVERAL.match(text)
+    if match is None:
+        return
+    names = cuts(match["names"], _COMMA)
+    values = cuts(match["values"], _COMMA)
+    if len(names) == len(values):
+        first, second = match.start("names"), match.start("values")
+        for (a, b), (c, d) in zip(names, values, strict=True):
+            yield first + a, first + b, second + c, second + d

@@ -13,19 +13,24 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
+from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
+from lagrange.answers.written.new_coordinates import defined_coordinate
 from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
-from lagrange.answers.written.other_names import other_names, rates_without_bar, without_arguments
+from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
+from lagrange.answers.written.programs import as_equation
+from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
+from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -34,7 +39,7 @@ from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
-from lagrange.expressions.reader import Scope, read_value, token_texts
+from lagrange.expressions.reader import read_value, token_texts
 from lagrange.expressions.scope import RESERVED
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
@@ -54,15 +59,6 @@ _LABEL = re.compile(
 )
 """What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
-_NUMBER = re.compile(
-    r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
-    r"(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{?(?P<ten>-?[0-9]{1,3})\}?|[eE](?P<power>-?[0-9]{1,3}))?(?P<unit>[^+=]{0,60})\Z"
-)
-_UNIT_NAMES = """
-m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb lbf slug mph K Nm Ns SI grad m2 m3
-kgm2 units metres meters seconds kilograms newton newtons
-"""
-_UNITS = frozenset(_UNIT_NAMES.split())
 _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
 _LONGEST_NAME = 60
@@ -70,8 +66,6 @@ _LONGEST_NAME = 60
 _INDEX = re.compile(r"[_^]\{[^{}]*\}")
 _NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
 """What does not occur in a side that is a name alone: a quick test before the side is read."""
-_UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
-_NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
@@ -168,7 +162,8 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
         return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
-    draft = Draft(cleaned(fragment))
+    draft = Draft(cleaned(fragment, declared))
+    as_equation(draft, declared)
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
     if label := _LABEL.match(draft.text):
@@ -181,16 +176,11 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     latex = is_latex(fragment)
     draft.keep(0, min(end, about))
     whole = _finished(draft, fragment, latex)
-    parts = cuts(draft.text, _EQUALS) if draft.text.count("=") > 1 else []
-    if len(parts) <= 2 or len(parts) > 8:
+    pieces = in_pairs(whole) if draft.text.count("=") > 1 else []
+    if not pieces:
         return [_Line(whole, text, number)]
-    lines = []
-    for (first, _), (_, last) in pairwise(parts):
-        piece = Draft(whole)
-        piece.keep(first, last)
-        made = _finished(piece, fragment, latex)
-        lines.append(_Line(made, made.text.strip(" &$\n")))
-    return lines
+    made = [_finished(piece, fragment, latex) for piece in pieces]
+    return [_Line(m, m.text.strip(" &$\n")) for m in made]
 
 
 def _without_braces(draft: Draft) -> None:
@@ -248,27 +238,40 @@ class _Sorting:
         self._use_printed_names(plain)
         self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
         self.moving &= {*self.reference.parameters}
-        for _ in range(3):
+        self._leave_prose_out(plain)
+        for kinematic in (True, False, False, False):
             before = len(self.defined)
             for line in plain:
-                line.definition = line.definition or self._defines(line)
+                line.definition = line.definition or self._defines(line, kinematic)
+            if kinematic:
+                continue
+            if len(self.defined) == before:
+                for line in plain:
+                    line.definition = line.definition or self._defines_coordinate(line)
             if len(self.defined) == before or all(line.definition for line in plain):
                 break
         for line in waiting:
             if line.whole:
                 line.reading = Reading(line.text)
             elif not line.definition and line.reading is None:
+                if not self.values_are_asides:
+                    line.fragment = as_virtual(line.fragment, self.scope)
                 line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         waiting = [line for line in waiting if line.reading and not line.definition]
-        quotes = [line for line in waiting if _quotes_the_method(line, self.scope)]
+        quotes = [line for line in waiting if quotes_the_method(line.reading, line.text, self.scope)]
         for line in quotes:
             self._note(line, f"`{line.text}` quotes the method, and is not judged")
         laws = [line for line in waiting if self._is_general_law(line)]
         for line in laws:
             self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
         quotes += laws
+        conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
+        if len(conditions) < len(waiting):
+            for line in conditions:
+                self._note(line, f"`{line.text}` is taken as a condition, and is not judged")
+            quotes += conditions
         waiting = [line for line in waiting if not any(line is quote for quote in quotes)]
         for line in waiting:
             self._note_number(line)
@@ -361,7 +364,7 @@ class _Sorting:
 
     def _is_general_law(self, line: _Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
-        if len(set(_undeclared(line))) < 2 or len(line.text) > _LONGEST_LAW:
+        if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > _LONGEST_LAW:
             return False
         names = {n.strip("_") for n in _WORDS.findall(line.text)}
         names |= {GREEK[c] for c in line.text if c in GREEK}
@@ -394,23 +397,19 @@ class _Sorting:
                 self._note(line, f"`{line.text}` states a time, and is not judged")
                 return True
             name = self._name_alone(side)[0]
-            match = _NUMBER.match(other.text.strip())
-            if name in self.reference.parameters and match and self._is_unit(match["unit"]):
+            match = NUMBER.match(other.text.strip())
+            if (
+                name in self.reference.parameters
+                and match
+                and is_unit(match["unit"], self.declared, self.values_are_asides)
+            ):
                 self._note_value(line, name, match)
                 return True
         return False
 
-    def _is_unit(self, text: str) -> bool:
-        """Whether what follows a number is a unit. Where a parameter may have a particular value, one is needed."""
-        words = _UNIT_WORDS.findall(_NO_WORDS.sub(" ", text))
-        if not words:
-            return self.values_are_asides and not text.strip(" .,;$\\{}")
-        return all(w in _UNITS for w in words) and (text[0] in " \\~" or not all(w in self.declared for w in words))
-
     def _note_value(self, line: _Line, name: str, number: re.Match[str]) -> None:
         known = self.reference.values.get(self.reference.parameters[name])
-        power = int(number["ten"] or number["power"] or 0)
-        stated = sp.Rational(number["number"].replace(",", ".").strip("{}")) * sp.Integer(10) ** power
+        stated = value_of(number)
         if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
             self._note(line, f"`{line.text}` is taken as a value, and is not judged")
         else:
@@ -428,20 +427,23 @@ class _Sorting:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
         match texts:
-            case [name] if _is_name(name):
+            case [name] if is_name(name):
                 return ("", "") if is_rate(name, self.scope) else (name, "")
-            case [name, "^", "2"] if _is_name(name):
+            case [name, "^", "2"] if is_name(name):
                 return name, "^2"
-            case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
+            case [("sin" | "cos" | "tan") as function, "(", name, ")"] if is_name(name):
                 return name, function
-            case [name, "(", argument, ")"] if _is_name(name) and argument in ("t", *self.reference.coordinates):
+            case [name, "(", argument, ")"] if is_name(name) and argument in ("t", *self.reference.coordinates):
                 return ("", "") if name in DIFFERENTIALS or name in RESERVED else (name, "")
-            case [("sin" | "cos" | "tan") as function, name] if _is_name(name):
+            case [("sin" | "cos" | "tan") as function, name] if is_name(name):
                 return name, function
         return "", ""
 
-    def _defines(self, line: _Line) -> bool:
-        """Whether an equation defines a name that the problem does not declare; it is in scope from here on."""
+    def _defines(self, line: _Line, kinematic: bool) -> bool:
+        """Whether an equation defines a name that the problem does not declare; it is in scope from here on.
+
+        kinematic  only of a velocity or an acceleration, v = x': of several equations with v, this one defines it
+        """
         sides = _sides(line.fragment)
         if sides is None:
             return False
@@ -456,6 +458,8 @@ class _Sorting:
             try:
                 value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
             except ProblemError:
+                continue
+            if kinematic and (isinstance(value, Vector) or not self._is_rate_of(value)):
                 continue
             if isinstance(value, Vector):
                 self.scope = replace(self.scope, vectors={**self.scope.vectors, name: value})
@@ -475,6 +479,36 @@ class _Sorting:
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
         return False
+
+    def _is_rate_of(self, value: sp.Expr) -> bool:
+        """Whether an expression is a velocity or an acceleration, linear in the velocities and accelerations."""
+        slots = self.scope.slots
+        rates = {*slots.velocities, *slots.accelerations} & value.free_symbols
+        return bool(rates) and all(rates.isdisjoint(sp.diff(value, s).free_symbols) for s in rates)
+
+    def _defines_coordinate(self, line: _Line) -> bool:
+        """Whether an equation with a coordinate defines one of the answer's own: s by r = l + s."""
+        names = {*undeclared(read_as_written(line.fragment, self.scope, line.text), line.text)}
+        if len(names) != 1 or not self.values_are_asides or not is_name(name := names.pop()):
+            return False
+        value = defined_coordinate(line.fragment, name, self.scope)
+        if value is None:
+            return False
+        self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
+        self.defined.append(name)
+        self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
+        return True
+
+    def _leave_prose_out(self, lines: list[_Line]) -> None:
+        """Take the equations out of their sentences."""
+        known = words_known(self.scope, [line.fragment.text for line in lines])
+        for line in lines:
+            kept = without_prose(line.fragment, known)
+            if kept is not line.fragment:
+                beside = getattr(line.fragment, "beside", "")
+                words = f"{beside} {line.fragment.text[: line.fragment.text.find(kept.text)]}"
+                line.fragment = replace(kept, beside=words) if isinstance(kept, OneEquation) else kept
+                line.text = kept.text.strip()
 
     def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
@@ -498,12 +532,12 @@ class _Sorting:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
         occurring: dict[str, list[_Line]] = {}
         for line in lines:
-            for name in _undeclared(line):
+            for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
         names = [
             n
             for n, where in occurring.items()
-            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and _is_name(n)
+            if len(where) > 1 and n not in (*RESERVED, *DIFFERENTIALS) and is_name(n)
         ]
         if not names or len(names) > 6:
             return
@@ -512,7 +546,7 @@ class _Sorting:
         read = {
             id(line): read_as_written(line.fragment, wider, line.text)
             for line in lines
-            if line.reading and line.reading.error and set(_undeclared(line)) & set(names)
+            if line.reading and line.reading.error and set(undeclared(line.reading, line.text)) & set(names)
         }
         readings = [r for r in read.values() if not r.error]
         for symbol in symbols.values():
@@ -527,10 +561,6 @@ class _Sorting:
             strange = set(symbols.values()) - set(self.unknowns)
             if new and not new.error and not any(c.free_symbols & strange for c in new.components):
                 line.reading = new
-
-
-def _is_name(text: str) -> bool:
-    return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
 
 
 def _plain(text: str) -> str:
@@ -558,43 +588,6 @@ def _given(line: _Line) -> Fragment:
     )
 
 
-_ENERGY = r"(?:[LTVUEH]|\\?L|ℒ|𝓛|\\(?:mathcal|mathscr|mathfrak|cal)\s*\{?\s*[LTVU]\s*\}?)"
-_QUOTED = re.compile(
-    rf"(?:[d∂]|\\partial|\\mathrm\s*\{{\s*d\s*\}}|\bdiff\(|\bD\[|\bDerivative\(|\\p?dv\s*\{{)"
-    rf"\s*\(?\{{?\s*(?P<name>{_ENERGY})(?:\(t\)|\[t\])?\s*\}}?\)?\s*(?:/|,|\}}\s*\{{|\{{)"
-)
-
-
-def _quotes_the_method(line: _Line, scope: Scope) -> bool:
-    """Whether an unreadable line has derivatives of a Lagrangian, or an energy, that is not given anywhere."""
-    if line.reading is None or line.reading.error is None:
-        return False
-    names = [m["name"][-2:].strip("{} ")[-1:] for m in _QUOTED.finditer(line.text)]
-    return bool(names) and all(scope.scalar("L" if n in "ℒ𝓛" else n) is None for n in names)
-
-
 def _is_approximation(line: _Line) -> bool:
     beside = getattr(line.fragment, "beside", "")
     return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)
-
-
-def _undeclared(line: _Line) -> list[str]:
-    """The undeclared names for which an equation could not be read; none if there is another reason."""
-    if line.reading is None or line.reading.error is None:
-        return []
-    names = []
-    for d in line.reading.error.diagnostics:
-        match = re.match(r"`(\w+)` is (?:not declared|neither a function)", d.message)
-        if d.code not in ("unknown-symbol", "unknown-function") or match is None:
-            return []
-        if d.code == "unknown-function" and not _multiplies(match[1], line.text):
-            return []
-        names.append(match[1])
-    return names
-
-
-def _multiplies(name: str, text: str) -> bool:
-    """Whether a name before a parenthesis may be a factor, as in `S(x - a)`: a letter, and not applied to a number."""
-    letters = {name, *(c for c, n in GREEK.items() if n == name)}
-    calls = re.findall(rf"(?:{'|'.join(map(re.escape, letters))})\s*\(([^()]*)\)?", text)
-    return (len(name) <= 3 or len(letters) > 1) and not any(re.fullmatch(r"\s*(?:\d+|t)\s*", c) for c in calls)

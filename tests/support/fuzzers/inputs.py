@@ -20,6 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.submissions import Grader, Submission
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, GaveUpError, ProblemError, Source
 from lagrange.core.vectors import Vector
@@ -250,6 +251,35 @@ ATOMS = [
     "pi",
 ]
 
+
+FILES = [
+    (".tex", "\\newcommand{\\tdd}{\\ddot{\\theta}}\n\\[ m l^2 \\tdd + m g l \\sin\\theta = 0 \\qquad (1) \\]"),
+    (".tex", r"\[ \begin{pmatrix} m & 0 \\ 0 & m \end{pmatrix} \begin{pmatrix} \ddot x \\ \ddot y \end{pmatrix}"
+             r" = \begin{pmatrix} 2\lambda x \\ mg + 2\lambda y \end{pmatrix} \]"),
+    (".tex", "$M = \\begin{pmatrix} m l^2 \\end{pmatrix}$, $h = \\begin{pmatrix} m g l \\sin\\theta \\end{pmatrix}$, $M\\ddot q + h = 0$"),
+    (".py", "def f(t, y):\n    th, om = y\n    return [om, -g/l*np.sin(th)]"),
+    (".m", "function dz = f(t,z)\nth = z(1); w = z(2);\ndz = [w; -g/l*sin(th)];\nend"),
+    (".py", "L = m*l**2*theta.diff(t)**2/2 + m*g*l*cos(theta)\neq = Eq(L.diff(theta.diff(t)).diff(t) - L.diff(theta), 0)"),
+    (".py", "T, V = m*l**2*theta.diff()**2/2, -m*g*l*cos(theta)\nL = T - V\nLM = LagrangesMethod(L, [theta])"),
+    (".txt", "Let s be the arc, so s = l theta, thus\nm s'' = -m g sin(theta) which gives a = theta'' = -(g/l) sin(theta)."),
+    (".nb", r"T = 1/2 m l^2 \[Theta]'[t]^2; V = -m g l Cos[\[Theta][t]];" "\n" r"D[D[T - V, \[Theta]'[t]], t] - D[T - V, \[Theta][t]] == 0"),
+    (".md", "## Solution\n- `L = T - V`\n- $\\boxed{\\ddot\\theta = -\\frac{g}{l}\\sin\\theta}$ (Ans.)"),
+]  # fmt: skip
+
+
+@cache
+def _grader() -> Grader:
+    return Grader.of(_pendulum())
+
+
+def submission(seed: int) -> str:
+    """A file with macros, matrices, a program or sentences, handed in for the ideal pendulum, a few tokens changed."""
+    rng = random.Random(seed)
+    ending, text = rng.choice(FILES)
+    content = _mutated(text, rng).encode("utf-8", "replace")
+    return _grader().grade(Submission("x", ((f"answer{ending}", content),))).verdict.value
+
+
 ROWS = [TableRow(f"{n}.txt", Verdict.WRONG, 1, 2, 1, "a remark", 0.5, f"{n}.md") for n in range(3)]
 
 
@@ -286,5 +316,6 @@ KINDS: dict[str, Callable[[int], str]] = {
     "files": read_file,
     "texts": read_text,
     "answers": answer,
+    "submissions": submission,
     "journals": journal,
 }
