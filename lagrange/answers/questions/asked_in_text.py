@@ -74,7 +74,8 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         elif judged and len(judged) == len(named):
             name, verdict = judged[0]
             if len(named) == 1:  # with what is wrong about it
-                verdict = check_asked({name: fragment}, solution).equations[0]
+                explained = check_asked({name: fragment}, solution).equations[0]
+                verdict = verdict if explained.verdict in _NOT_JUDGED else explained
                 answered.add(name)
             parts.append(_part(fragment, name, verdict))
         else:
@@ -83,7 +84,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     if not parts:
         return AskedInText(None, tuple(rest), missing)
     verdicts = {p.verdict for p in parts}
-    order = (Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE)
+    order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
 
