@@ -31,9 +31,9 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
-from lagrange.answers.written.macros import macros_of, with_macros
-from lagrange.answers.written.markup import text_of_html, without_named_letters
-from lagrange.answers.written.programs import declares, equations_of_program
+from lagrange.answers.written.notation.macros import macros_of, with_macros
+from lagrange.answers.written.notation.markup import text_of_html, without_named_letters
+from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows

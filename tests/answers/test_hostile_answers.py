@@ -172,7 +172,7 @@ def test_hostile_answers_on_the_command_line(text: str) -> None:
 
 
 def test_long_runs_of_letters_take_no_time() -> None:
-    from lagrange.answers.written.notations import rewritten
+    from lagrange.answers.written.notation.plain import rewritten
 
     scope = reference(loaded("ex11-ideal-pendulum")).scope_of_answers
     start = time.process_time()

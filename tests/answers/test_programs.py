@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from lagrange.answers.written.in_words import stated_in_words
-from lagrange.answers.written.macros import macros_of, with_macros
-from lagrange.answers.written.matrices import with_named_matrices
-from lagrange.answers.written.programs import equations_of_program
+from lagrange.answers.written.notation.macros import macros_of, with_macros
+from lagrange.answers.written.notation.matrices import with_named_matrices
+from lagrange.answers.written.notation.programs import equations_of_program
 from lagrange.core.diagnostics import Fragment
 
 

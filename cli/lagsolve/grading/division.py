@@ -20,7 +20,7 @@ from pathlib import PurePath
 
 from lagrange.answers.limits import MAX_FILE_LINES
 from lagrange.answers.submissions import Submission
-from lagrange.answers.written.markup import text_of_html
+from lagrange.answers.written.notation.markup import text_of_html
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.core.records import record
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError

@@ -30,7 +30,7 @@ from lagrange.answers.verdicts import (
     Verdict,
 )
 from lagrange.answers.written.decimals import as_written, remark_on, rounded_in_motion
-from lagrange.answers.written.notations import cleaned
+from lagrange.answers.written.notation.plain import cleaned
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import CONSTANT, base, variation

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from lagrange.answers.written.programs import by_comprehension, by_method_of_lagrange, one_by_one
+from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK

@@ -21,7 +21,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.references import Reference
-from lagrange.answers.written.special_notations import with_indices
+from lagrange.answers.written.notation.special import with_indices
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import prime, t
 from lagrange.core.vectors import Vector

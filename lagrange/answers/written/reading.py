@@ -10,8 +10,8 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.answers.readings import GivenEquation, Reading, read_answer
-from lagrange.answers.written.latex_notations import rewritten_latex
-from lagrange.answers.written.notations import rewritten
+from lagrange.answers.written.notation.latex import rewritten_latex
+from lagrange.answers.written.notation.plain import rewritten
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import is_latex

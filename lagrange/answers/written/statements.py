@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.answers.written.notations import cleaned
+from lagrange.answers.written.notation.plain import cleaned
 from lagrange.answers.written.other_names import without_arguments
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.working import too_long

@@ -20,13 +20,13 @@ from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.written.lines import in_pairs
-from lagrange.answers.written.matrices import has_matrix, rows_of_matrices, with_named_matrices
 from lagrange.answers.written.new_coordinates import defined_coordinate
-from lagrange.answers.written.notations import cleaned, is_rate
+from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices, with_named_matrices
+from lagrange.answers.written.notation.plain import cleaned, is_rate
+from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
-from lagrange.answers.written.programs import as_equation
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of

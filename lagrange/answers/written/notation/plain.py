@@ -17,8 +17,8 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
-from lagrange.answers.written.programs import as_functions
-from lagrange.answers.written.special_notations import special
+from lagrange.answers.written.notation.programs import as_functions
+from lagrange.answers.written.notation.special import special
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings

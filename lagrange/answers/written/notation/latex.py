@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from lagrange.answers.written.notations import characters, is_velocity, of_argument
-from lagrange.answers.written.special_notations import special_latex
+from lagrange.answers.written.notation.plain import characters, is_velocity, of_argument
+from lagrange.answers.written.notation.special import special_latex
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, Edit, closings
