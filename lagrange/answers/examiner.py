@@ -1,34 +1,36 @@
 """Checking answers to every question about a problem: degrees of freedom, equations, equilibria, reactions, ...
 
-`compared_answers` compares the file's own answers after each solve; an `Examiner` solves a problem once and then checks
-any number of answers, as `lagsolve check` and `lagsolve grade` do.
+An `Examiner` solves a problem once and then checks any number of answers, as `lagsolve check` and `lagsolve grade` do.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import fields, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.equations import ComparedAnswer, check_equations, compared_answer, sides_of
+from lagrange.answers.equations import ComparedAnswer, check_equations, compared_answer
 from lagrange.answers.limits import UNITS_OF_CHECKING
+from lagrange.answers.questions.own_answers import (
+    answers_besides_equations,
+    asks_for_rest_alone,
+    compared_impending,
+    compared_rest,
+    conditions_of_rest,
+    readable,
+)
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
-from lagrange.answers.questions.statics import reactions_at_rest
-from lagrange.answers.reactions import check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
-    WORST_TO_BEST,
     AnswerVerdict,
-    EquationVerdict,
     Judgement,
     Verdict,
-    missing_equilibria,
 )
 from lagrange.answers.written.in_words import is_about_freedom, stated_in_words
 from lagrange.answers.written.lines import has_sign_of_equality
@@ -46,233 +48,6 @@ from lagrange.problem.model import Answers, Problem
 if TYPE_CHECKING:
     from lagrange.answers.points import Score
     from lagrange.answers.written.working import Working
-    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
-    from lagrange.mechanics.equilibrium.friction.rolling import Rolling
-
-
-def compared_answers(solution: Solution) -> Iterator[AnswerVerdict]:
-    """The verdicts on the file's own answers. Raises ProblemError if one cannot be read."""
-    answers = solution.problem.answers
-    if answers is None:
-        return
-    yield from on_freedom_and_class(solution, answers)
-    if answers.equations and (verdict := _equations(solution, answers)) is not None:
-        yield AnswerVerdict(verdict)
-    yield from map(_readable, _after_equations(solution, answers))
-
-
-def _readable(answer: AnswerVerdict) -> AnswerVerdict:
-    """The verdict on an answer of the file, without messages. Raises ProblemError if the answer cannot be read."""
-    if answer.verdict is Verdict.UNREADABLE and answer.messages:
-        raise ProblemError(answer.messages)
-    return replace(answer, unreadable=(), notes=())
-
-
-def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
-    """The verdicts on answers about equilibria, frequencies and reactions."""
-    if answers.equilibrium:
-        yield _equilibrium(solution, answers.equilibrium)
-    if answers.rest:
-        yield _rest(solution, answers.rest)
-    if answers.frequencies or answers.decay:
-        from lagrange.answers.questions.frequencies import check_oscillations
-
-        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        yield from check_oscillations(answers, linearizations, reference_of_solution(solution))
-    if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
-        yield of_reactions
-    if answers.ask:
-        from lagrange.answers.questions.asked_quantities import check_asked
-
-        yield check_asked(answers.ask, solution)
-    yield from _quantities(solution, answers)
-
-
-def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
-    """The verdicts on energies, generalized forces, first integrals, virtual displacements, Hamilton's function."""
-    stated = answers.kinetic_energy, answers.generalized_forces, answers.conserved, answers.virtual_displacements
-    if any(stated):
-        from lagrange.answers.questions import stated_quantities as quantities
-
-        if answers.kinetic_energy is not None:
-            yield quantities.check_kinetic_energy(answers.kinetic_energy, solution)
-        if answers.generalized_forces:
-            yield quantities.check_generalized_forces(answers.generalized_forces, solution)
-        if answers.conserved:
-            yield quantities.check_conserved(answers.conserved, solution)
-        if answers.virtual_displacements and about_constraints(solution):
-            from lagrange.answers.written.working import understood
-
-            working = understood(answers.virtual_displacements, reference_of_solution(solution))
-            yield replace(check_constraints(working, solution), name="virtual_displacements")
-        elif answers.virtual_displacements:
-            yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
-    if answers.steady:
-        from lagrange.answers.equilibria import check_steady
-
-        conditions = [v.steady.general for v in solution.views if v.steady is not None]
-        if conditions:
-            verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
-            why = _about_equilibria(verdict, answers.steady, conditions, reference_of_solution(solution))
-            yield replace(verdict, name="steady", diagnosis=why.replace("equilibria", "steady motions"))
-        else:
-            why = "the problem does not ask for steady motions"
-            yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
-    if answers.response:
-        from lagrange.answers.questions.response import check_response_answers
-
-        yield check_response_answers(answers.response, solution)
-    if answers.impact:
-        from lagrange.answers.questions.impact import check_impact_answers
-
-        yield check_impact_answers(answers.impact, solution)
-    if answers.hamiltonian is not None:
-        from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
-
-        yield check_hamiltonian_answer(answers.hamiltonian, solution)
-
-
-def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
-    """The verdict on the conditions of rest with friction."""
-    from lagrange.answers.friction.rest_conditions import check_rest
-
-    rests = _rests(solution)
-    if not rests:
-        diagnosis = "the problem does not ask where it can be at rest with friction"
-        return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest(stated, rests, reference_of_solution(solution), solution)
-
-
-def _asks_for_rest_alone(solution: Solution) -> bool:
-    """Whether a problem asks for conditions of rest, and for neither positions nor motion."""
-    return solution.own.equilibrium is None and not any(v.impending or v.motion for v in solution.views)
-
-
-def _rests(solution: Solution) -> list[Rest | Rolling]:
-    """The conditions of rest, and of rolling without slipping, in every set of coordinates."""
-    return [r for v in solution.views for r in (v.at_rest, v.rolling) if r is not None]
-
-
-def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
-    """The verdict on equilibria with friction at its limit, in the coordinates where it is best."""
-    from lagrange.answers.friction.impending import check_impending
-
-    reference = reference_of_solution(solution)
-    found = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
-    return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
-
-
-def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
-    """The verdict on equilibria."""
-    from lagrange.answers.equilibria import check_equilibria
-    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
-
-    equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-    if not equilibria:  # small oscillations are about an equilibrium too
-        equilibria = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
-    if any(v.impending for v in solution.views):
-        return _impending(solution, alternatives)
-    if not equilibria:
-        diagnosis = "the problem does not ask for equilibrium"
-        return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
-    verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
-    verdict = compared_in_numbers(alternatives, verdict, solution)
-    why = _about_equilibria(verdict, alternatives, equilibria, reference_of_solution(solution))
-    return replace(verdict, name="equilibrium", diagnosis=why)
-
-
-def _about_equilibria(
-    verdict: AnswerVerdict,
-    alternatives: Sequence[Sequence[Fragment]],
-    equilibria: Sequence[Equilibrium],
-    reference: Reference,
-) -> str:
-    """What is missing, or of which changed problem these are the equilibria."""
-    if verdict.verdict is Verdict.INCOMPLETE:
-        return missing_equilibria(verdict.missing)
-    if verdict.verdict is not Verdict.WRONG:
-        return ""
-    from lagrange.answers.equilibria import explained_equilibria
-
-    return explained_equilibria(alternatives, equilibria, reference)
-
-
-def _equations(solution: Solution, answers: Answers) -> Verdict | None:
-    """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
-    if solution.own.motion is None:
-        return Verdict.UNDECIDED
-    verdict = check_equations(answers.equations, reference_of_solution(solution))
-    if verdict.unreadable:
-        raise ProblemError(verdict.unreadable)
-    return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
-
-
-def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
-    """The file's equations of motion as they are written there, each with its sides.
-
-    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone; none either
-    if one has decimals, which are rounded.
-    """
-    answers = solution.problem.answers
-    if answers is None or not answers.equations or any(_HAS_DECIMALS.search(f.text) for f in answers.equations):
-        return ()
-    sides = sides_of(answers.equations, reference_of_solution(solution))
-    scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
-    if solution.law is not None:
-        unknown = {s for r in solution.law.newton.reactions for s in (r.multiplier, r.force, r.symbol)}
-        if any(e.free_symbols & unknown for pair in scalars for e in pair):
-            return ()
-    return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
-
-
-_HAS_DECIMALS = re.compile(r"[0-9]\.[0-9]")
-
-
-def _some_left_out(solution: Solution) -> bool:
-    """Whether there are choices of coordinates that were not asked for."""
-    return len(solution.choices) < len(solution.problem.choices)
-
-
-def not_compared(solution: Solution, compared: Sequence[AnswerVerdict]) -> tuple[Diagnostic, ...]:
-    """A note on the answers of the file in coordinates of a choice that was not asked for."""
-    answers = solution.problem.answers
-    if answers is None or solution.law is None or not _some_left_out(solution):
-        return ()
-    parts = {a.name: a.equations for a in compared}
-    left_out = ["equations"] if answers.equations and "equations" not in parts else []
-    left_out += [f"reactions: {name}" for name in answers.reactions] if answers.reactions else []
-    judged = {f"reactions: {p.text.partition(':')[0]}" for p in parts.get("reactions", ())}
-    names = ", ".join(f"`{name}`" for name in left_out if name not in judged)
-    message = f"answers of the file in coordinates of other choices are not compared: {names}"
-    return (Diagnostic("not-compared", message, help="without `--choice` all are").as_note(),) if names else ()
-
-
-def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerdict | None:
-    """The verdict on the stated reactions together, except those in a choice of coordinates that was not asked for."""
-    if solution.law is None:
-        diagnosis = "no reactions are derived for this problem"
-        return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
-    reactions = {r.name: r for r in solution.law.newton.reactions}
-    reference = reference_of_solution(solution)
-    at_rest = reactions_at_rest(solution) if solution.own.motion is None else None
-    parts: list[EquationVerdict] = []
-    errors: list[Diagnostic] = []
-    for name, fragment in stated.items():
-        check = at_rest.check_stated if at_rest else partial(check_reaction, reference=reference)
-        unreadable = EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE)
-        try:
-            verdict = check(fragment, reactions[name])
-        except ProblemError as error:
-            errors += error.diagnostics
-            verdict = unreadable
-        if verdict is not None or not _some_left_out(solution):
-            parts.append(verdict or unreadable)
-    if not parts:
-        return None
-    order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
-    together = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
-    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="reactions")
 
 
 @record
@@ -308,7 +83,7 @@ class Examiner:
     @property
     def asks_for_conditions(self) -> bool:
         """Whether inequalities are asked for: where friction holds the system."""
-        return self.solution is not None and bool(_rests(self.solution))
+        return self.solution is not None and bool(conditions_of_rest(self.solution))
 
     @property
     def reads_inequalities(self) -> bool:
@@ -355,10 +130,10 @@ class Examiner:
             stated = [condition_alone(c) for f in answer for c in conditions_of(condition_alone(f))]
             known = self._statics_reference.scope.names()
             return self._with_conditions([without_prose(c, known.__contains__) for c in stated], solution)
-        if solution is not None and self.asks_for_conditions and _asks_for_rest_alone(solution):
+        if solution is not None and self.asks_for_conditions and asks_for_rest_alone(solution):
             from lagrange.answers.friction.rest_conditions import check_limits
 
-            limits = check_limits(answer, _rests(solution), self._statics_reference, solution)
+            limits = check_limits(answer, conditions_of_rest(solution), self._statics_reference, solution)
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (limits,))
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
@@ -381,9 +156,9 @@ class Examiner:
             from lagrange.answers.friction.impending import with_reactions_put_in
 
             shown = with_reactions_put_in(working.judged, solution)
-            verdict = _impending(solution, alternatives_of(shown))
+            verdict = compared_impending(solution, alternatives_of(shown))
             if verdict.verdict is Verdict.WRONG and len(shown) > 1:
-                each = _impending(solution, [(f,) for f in shown])  # up or down, a line each
+                each = compared_impending(solution, [(f,) for f in shown])  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
@@ -405,8 +180,8 @@ class Examiner:
             answer = [f for f in answer if f not in laws]
             if len(answer) == len(equations):
                 return self._checked(equations)
-        alone = _asks_for_rest_alone(solution)
-        rest = _rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
+        alone = asks_for_rest_alone(solution)
+        rest = compared_rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
         if alone or not equations:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
         judged = self._checked(equations)
@@ -514,7 +289,7 @@ class Examiner:
         others = (
             tuple(_nothing_to_compare(answers))
             if solution is None
-            else (*on_freedom_and_class(solution, answers), *_after_equations(solution, answers))
+            else (*on_freedom_and_class(solution, answers), *answers_besides_equations(solution, answers))
         )
         others = (*others, *listed)
         if not equations:
@@ -528,7 +303,10 @@ class Examiner:
         answers, solution = self.problem.answers or Answers(), self.solution
         if solution is None:
             return self.check(answers.equations)
-        others = (*on_freedom_and_class(solution, answers), *map(_readable, _after_equations(solution, answers)))
+        others = (
+            *on_freedom_and_class(solution, answers),
+            *map(readable, answers_besides_equations(solution, answers)),
+        )
         if not answers.equations and others:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         return self._judgement(check_equations(answers.equations, self.reference), others)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.examiner import compared_answers, not_compared, stated_equations
 from lagrange.answers.limits import UNITS_OF_CHECKING
+from lagrange.answers.questions.own_answers import compared_answers, not_compared, stated_equations
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import allowed_for

@@ -7,7 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from lagrange.answers.equations import Verdict, check_equations
-from lagrange.answers.examiner import check_answer, compared_answers
+from lagrange.answers.examiner import check_answer
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment
 from lagrange.explain.report import report

@@ -7,7 +7,7 @@ from functools import cache
 
 import pytest
 
-from lagrange.answers.examiner import compared_answers
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.mechanics.results import Solution

@@ -7,7 +7,7 @@ import sympy as sp
 
 import lagrange
 from lagrange.answers.equations import Verdict
-from lagrange.answers.examiner import compared_answers
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.mechanics.constraints.variable_mass import validities
 from lagrange.mechanics.dynamics.motion import Method

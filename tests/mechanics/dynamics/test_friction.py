@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.answers.equations import Verdict, check_equations
-from lagrange.answers.examiner import compared_answers
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.core.symbols import Sign

@@ -9,7 +9,7 @@ from math import cos, exp, isclose, log, pi, sin
 import pytest
 import sympy as sp
 
-from lagrange.answers.examiner import compared_answers
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve

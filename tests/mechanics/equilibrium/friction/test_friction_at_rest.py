@@ -9,7 +9,8 @@ from math import cos, sin
 
 import pytest
 
-from lagrange.answers.examiner import check_answer, compared_answers
+from lagrange.answers.examiner import check_answer
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from lagrange.answers.examiner import compared_answers
+from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.core.diagnostics import ProblemError
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
