@@ -16,6 +16,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
@@ -218,7 +219,7 @@ class Elements:
             second = places[rod.ends[1]] if rod.ends[1] else rod.centre
             if second is None:
                 continue
-            label = self.label(rod.length) if sp.count_ops(rod.length) <= LONGEST_ROD_LABEL else -1
+            label = self.label(rod.length) if count_operations(rod.length) <= LONGEST_ROD_LABEL else -1
             self.add("line", p=[self.at(second), self.at(first)], c="rod", l=label)
             self.take(first, second)
             if not rod.ends[1]:

@@ -29,6 +29,7 @@ from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OP
 from lagrange.animation.samples import UNDECLARED_GRAVITY, sampled, samples, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -366,7 +367,7 @@ class _Maker:
     ) -> MovingFigure:
         problem, configuration = self.solution.problem, self.view.configuration
         slots = configuration.slots
-        operations = sum(sp.count_ops(e) for group in expressions.values() for e in group)
+        operations = sum(count_operations(e) for group in expressions.values() for e in group)
         if operations > MOST_OPERATIONS:
             raise UnmovableError("its equations are too long")
         code = [self._function(name, group, parameters) for name, group in expressions.items()]

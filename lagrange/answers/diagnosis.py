@@ -49,6 +49,7 @@ from lagrange.answers.slips import (
     terms_of,
     variants,
 )
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
@@ -180,7 +181,7 @@ class _Search:
         self._accelerations = {*self.slots.accelerations}
         self._moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
-        self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
+        self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (count_operations(a), str(a)))
         # On some branches the equation may be right. Changes are sought at the first state, where it is wrong.
         self.states = sorted(residues.states((equation,)), key=lambda state: follows(equation, [state]))
         self._scales: dict[sp.Expr, list[tuple[sp.Expr, Any]]] = {}
@@ -282,7 +283,7 @@ class _Search:
             for scale, _ in self._scales_to(derived):
                 other = {sp.expand(scale * term) for term in terms_of(derived) or ()}
                 differing = max(len(own - other), len(other - own))
-                simplicity = min(int(factor.count_ops()) for factor in (scale, -scale))
+                simplicity = min(count_operations(factor) for factor in (scale, -scale))
                 multiples.setdefault((differing, simplicity), []).append((derived, scale))
         nearest = multiples[min(multiples)] if multiples else []
         groups = {self._only_difference(derived, scale) for derived, scale in nearest}
@@ -518,7 +519,7 @@ class _Search:
             # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
             moves = not scale.free_symbols.isdisjoint(self._moving) and not self._is_inertia(term)
             accelerated = not scale.free_symbols.isdisjoint(self._accelerations)
-            simple = not (moves or accelerated or scale.count_ops() > MAX_SCALE_OPERATIONS)
+            simple = not (moves or accelerated or count_operations(scale) > MAX_SCALE_OPERATIONS)
             self._known_ratios[own, term] = scale if simple else None
         return self._known_ratios[own, term]
 

@@ -23,6 +23,7 @@ from lagrange.answers.limits import (
     MAX_TERMS,
 )
 from lagrange.core.expression_size import Sizes
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, base, prime
 
 NUMBERS = tuple(
@@ -226,7 +227,7 @@ def kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symbo
     if is_decimal(term) and (rest != 1 or abs(abs(factor) - 1) < sp.Rational(1, 20)):
         return Slip.NUMBER
     root = sp.sqrt(rest)
-    if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
+    if number == 1 and count_operations(term * root) < count_operations(term) and _is_quotient(root):
         return Slip.INVERTED
     return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
 from lagrange.explain.words import constraints_called, joined, plural, spoken
@@ -88,13 +89,13 @@ def _formula(view: InCoordinates, acceleration: sp.Symbol) -> list[sp.Expr]:
     if view.motion is None or len(view.motion.equations) != 1 or view.configuration.rows:
         return []
     equation = view.motion.equations[0].expression
-    if equation.count_ops() > LONGEST_SOLVED:
+    if count_operations(equation) > LONGEST_SOLVED:
         return []
     factor = equation.diff(acceleration)
     if factor == 0 or factor.has(acceleration):
         return []
     formula = textbook_form(-(equation - factor * acceleration).expand() / factor)
-    return [formula] if formula.count_ops() <= LONGEST_FORMULA and not formula.is_number else []
+    return [formula] if count_operations(formula) <= LONGEST_FORMULA and not formula.is_number else []
 
 
 def _grouped(checks: Sequence[Check]) -> list[Block]:

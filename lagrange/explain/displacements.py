@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, differential, t, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
@@ -164,7 +165,7 @@ def solved_displacements(elimination: Elimination, configuration: Configuration)
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]
     blocks: list[Block] = []
     if solved and not all(_is_evident(row) for row in configuration.rows):
-        long = any(value.count_ops() > LONGEST for value in solved.values())
+        long = any(count_operations(value) > LONGEST for value in solved.values())
         pivots = conditions(elimination)
         where: tuple[Part, ...] = (", where ", *pivots, ",") if pivots else ()
         ending = plural(len(solved), " gives a long expression.", " gives long expressions.") if long else " gives"

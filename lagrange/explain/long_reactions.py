@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part
@@ -24,7 +25,9 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
     words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
     words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
     if found.by_accelerations:
-        detail = Detail.FULL if sum(e.count_ops() for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
+        detail = (
+            Detail.FULL if sum(count_operations(e) for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
+        )
         if detail is Detail.FULL:
             yield prose(f"{words} In terms of the accelerations, Newton's equations give them in fewer: "
                         "--detail full shows these.")  # fmt: skip

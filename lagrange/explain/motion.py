@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
@@ -341,7 +342,7 @@ def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
                       math(bound, names[1])]  # fmt: skip
         body += [prose(*words, ", where", detail=Detail.FULL), Matrices(tuple(named), Detail.FULL)]
     solved = motion.accelerations
-    long = sum(e.count_ops() for e in solved.values()) > LONGEST
+    long = sum(count_operations(e) for e in solved.values()) > LONGEST
     what = plural(len(solved), "acceleration", "accelerations")
     if solved and long:
         body.append(prose(f"Solved for the {what}, they are long and left to the JSON output.", detail=Detail.FULL))

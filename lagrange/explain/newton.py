@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
@@ -159,7 +160,7 @@ def _valued(reaction: Reaction, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
 def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
     """A named force along a unit vector."""
     called, body, direction = constraints_called([reaction.name]), the(single.on), single.direction
-    is_short = direction is not None and sum(c.count_ops() for c in direction.components) <= LONGEST
+    is_short = direction is not None and sum(count_operations(c) for c in direction.components) <= LONGEST
     unit: tuple[Part, ...] = (" ", math(direction)) if is_short and direction is not None else ()
     if reaction.is_normal:
         words = f"{capital(called)} keeps {body} on {_support(reaction)}, and its reaction is normal to it: a force "
@@ -248,7 +249,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
             "while ", *while_, "; without slip, static friction takes whatever value prevents it, up to a limit.",
         )  # fmt: skip
-        if r.magnitude.count_ops() > LONGEST:
+        if count_operations(r.magnitude) > LONGEST:
             blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
@@ -399,7 +400,7 @@ def _ends(name: str, first: str, second: str) -> list[Block]:
 
 def _shorter(work: sp.Expr) -> sp.Expr:
     """A work in factors, where that is shorter."""
-    return min(work, sp.factor(work), key=lambda e: int(e.count_ops()))
+    return min(work, sp.factor(work), key=lambda e: count_operations(e))
 
 
 def _through(moving: Sequence[WorkOfReaction]) -> str:

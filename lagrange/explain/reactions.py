@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.contact.one_sided import explain_contacts
@@ -47,7 +48,7 @@ def explain_reactions(
     suffix = suffix_of(choice)
     lines = reaction_lines(reactions, newton, suffix)
     long = (shorter or choice) and any(
-        s.count_ops() > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
+        count_operations(s) > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
     )
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None

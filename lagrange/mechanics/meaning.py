@@ -24,6 +24,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
@@ -128,7 +129,7 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
     [equation] = motion.expressions
-    if equation.has(Unspecified) or equation.count_ops() > MOST_OPERATIONS:
+    if equation.has(Unspecified) or count_operations(equation) > MOST_OPERATIONS:
         return None
     from lagrange.mechanics.equilibrium.linearization import linearization
 
@@ -172,7 +173,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     motion = view.motion
     assert motion is not None
     equations = tuple(e.expression for e in motion.final)
-    if motion.completing or sum(e.count_ops() for e in equations) > MOST_OPERATIONS or _has_functions(equations):
+    if motion.completing or sum(count_operations(e) for e in equations) > MOST_OPERATIONS or _has_functions(equations):
         return
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
     free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}
@@ -189,8 +190,8 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if limit is None or limit in found:
             continue
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
-        shown = {s: e for s, e in values.items() if e is not None and e.count_ops() <= LONGEST_LIMIT}
-        whole = len(shown) == len(values) and sum(int(e.count_ops()) for e in shown.values()) <= LONGEST_LIMIT
+        shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
+        whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         yield Limit(parameter, to, limit, shown if whole else {})
         found.append(limit)
         if len(found) == MOST_LIMITS:
@@ -222,8 +223,8 @@ def _limit(
         return None  # one that occurs nowhere is not determined
     shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]
     shorter = _with_zeros(shorter, accelerations)
-    before, after = (sum(int(e.count_ops()) for e in es) for es in (equations, shorter))
-    if 3 * after > 2 * before or any(e.count_ops() > LONGEST_LIMIT for e in shorter):
+    before, after = (sum(count_operations(e) for e in es) for es in (equations, shorter))
+    if 3 * after > 2 * before or any(count_operations(e) > LONGEST_LIMIT for e in shorter):
         return None
     try:
         regular = Surface().rank([[e.diff(a) for a in accelerations] for e in shorter]) == len(accelerations)
@@ -288,7 +289,7 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
             continue
         static = textbook_form(value.xreplace(at_rest))
         added = textbook_form(value - static)
-        if static != 0 and added != 0 and max(static.count_ops(), added.count_ops()) <= LONGEST_PART:
+        if static != 0 and added != 0 and max(count_operations(static), count_operations(added)) <= LONGEST_PART:
             yield Parts(force, static, added)
 
 
@@ -311,7 +312,7 @@ def _constant(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
         return {}
     pairs = zip(slots.accelerations, found, strict=True)
     solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
-    return solved if sum(int(x.count_ops()) for x in solved.values()) <= LONGEST_CONSTANT else {}
+    return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
 
 
 def _in_one_fraction(x: sp.Expr) -> sp.Expr:
@@ -323,7 +324,7 @@ def _in_one_fraction(x: sp.Expr) -> sp.Expr:
     if 2 * negative > len(sp.Add.make_args(below)):
         above, below = -above, -below
     one = sp.factor(above) / below
-    return one if one.count_ops() <= x.count_ops() else x
+    return one if count_operations(one) <= count_operations(x) else x
 
 
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
@@ -332,7 +333,7 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
     equation = motion.final[0].expression
-    if not known or equation.count_ops() > LONGEST_WITH_UNITS:
+    if not known or count_operations(equation) > LONGEST_WITH_UNITS:
         return None
     terms = sp.Add.make_args(_expanded(equation))
     angles = {q for q in view.configuration.slots.coordinates if q not in known and _is_angle(q, terms)}

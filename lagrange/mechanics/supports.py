@@ -22,6 +22,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
@@ -115,7 +116,7 @@ def _shortest(above: sp.Expr, below: sp.Expr) -> sp.Expr:
     """A quotient of sines and cosines, with sin 2α as one sine or as a product, whichever is shorter."""
     above = textbook_form(above)
     forms = [above / b for b in (below, sp.expand_trig(below))]
-    return min(map(shortest_form, (*forms, *map(sp.cancel, forms))), key=lambda e: int(e.count_ops()))
+    return min(map(shortest_form, (*forms, *map(sp.cancel, forms))), key=lambda e: count_operations(e))
 
 
 def _pushing(s: Support) -> Support:

@@ -17,6 +17,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.mechanics.results import InCoordinates
@@ -52,7 +53,7 @@ def turning(view: InCoordinates) -> Turning | None:
         return None
     equations = [*(e.expression for e in motion.final), *view.configuration.accelerated_constraints]
     moving = {*slots.coordinates, t}
-    if sum(int(e.count_ops()) for e in equations) > LONGEST or any(e.has(Unspecified) for e in equations):
+    if sum(count_operations(e) for e in equations) > LONGEST or any(e.has(Unspecified) for e in equations):
         return None
     rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
     if any(c.free_symbols & moving for row in rows for c in row):
@@ -95,7 +96,7 @@ def _pair(view: InCoordinates, m: int, n: int, a: sp.Expr | None, b: sp.Expr | N
             return None
         found = Turning(x, y, (a, b), rate, textbook_form(k.xreplace({small: sp.S.Zero})), small)
     assert found.stiffness is not None
-    return found if max(rate.count_ops(), found.stiffness.count_ops()) <= LONGEST_RATE else None
+    return found if max(count_operations(rate), count_operations(found.stiffness)) <= LONGEST_RATE else None
 
 
 def _of_second_order(c: sp.Expr, k: sp.Expr, other: sp.Expr, small: sp.Symbol) -> bool:

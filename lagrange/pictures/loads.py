@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
@@ -153,7 +154,7 @@ def _force_label(load: Load) -> sp.Expr | str:
         size = -parts[0] if parts[0].could_extract_minus_sign() else parts[0]
     else:
         size = sp.sqrt(textbook_form(load.vector.dot(load.vector)))
-    if sp.count_ops(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
+    if count_operations(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
         return size
     return as_words(load.name)
 
@@ -166,7 +167,7 @@ def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
                 first, second = ends_of(link, configuration, system.pose)
                 away = minus(first, second)
                 pull = _pull(link, system.pose)
-                label = pull if sp.count_ops(pull) <= LONGEST_FORCE_LABEL else as_words(link.name)
+                label = pull if count_operations(pull) <= LONGEST_FORCE_LABEL else as_words(link.name)
                 yield Acting(name, label, (sign * away[0], sign * away[1], sign * away[2]), StrokeKind.FORCE)
             elif not isinstance(own, str) and _moves(system, own):
                 raise NoValueError("a spring fastened next to a particle")
@@ -190,7 +191,7 @@ def _torques(system: SystemPicture, name: str) -> Iterator[Acting]:
             vector = _posed(system, torque.vector).at(torque.vector)
             parts = [c for c in torque.vector.components if c != 0]
             size = parts[0] if len(parts) == 1 else None
-            short = size is not None and sp.count_ops(size) <= LONGEST_FORCE_LABEL
+            short = size is not None and count_operations(size) <= LONGEST_FORCE_LABEL
             label: sp.Expr | str = size if short and size is not None else as_words(torque.name)
             if short and size is not None and size.could_extract_minus_sign():
                 label = -size

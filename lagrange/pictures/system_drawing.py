@@ -13,6 +13,7 @@ from contextlib import suppress
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import Notation
@@ -146,7 +147,7 @@ class _Drawing:
                 self.hinge(second)
                 if self.stands(rod):
                     self.mounts.append(second)
-            if sp.count_ops(rod.length) <= LONGEST_ROD_LABEL:
+            if count_operations(rod.length) <= LONGEST_ROD_LABEL:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
         for a, b, by_constraints in self.system.kept_distances:

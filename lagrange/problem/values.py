@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
 from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_of
@@ -277,7 +278,7 @@ def check_dimensions(problem: Problem) -> None:
         return
     from lagrange.values.dimensions import dimensions_needed
 
-    stated = [(e, _dimension(unit)) for e, unit in _places(problem) if e.count_ops() <= LONGEST_PLACE]
+    stated = [(e, _dimension(unit)) for e, unit in _places(problem) if count_operations(e) <= LONGEST_PLACE]
     if dimensions_needed(stated, _known(problem)) is not None:
         return
     for p in measured:
@@ -316,7 +317,7 @@ def known_dimensions(problem: Problem) -> dict[sp.Symbol, Dimension]:
     from lagrange.values.dimensions import dimensions_needed
 
     known = _known(problem)
-    places = [(e, _dimension(unit)) for e, unit in _places(problem) if e.count_ops() <= LONGEST_PLACE]
+    places = [(e, _dimension(unit)) for e, unit in _places(problem) if count_operations(e) <= LONGEST_PLACE]
     waves = {w.args[0] for e, _ in places for w in e.atoms(sp.sin, sp.cos, sp.tan)}
     angles = {angle: NO_DIMENSION for angle in waves if angle.is_Symbol and angle not in known}
     return {**(dimensions_needed(places, {**angles, **known}) or {}), **angles, **known}

@@ -27,6 +27,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.problem.model import ENERGY, Question
@@ -524,7 +525,9 @@ def _largest_change(made: Simulation, expression: sp.Expr, *, from_zero: bool = 
 
     if not len(made.times):
         return 0.0
-    terms = sp.Add.make_args(sp.expand_mul(expression) if expression.count_ops() < LONGEST_EXPANDED else expression)
+    terms = sp.Add.make_args(
+        sp.expand_mul(expression) if count_operations(expression) < LONGEST_EXPANDED else expression
+    )
     parts = numpy.array([made.system.along(e, made.times, made.states) for e in terms])
     values = parts.sum(axis=0)
     change = float(numpy.abs(values - (0.0 if from_zero else values[0])).max())

@@ -13,6 +13,7 @@ from functools import cached_property, lru_cache
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import listed
@@ -147,7 +148,7 @@ def _operations(equations: Iterable[Equation]) -> int:
 
 @lru_cache(maxsize=1 << 12)
 def _count(expression: sp.Expr) -> int:
-    return int(expression.count_ops())
+    return count_operations(expression)
 
 
 @record

@@ -22,6 +22,7 @@ import mpmath
 import sympy as sp
 from mpmath import iv
 
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.values.limits import MOST_BOXES, MOST_OPERATIONS, MOST_STEPS, SMALLEST_BOX, WORKING_DIGITS
 
@@ -63,7 +64,7 @@ def real_roots(
     widths = [float(high) - float(low) for low, high in search]
     found: list[Root] = []
     undecided: list[Box] = []
-    operations = sum(int(e.count_ops()) + 1 for row in (equations, *jacobian) for e in row)
+    operations = sum(count_operations(e) + 1 for row in (equations, *jacobian) for e in row)
     most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
     several = len(unknowns) > 2
     if several:

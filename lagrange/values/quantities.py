@@ -17,6 +17,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import with_whole_contents
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol, base, t
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called
@@ -90,7 +91,7 @@ class Values:
 
         is_angle  whether a number without a dimension is an angle, in rad, and one in 1/s an angular velocity
         """
-        if not self.covers(expression) or expression.count_ops() > LARGEST_IN_NUMBERS:
+        if not self.covers(expression) or count_operations(expression) > LARGEST_IN_NUMBERS:
             return None
         formula = with_whole_contents(self.put_in(expression))
         if formula.has(sp.zoo, sp.nan, sp.oo, sp.I):

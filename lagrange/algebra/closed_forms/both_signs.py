@@ -15,12 +15,13 @@ from lagrange.algebra.closed_forms.limits import SHORTEST_TRIED, TRIED_POINTS
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals
+from lagrange.core.operations import count_operations
 
 
 @lru_cache(maxsize=1000)
 def takes_both_signs(expression: sp.Expr, positive: tuple[sp.Expr, ...] = ()) -> bool:
     """Whether an expression is seen to take both signs at points where each of `positive` is positive."""
-    if expression.count_ops() < SHORTEST_TRIED:
+    if count_operations(expression) < SHORTEST_TRIED:
         return False
     graph, reals, seen = Graph(), Reals(Random(1)), set()
     for number in range(TRIED_POINTS):

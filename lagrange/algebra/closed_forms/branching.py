@@ -47,6 +47,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
@@ -203,7 +204,7 @@ class _BranchSearch:
                 continue
             if e not in kept:
                 kept.append(e)
-        return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
+        return replace(state, equations=tuple(sorted(kept, key=lambda e: (count_operations(e), str(e)))))
 
     def _vanishes(self, divisor: sp.Expr, state: _State) -> bool:
         """Whether a divisor is zero for the known values."""

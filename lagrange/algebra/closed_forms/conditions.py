@@ -29,6 +29,7 @@ from lagrange.algebra.closed_forms.limits import (
 )
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 OPPOSITE = {"≥": "≤", ">": "<", "≤": "≥", "<": ">", "≠": "≠"}
@@ -113,7 +114,7 @@ def _bounds(conditions: Sequence[SignCondition]) -> tuple[list[_Bound], list[Sig
 def _polynomials(c: SignCondition) -> list[sp.Expr] | None:
     """What must be ≥ 0, > 0 or ≠ 0, as polynomials in positive parameters; of |N/D| ≤ 1 D − N and D + N."""
     difference = (c.lhs - c.rhs) * (-1 if c.relation in "≤<" else 1)
-    if difference.count_ops() > LARGEST_FACTORED or not all(s.is_positive for s in difference.free_symbols):
+    if count_operations(difference) > LARGEST_FACTORED or not all(s.is_positive for s in difference.free_symbols):
         return None
     cases = [difference]
     moduli = difference.atoms(sp.Abs)
@@ -310,7 +311,7 @@ def _implied(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, 
             break
         asked = changed
     kept = [*dict.fromkeys(asked)]
-    for b in sorted(kept, key=lambda b: (b.relation != "≠", -int(b.polynomial.count_ops()))):
+    for b in sorted(kept, key=lambda b: (b.relation != "≠", -count_operations(b.polynomial))):
         rest = [o for o in kept if o != b]
         if _follows(b, [*rest, *given]):
             kept = rest
@@ -402,7 +403,7 @@ def _split(asked: Sequence[_Bound], given: Sequence[_Bound]) -> list[_Bound] | N
                     return [*asked[:n], _Bound(first, b.relation), _Bound(second, b.relation), *asked[n + 1 :]]
         elif len(open_factors) < len(powers) and b.relation != "≠":
             product = sp.expand(sign * sp.Mul(*open_factors))
-            if product.count_ops() < b.polynomial.count_ops():
+            if count_operations(product) < count_operations(b.polynomial):
                 return [*asked[:n], _Bound(product, b.relation), *asked[n + 1 :]]
     return None
 
@@ -436,7 +437,7 @@ def _solved_for(c: SignCondition, loads: Sequence[sp.Symbol]) -> SignCondition:
     value = sp.factor(sp.together((p * rate - difference).expand() / rate))
     number, rest = value.as_independent(*value.free_symbols, as_Add=False)
     value = sp.radsimp(number) * rest
-    value = min((value, sp.expand(value)), key=lambda e: int(e.count_ops()))
+    value = min((value, sp.expand(value)), key=lambda e: count_operations(e))
     if value.is_negative or value == 0 or value.could_extract_minus_sign():
         return c
     return replace(c, lhs=p, relation=c.relation if rate.is_positive else OPPOSITE[c.relation], rhs=value)

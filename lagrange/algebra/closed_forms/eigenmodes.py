@@ -39,6 +39,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, different_from_ze
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.linear_algebra import nullspace
 from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 Matrix = tuple[tuple[sp.Expr, ...], ...]
@@ -64,7 +65,7 @@ class Frequency:
     def presupposed(self) -> tuple[SignCondition, ...]:
         """The denominators of the modes, which must not vanish: y ≠ 0."""
         below = {f for mode in self.modes for a in mode for f in sp.Mul.make_args(sp.fraction(sp.together(a))[1])}
-        short = sorted((f.as_base_exp()[0] for f in below if f.count_ops() <= LARGEST_FACTORED), key=str)
+        short = sorted((f.as_base_exp()[0] for f in below if count_operations(f) <= LARGEST_FACTORED), key=str)
         return tuple(dict.fromkeys(c for f in short for c in different_from_zero(f)))
 
 
@@ -93,7 +94,7 @@ def determinant(rows: Sequence[Sequence[sp.Expr]]) -> sp.Expr | None:
     if (
         len(rows) > MOST_MATRIX_ROWS
         or len(symbols) > MOST_MATRIX_SYMBOLS
-        or sum(e.count_ops() for e in entries) > LARGEST_MATRIX
+        or sum(count_operations(e) for e in entries) > LARGEST_MATRIX
     ):
         return None
     letters = letters_for(entries)
@@ -116,7 +117,7 @@ def letter_factors(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr
 
     The polynomial as it is, where it is too large to be factored.
     """
-    if polynomial.count_ops() > 2 * LARGEST_FACTORED:
+    if count_operations(polynomial) > 2 * LARGEST_FACTORED:
         return [(polynomial, 1)]
     letters = letters_for([polynomial])
     _, powers = sp.factor_list(polynomial.xreplace(letters))
@@ -134,13 +135,13 @@ def _with_positive_lead(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
 
 def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
     """Its roots, the smaller one first where that is known; None where they are not in closed form, or long."""
-    parts = _parts_of_roots(factor, letter) if factor.count_ops() <= LONGEST_SOLVED_FACTOR else None
+    parts = _parts_of_roots(factor, letter) if count_operations(factor) <= LONGEST_SOLVED_FACTOR else None
     if parts is None:
         return None
     centre, half = parts
     roots = [without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
     roots = [shortest_form(r) for r in roots]
-    return None if any(r.count_ops() > LONGEST_ROOT for r in roots) else roots
+    return None if any(count_operations(r) > LONGEST_ROOT for r in roots) else roots
 
 
 def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
@@ -171,7 +172,7 @@ def _factored_roots(e: sp.Expr) -> sp.Expr:
     """√(m² + m M) as √(m (m + M)), where that is shorter."""
     rule = {p: sp.sqrt(f) for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and (f := sp.factor(p.base)) != p.base}
     shorter = e.xreplace(rule)
-    return shorter if shorter.count_ops() < e.count_ops() else e
+    return shorter if count_operations(shorter) < count_operations(e) else e
 
 
 def _sum(p: sp.Expr, h: sp.Expr) -> sp.Expr:
@@ -352,4 +353,4 @@ def _is_less(a: Frequency, b: Frequency) -> bool:
     if a.square is None or b.square is None:
         return a.square is not None
     difference = sp.expand(b.square - a.square)
-    return difference.count_ops() <= LARGEST_FACTORED and sign_of(difference) == 1
+    return count_operations(difference) <= LARGEST_FACTORED and sign_of(difference) == 1

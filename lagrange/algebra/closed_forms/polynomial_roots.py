@@ -13,6 +13,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import HIGHEST_DEGREE, LARGEST_FACTORED, MOST_FACTORED_SYMBOLS
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
@@ -29,12 +30,12 @@ def factors(e: sp.Expr) -> list[sp.Expr] | None:
 
 def can_be_factored(e: sp.Expr) -> bool:
     """Whether a polynomial is small enough to be factored."""
-    return bool(e.count_ops() <= LARGEST_FACTORED and len(e.free_symbols) <= MOST_FACTORED_SYMBOLS)
+    return bool(count_operations(e) <= LARGEST_FACTORED and len(e.free_symbols) <= MOST_FACTORED_SYMBOLS)
 
 
 def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """Numerator and denominator of a rational expression in lowest terms; None where it is too large."""
-    if e.count_ops() > 4 * LARGEST_FACTORED or len(e.free_symbols) > 2 * MOST_FACTORED_SYMBOLS:
+    if count_operations(e) > 4 * LARGEST_FACTORED or len(e.free_symbols) > 2 * MOST_FACTORED_SYMBOLS:
         return None
     try:
         above, below = sp.fraction(sp.cancel(sp.together(e)))
@@ -45,7 +46,7 @@ def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 
 def square_root(e: sp.Expr) -> sp.Expr:
     """√e with squares taken out of the root, up to sign."""
-    above, below = sp.fraction(sp.factor(e) if e.count_ops() <= LARGEST_FACTORED else e)
+    above, below = sp.fraction(sp.factor(e) if count_operations(e) <= LARGEST_FACTORED else e)
     outside, inside = _square_part(above)
     outside_below, inside_below = _square_part(below)
     return outside / outside_below * sp.sqrt(inside) / sp.sqrt(inside_below)
@@ -130,7 +131,7 @@ def _powers(v: Value, n: int) -> Iterator[Value]:
 
 def factored_quotient(e: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms and factors, if it is short."""
-    if e.count_ops() > LARGEST_FACTORED:
+    if count_operations(e) > LARGEST_FACTORED:
         return e
     return (
         sp.factor(e) if not any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow)) else _with_roots(e)

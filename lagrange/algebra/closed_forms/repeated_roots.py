@@ -18,6 +18,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import HIGHEST_DEGREE, LARGEST_FACTORED
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 
 Coefficients = list[sp.Expr]
 
@@ -46,7 +47,7 @@ def reduced_by_zero_test(x: sp.Expr) -> sp.Expr:
 
 def _shortened(x: sp.Expr) -> sp.Expr:
     above, below = sp.fraction(sp.together(x))
-    if above.count_ops() + below.count_ops() > LARGEST_FACTORED:
+    if count_operations(above) + count_operations(below) > LARGEST_FACTORED:
         raise InadmissibleError
     shortened: sp.Expr = sp.cancel(sp.expand(above) / sp.expand(below))
     return sp.radsimp(shortened) if not shortened.free_symbols else shortened

@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.both_signs import takes_both_signs
 from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 
@@ -41,7 +42,7 @@ def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None
 
 @lru_cache(maxsize=1000)
 def _factored(expression: sp.Expr) -> sp.Expr:
-    return sp.factor(expression) if expression.count_ops() <= LARGEST_SIGNED else expression
+    return sp.factor(expression) if count_operations(expression) <= LARGEST_SIGNED else expression
 
 
 def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
@@ -225,7 +226,7 @@ def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
     opposite = -of_b
     a = opposite * a
     squares = _without_positive_factors(sp.expand(a**2 - b**2 * root.base), positive)
-    shorter = squares.count_ops() < e.count_ops()
+    shorter = count_operations(squares) < count_operations(e)
     return opposite * squares if shorter and _outweighs(a, squares, positive) else e
 
 

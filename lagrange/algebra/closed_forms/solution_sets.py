@@ -24,12 +24,13 @@ from lagrange.algebra.closed_forms.single_equation import Relation, Values, root
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
 def shortest_form(e: sp.Expr) -> sp.Expr:
     """The expression in the shortest of its forms."""
-    if e.is_Atom or e.count_ops() > LONGEST_REWRITTEN:
+    if e.is_Atom or count_operations(e) > LONGEST_REWRITTEN:
         return e
     forms = [e]
     roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer]
@@ -40,7 +41,7 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
     if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
         forms.append(textbook_form(e))
     candidates = [as_tangents(f) for f in forms]
-    return min(candidates, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))
+    return min(candidates, key=lambda f: (count_operations(f), forms.index(f) if f in forms else 0))
 
 
 def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
@@ -49,7 +50,7 @@ def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
     for p in roots:
         if (p.base.is_Add or p.base.is_Mul) and p.base.has(sp.sin, sp.cos):
             form = textbook_form(p.base)
-            if form.count_ops() < p.base.count_ops() and not p.base.atoms(sp.Pow) & {*roots}:
+            if count_operations(form) < count_operations(p.base) and not p.base.atoms(sp.Pow) & {*roots}:
                 shorter[p] = form**p.exp
     return e.xreplace(shorter)
 

@@ -14,6 +14,7 @@ from math import lcm
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import HIGHEST_MULTIPLE
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 
@@ -154,7 +155,7 @@ class TrigLetters:
 
     def shortest(self, e: sp.Expr) -> sp.Expr:
         """The shortest of a polynomial's forms on the circles: a² for a² C² + a² S²."""
-        return min((e, self.reduced(e), self.reduced(e, "sine")), key=lambda f: int(f.count_ops()))
+        return min((e, self.reduced(e), self.reduced(e, "sine")), key=lambda f: count_operations(f))
 
     def _roots_of_letters(self, e: sp.Expr) -> list[sp.Expr]:
         """The roots of polynomials in letters of angles, such as √(C² + S²/4)."""

@@ -31,6 +31,7 @@ from lagrange.algebra.exact.limits import (
     MOST_WANTED_SQUARES,
 )
 from lagrange.algebra.exact.prime_field import ALWAYS_SQUARES, M
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified
 
 SIGNED = 1
@@ -293,7 +294,7 @@ def _expanded(argument: sp.Expr) -> sp.Expr:
     if _is_flat(argument) or _expanded_terms(argument) > MOST_ANGLE_TERMS:
         return argument
     quotients = any(p.exp.is_negative and p.base.is_Add for p in argument.atoms(sp.Pow))
-    if quotients and argument.count_ops() <= LARGEST_CANCELLED_ANGLE:
+    if quotients and count_operations(argument) <= LARGEST_CANCELLED_ANGLE:
         argument = sp.cancel(argument)
     return sp.expand(argument)
 

@@ -32,6 +32,7 @@ from lagrange.algebra.exact.limits import (
 from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.solved_blocks import ContradictoryError, NotSolvableError, SolvedBlock
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 
@@ -159,7 +160,7 @@ def _explicit(blocks: Sequence[SolvedBlock], coordinates: Sequence[sp.Symbol]) -
         if slope == 0 or slope.has(s):
             continue
         value = (-f.xreplace({s: sp.S.Zero}) / slope).xreplace(rules)
-        if value.count_ops() <= LONGEST_RULE:
+        if count_operations(value) <= LONGEST_RULE:
             rules[s] = value
     return rules
 

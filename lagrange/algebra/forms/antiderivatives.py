@@ -24,6 +24,7 @@ import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
 from lagrange.algebra.forms.limits import INTEGRATION_DEPTH, LARGEST_INTEGRAND, MOST_EXPANDED_TERMS, MOST_WAVES
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified
 
 _ROOTS = (sp.S.Half, -sp.S.Half, -sp.Rational(3, 2))
@@ -169,7 +170,7 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
     """∫ e dv, or None."""
     if v not in e.free_symbols:
         return e * v
-    if depth <= 0 or sp.count_ops(e) > LARGEST_INTEGRAND:
+    if depth <= 0 or count_operations(e) > LARGEST_INTEGRAND:
         return None
     # Unexpanded first: multiplying out hides u' beside h(u), and lengthens the result.
     e = e.replace(lambda f: isinstance(f, _RATIOS), in_sine_and_cosine)
@@ -268,7 +269,7 @@ def _inner(e: sp.Expr, v: sp.Symbol) -> list[sp.Expr]:
         elif isinstance(f, sp.Pow):
             inner.add(f.base)
     usable = [u for u in inner if u != v and v in u.free_symbols]
-    return sorted(usable, key=lambda u: (sp.count_ops(u), sp.default_sort_key(u)))[:12]
+    return sorted(usable, key=lambda u: (count_operations(u), sp.default_sort_key(u)))[:12]
 
 
 def _of_rational(e: sp.Expr, v: sp.Symbol, depth: int) -> sp.Expr | None:
@@ -322,7 +323,7 @@ def _through_undefined(e: sp.Expr, v: sp.Symbol, depth: int) -> sp.Expr | None:
             break
         traded += trade
         e = multiplied_out(e - sp.diff(trade, v))
-        if sp.count_ops(e) > LARGEST_INTEGRAND:
+        if count_operations(e) > LARGEST_INTEGRAND:
             return None
     rest = _by_terms(e, v, depth)
     return None if rest is None else traded + rest
@@ -351,7 +352,7 @@ def multiplied_out(e: sp.Expr) -> sp.Expr:
 
 
 def _is_small(e: sp.Expr) -> bool:
-    return bool(sp.count_ops(e) <= LARGEST_INTEGRAND // 4) and _terms(e) <= MOST_EXPANDED_TERMS
+    return bool(count_operations(e) <= LARGEST_INTEGRAND // 4) and _terms(e) <= MOST_EXPANDED_TERMS
 
 
 def _terms(e: sp.Expr) -> int:

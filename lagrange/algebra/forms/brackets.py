@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.algebra.forms.limits import LONGEST_DIRECTION
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 Direction = tuple[sp.Expr, ...]
@@ -31,7 +32,7 @@ def manoeuvre(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> Manoeu
     if (
         len(variables) != 3
         or sum(a == 0 for a in form) != 1
-        or sum(int(a.count_ops()) for a in form) > LONGEST_DIRECTION
+        or sum(count_operations(a) for a in form) > LONGEST_DIRECTION
     ):
         return None
     n = next(k for k, a in enumerate(form) if a == 0)

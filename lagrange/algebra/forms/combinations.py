@@ -18,6 +18,7 @@ from lagrange.algebra.exact.points_needed import ZERO_POINTS
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.limits import LARGEST_COMBINED, LONGEST_COMBINATION, MOST_COMBINED_FORMS
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 
 Form = Sequence[sp.Expr]
 Combination = tuple[sp.Expr, ...]
@@ -41,7 +42,7 @@ def combination(form: Form, others: Sequence[Form], surface: Surface) -> Combina
             return None
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return None
-    return candidate if sum(c.count_ops() for c in candidate) <= LONGEST_COMBINATION else None
+    return candidate if sum(count_operations(c) for c in candidate) <= LONGEST_COMBINATION else None
 
 
 def _values(point: Point, form: Form, others: Sequence[Form]) -> list[object] | None:
@@ -69,7 +70,7 @@ def _by_cramer(form: Form, others: Sequence[Form], needed: Sequence[int], surfac
         return None
     matrix = sp.Matrix([[row[k] for row in rows] for k in columns])
     right = sp.Matrix([form[k] for k in columns])
-    if sum(e.count_ops() for e in (*matrix, *right)) > LARGEST_COMBINED:
+    if sum(count_operations(e) for e in (*matrix, *right)) > LARGEST_COMBINED:
         return None
     below = textbook_form(matrix.det(method="berkowitz"))
     coefficients = [sp.S.Zero] * len(others)
@@ -87,7 +88,7 @@ def independent_columns(rows: Sequence[Form], surface: Surface, beside: Form = (
     """
     chosen: list[int] = []
     everything = [*rows, beside] if beside else rows
-    for k in sorted(range(len(rows[0])), key=lambda k: (sum(r[k].count_ops() for r in everything), k)):
+    for k in sorted(range(len(rows[0])), key=lambda k: (sum(count_operations(r[k]) for r in everything), k)):
         if surface.rank([[row[c] for row in rows] for c in (*chosen, k)]) == len(chosen) + 1:
             chosen.append(k)
         if len(chosen) == len(rows):
@@ -99,7 +100,7 @@ def _lowest(above: sp.Expr, below: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, in textbook form where that is shorter."""
     reduced = sp.cancel(above / below)
     tidied = textbook_form(reduced)
-    return min((above / below, reduced, tidied), key=lambda e: e.count_ops())
+    return min((above / below, reduced, tidied), key=lambda e: count_operations(e))
 
 
 def _holds(candidate: Combination, form: Form, others: Sequence[Form], surface: Surface) -> bool:

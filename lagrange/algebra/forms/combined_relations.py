@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.algebra.forms.limits import LONGEST_COMBINED_RELATION
 from lagrange.algebra.fourier.vector_cleanup import ordered_differences
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
@@ -34,7 +35,7 @@ def combined_relations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Sy
 def _combinations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[CombinedRelation]:
     moving = {*coordinates}
     for (m, f), (n, g) in combinations(enumerate(functions), 2):
-        if max(f.count_ops(), g.count_ops()) > LONGEST_COMBINED_RELATION:
+        if max(count_operations(f), count_operations(g)) > LONGEST_COMBINED_RELATION:
             continue
         fewest = min(len(f.free_symbols & moving), len(g.free_symbols & moving))
         for q in sorted(f.free_symbols & g.free_symbols & moving, key=str):

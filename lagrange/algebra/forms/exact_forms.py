@@ -22,6 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative, multiplied_out
 from lagrange.algebra.forms.limits import LARGEST_INTEGRAND
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, partial, t
 
 Pairs = list[tuple[sp.Symbol, sp.Expr]]
@@ -119,7 +120,7 @@ def _remainder(a: sp.Expr, taken: sp.Expr, done: Sequence[sp.Symbol]) -> sp.Expr
     rest = a - taken
     if not rest.free_symbols & set(done):
         return rest
-    if sp.count_ops(rest) <= LARGEST_INTEGRAND and vanishes(rest):
+    if count_operations(rest) <= LARGEST_INTEGRAND and vanishes(rest):
         return sp.S.Zero
     # The rest may still be written with variables on which it does not depend: any number may take their place.
     rest = multiplied_out(rest)
@@ -138,7 +139,7 @@ def _is_sign_of_size(e: sp.Expr) -> bool:
 def _steady(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
     """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None where it does."""
     rate = sp.diff(e, v)
-    if sp.count_ops(rate) > LARGEST_INTEGRAND or not vanishes(rate):
+    if count_operations(rate) > LARGEST_INTEGRAND or not vanishes(rate):
         return None
     value = at_some_value(e, v)
     if value is not None and value.is_number and not value.is_Rational and value.is_finite:

@@ -34,6 +34,7 @@ from lagrange.algebra.forms.limits import (
     MOST_GENERATORS,
 )
 from lagrange.core.expression_size import Sizes
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base, t
 
@@ -197,7 +198,7 @@ def _proposed(omega: OneForm) -> Iterator[tuple[sp.Expr, bool]]:
 
 def _factors(omega: OneForm) -> Iterator[sp.Expr]:
     """The irreducible factors of numerators and denominators, prescribed motions and undefined functions."""
-    for a in sorted(omega.coefficients, key=sp.count_ops):
+    for a in sorted(omega.coefficients, key=count_operations):
         for f in sp.Mul.make_args(factored(a)):
             yield f.as_base_exp()[0] if not isinstance(f, sp.exp) else sp.S.One
     symbols = {s for a in omega.coefficients for s in a.free_symbols}
@@ -226,7 +227,7 @@ def _arguments(omega: OneForm) -> Iterator[tuple[sp.Expr, bool]]:
 
 
 def _sorted(expressions: Iterator[sp.Expr]) -> list[sp.Expr]:
-    return sorted(set(expressions), key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
+    return sorted(set(expressions), key=lambda e: (count_operations(e), sp.default_sort_key(e)))
 
 
 def factored(e: sp.Expr) -> sp.Expr:
@@ -236,7 +237,7 @@ def factored(e: sp.Expr) -> sp.Expr:
 
 def is_small(e: sp.Expr) -> bool:
     """Whether cancelling and factoring take little time."""
-    if sp.count_ops(e) > LARGEST_FACTORED:
+    if count_operations(e) > LARGEST_FACTORED:
         return False
     roots = (p for p in e.atoms(sp.Pow) if not p.exp.is_Integer)
     if len(e.free_symbols | e.atoms(sp.Function, Unspecified).union(roots)) > MOST_GENERATORS:

@@ -40,6 +40,7 @@ from lagrange.algebra.forms.limits import (
     SPARE_SYMMETRY_ROWS,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 Exponents = dict[int, sp.Expr]
@@ -153,13 +154,13 @@ def _ratios(omega: OneForm) -> list[sp.Expr]:
     for a in omega.coefficients:
         exponents = [p.exp for p in a.atoms(sp.Pow)] + [e.args[0] for e in a.atoms(sp.exp)]
         for part in (a, *exponents):
-            if sp.count_ops(part) <= 60:
+            if count_operations(part) <= 60:
                 for term in sp.Add.make_args(sp.expand(part)):
                     constant = term.as_independent(*omega.moving, as_Add=False)[0]
                     monomials.add(constant.as_coeff_Mul()[1])
     known = [m for m in monomials if not m.free_symbols & omega.moving and m.free_symbols]
     ratios = {sp.S.One, *known, *(1 / m for m in known), *(m / n for m in known for n in known)}
-    return sorted(ratios, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))[:MOST_PARAMETER_RATIOS]
+    return sorted(ratios, key=lambda e: (count_operations(e), sp.default_sort_key(e)))[:MOST_PARAMETER_RATIOS]
 
 
 def _simplest(
@@ -238,7 +239,7 @@ def _complexity(exponents: Exponents, trials: Sequence[FactorCandidate]) -> tupl
     weight = sp.S.Zero
     for k, e in exponents.items():
         c = trials[k]
-        weight += abs(e) * (1 + sp.count_ops(c.function)) + (2 if e < 0 and not c.in_exponent else 0)
+        weight += abs(e) * (1 + count_operations(c.function)) + (2 if e < 0 and not c.in_exponent else 0)
     return (any(e.q != 1 for e in exponents.values()), len(exponents), weight, sum(exponents))
 
 
@@ -265,7 +266,7 @@ def symmetry_fields(omega: OneForm) -> Iterator[list[sp.Expr]]:
         known = [c for c in numbers if c is not None]
         if len(known) == len(numbers):
             fields.append(_field(known, generators, omega))
-    yield from sorted(fields, key=lambda field: sum(sp.count_ops(x) for x in field))
+    yield from sorted(fields, key=lambda field: sum(count_operations(x) for x in field))
 
 
 def _rows(
@@ -303,12 +304,12 @@ def factor_beside(omega: OneForm, known: sp.Expr, direction: int) -> sp.Expr | N
     others = [j for j in range(omega.size) if j != direction and inner.coefficients[j] != 0]
     if not others:
         return None
-    j = min(others, key=lambda k: sp.count_ops(inner.coefficients[k]))
+    j = min(others, key=lambda k: count_operations(inner.coefficients[k]))
     h: sp.Expr | None = shortened(-inner.curl(direction, j) / inner.coefficients[j])
     for other in omega.variables:
         if h is not None and other != v:
             h = at_some_value(h, other) if other in h.free_symbols else h
-    phi = None if h is None or sp.count_ops(h) > LARGEST_INTEGRAND else primitive([h], [v], omega.slots)
+    phi = None if h is None or count_operations(h) > LARGEST_INTEGRAND else primitive([h], [v], omega.slots)
     return None if phi is None else known * exp_of(phi)
 
 
@@ -346,7 +347,7 @@ def _of_combination(
     in_s: sp.Expr | None = h.xreplace(solved)
     for v in omega.variables:
         in_s = None if in_s is None else at_some_value(in_s, v) if v in in_s.free_symbols else in_s
-    if in_s is None or sp.count_ops(in_s) > LARGEST_INTEGRAND:
+    if in_s is None or count_operations(in_s) > LARGEST_INTEGRAND:
         return None
     phi = primitive([shortened(in_s)], [s], omega.slots)
     return None if phi is None else exp_of(phi).xreplace({s: combined})
@@ -401,7 +402,7 @@ def shortened(e: sp.Expr) -> sp.Expr:
             forms += [textbook_form(sp.cancel(e)), factored(textbook_form(sp.cancel(e)))]
         if e.has(sp.exp) or any(not p.exp.is_Integer for p in e.atoms(sp.Pow)):
             forms += [sp.powsimp(f) for f in forms]
-    return min(forms, key=sp.count_ops)
+    return min(forms, key=count_operations)
 
 
 def shortest(expressions: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:

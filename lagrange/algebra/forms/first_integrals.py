@@ -41,6 +41,7 @@ from lagrange.algebra.forms.limits import (
     MOST_INTEGRATED_TERMS,
     MOST_RATIO_ENTRIES,
 )
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, t
 
 Form = Sequence[sp.Expr]
@@ -115,7 +116,7 @@ def _squares(forms: Sequence[Form], slots: Slots) -> list[sp.Expr]:
 def _antiderivatives(terms: Iterable[tuple[sp.Symbol, sp.Expr]], slots: Slots) -> Iterator[sp.Expr]:
     """∫ (term) dv, the shortest terms first."""
     varying = dict.fromkeys((v, without_constants(term, slots)) for v, term in terms if term != 0)
-    short = [pair for pair in varying if pair[1].count_ops() <= LONGEST_TERM]
+    short = [pair for pair in varying if count_operations(pair[1]) <= LONGEST_TERM]
     for v, term in sorted(short, key=lambda pair: _weight(pair[1]))[:MOST_INTEGRATED_TERMS]:
         integral = _integral(term, v, slots)
         if integral is not None:
@@ -126,7 +127,7 @@ def _terms(forms: Sequence[Form], slots: Slots) -> Iterator[tuple[sp.Symbol, sp.
     """The terms of all coefficients, multiplied out, each with the variable of its differential."""
     for form in forms:
         for v, a in zip((*slots.coordinates, t), form, strict=True):
-            expanded = multiplied_out(a) if a.count_ops() <= LARGEST_EXPANDED else a
+            expanded = multiplied_out(a) if count_operations(a) <= LARGEST_EXPANDED else a
             yield from ((v, term) for term in sp.Add.make_args(expanded))
 
 
@@ -136,7 +137,7 @@ def _ratios(
     """The ratios of two coefficients of short forms, on the constraint surface as far as it is given explicitly."""
     for form in forms:
         entries = [(v, a) for v, a in _pulled_back(form, slots, rules).items() if a != 0]
-        if len(entries) <= MOST_RATIO_ENTRIES and all(a.count_ops() <= LONGEST_TERM // 2 for _, a in entries):
+        if len(entries) <= MOST_RATIO_ENTRIES and all(count_operations(a) <= LONGEST_TERM // 2 for _, a in entries):
             yield from ((v, a / b) for v, a in entries for w, b in entries if w != v and is_variable(b, slots))
 
 
@@ -179,7 +180,7 @@ def _functions(forms: Sequence[Form], slots: Slots) -> list[sp.Expr]:
 
 
 def _weight(e: sp.Expr) -> tuple[int, str]:
-    return int(e.count_ops()), str(e)
+    return count_operations(e), str(e)
 
 
 Values = dict[int, int]
@@ -430,7 +431,7 @@ def _constants(entries: Sequence[sp.Expr], slots: Slots) -> list[sp.Expr]:
 
     for e in entries:
         visit(e)
-    return sorted(constants, key=lambda e: (e.count_ops(), str(e)))
+    return sorted(constants, key=lambda e: (count_operations(e), str(e)))
 
 
 def combined(functions: Sequence[sp.Expr], coefficients: Mapping[int, sp.Expr]) -> sp.Expr:

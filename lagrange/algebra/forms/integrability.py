@@ -52,6 +52,7 @@ from lagrange.algebra.forms.exact_forms import differentiated
 from lagrange.algebra.forms.jets import BITS, Jet, JetRing, NoExpansionError, WorkLimitError, constant_term
 from lagrange.algebra.forms.limits import FLAG_WORK, HIGHEST_FLAG_ORDER, LONGEST_TIDIED_COMPONENT, LONGEST_TIDIED_FORM
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots
 from lagrange.core.verdicts import all_hold
@@ -145,10 +146,10 @@ def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slot
 
 def writer(form: Sequence[sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
     """How components of ω ∧ dω are written: in textbook form, unless that would be too long to read."""
-    if sum(a.count_ops() for a in form) > LONGEST_TIDIED_FORM:
+    if sum(count_operations(a) for a in form) > LONGEST_TIDIED_FORM:
         return lambda coefficient: coefficient
     return lambda coefficient: (
-        textbook_form(coefficient) if coefficient.count_ops() <= LONGEST_TIDIED_COMPONENT else coefficient
+        textbook_form(coefficient) if count_operations(coefficient) <= LONGEST_TIDIED_COMPONENT else coefficient
     )
 
 

@@ -59,6 +59,7 @@ from lagrange.algebra.forms.limits import (
     MOST_WITHOUT_POTENTIAL,
     RELATION_STEPS,
 )
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base
 
@@ -98,7 +99,7 @@ def _shorter(f: sp.Expr) -> sp.Expr:
     if not f.is_Add:
         return f
     product = factored(f)
-    return product if product.is_Mul and sp.count_ops(product) <= sp.count_ops(f) else f
+    return product if product.is_Mul and count_operations(product) <= count_operations(f) else f
 
 
 def _freed(f: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
@@ -168,7 +169,7 @@ def _is_upside_down(powers: dict[sp.Expr, sp.Expr], growth: sp.Expr) -> bool:
     above = [g for g in powers if g not in below]
     if not above:
         return True
-    lengths = [sum(int(sp.count_ops(g)) + 1 for g in part) for part in (below, above)]
+    lengths = [sum(count_operations(g) + 1 for g in part) for part in (below, above)]
     return bool(growth == 0) and lengths[0] > lengths[1]
 
 
@@ -222,7 +223,7 @@ def integrating_factor(
     angles     variables that stay outside exponentials in the relation
     """
     omega = OneForm.of(form, variables, slots)
-    if not omega.size or omega.size > MOST_FORM_VARIABLES or sum(sp.count_ops(a) for a in form) > LARGEST_FORM:
+    if not omega.size or omega.size > MOST_FORM_VARIABLES or sum(count_operations(a) for a in form) > LARGEST_FORM:
         return None
     # A factor without a finite relation proves integrability but tells a reader less: the next one may have both.
     without_potential: IntegratingFactor | None = None
@@ -266,7 +267,7 @@ def _distinct(proposed: Iterator[sp.Expr]) -> Iterator[sp.Expr]:
     for e in proposed:
         if len(seen) >= MOST_PROPOSED_FACTORS:
             return
-        if e not in seen and sp.count_ops(e) <= LARGEST_FACTOR:
+        if e not in seen and count_operations(e) <= LARGEST_FACTOR:
             seen.add(e)
             yield e
 
@@ -306,7 +307,7 @@ def _with_parameters(omega: OneForm) -> Iterator[sp.Expr]:
     """Powers with exponents that contain parameters, of the simplest candidates."""
     if omega.parameters:
         trials = factor_candidates(omega)
-        trials = sorted(trials, key=lambda c: sp.count_ops(c.function))[:MOST_WITH_PARAMETERS]
+        trials = sorted(trials, key=lambda c: count_operations(c.function))[:MOST_WITH_PARAMETERS]
         yield from (_product(e, trials) for e in parametric_exponents(omega, trials))
 
 

@@ -25,6 +25,7 @@ from lagrange.algebra.forms.factor_methods import shortened
 from lagrange.algebra.forms.integrability import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.algebra.forms.limits import LARGEST_SOLVED_CONSTRAINT
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, t
 
@@ -169,11 +170,11 @@ def _linear(f: sp.Expr, slots: Slots) -> Solved | None:
     best: tuple[tuple[bool, int], sp.Symbol, sp.Expr] | None = None
     for q in slots.coordinates:
         slope = sp.diff(f, q)
-        if q in slope.free_symbols or slope == 0 or sp.count_ops(f) > LARGEST_SOLVED_CONSTRAINT:
+        if q in slope.free_symbols or slope == 0 or count_operations(f) > LARGEST_SOLVED_CONSTRAINT:
             continue
         moving = bool(slope.free_symbols & {*slots.coordinates, t, *slots.prescribed})
         # A slope of parameters alone excludes no configuration; one that moves excludes where it vanishes.
-        rank = (moving, sp.count_ops(slope))
+        rank = (moving, count_operations(slope))
         if (best is None or rank < best[0]) and _is_nonzero(slope):
             best = rank, q, slope
     if best is None:
@@ -224,4 +225,4 @@ def shorter_relation(e: sp.Expr) -> sp.Expr:
     if not e.has(sp.log):
         return e
     shorter = sp.Add(*(sp.expand_mul(term, deep=False) for term in sp.Add.make_args(e.replace(sp.log, joined))))
-    return shorter if shorter.count_ops() < e.count_ops() else e
+    return shorter if count_operations(shorter) < count_operations(e) else e

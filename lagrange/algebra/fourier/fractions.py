@@ -28,6 +28,7 @@ from lagrange.algebra.fourier.polynomials import lowest, pack, unpack
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import PowerProduct, common_factor
 from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.operations import count_operations
 
 
 def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Element] | None:
@@ -65,7 +66,7 @@ def in_lowest_terms(value: sp.Expr) -> sp.Expr:
     textbook = Textbook(ring)
     n, d = (textbook.form(e) for e in reduced)
     shorter: sp.Expr = textbook.form(ring.from_sympy(n) / ring.from_sympy(d))
-    return shorter if shorter.count_ops() < value.count_ops() else value
+    return shorter if count_operations(shorter) < count_operations(value) else value
 
 
 def as_one_quotient(value: sp.Expr) -> sp.Expr:
@@ -89,7 +90,7 @@ def as_one_quotient(value: sp.Expr) -> sp.Expr:
         denominator = _with_its_sign(denominator)
     front = PowerProduct(sign * Fraction(factor.number.p, factor.number.q), dict(factor.powers)) / denominator
     shorter: sp.Expr = front.to_sympy() * sp.Add(*(sign * term for term in terms))
-    return shorter if shorter.count_ops() < value.count_ops() else value
+    return shorter if count_operations(shorter) < count_operations(value) else value
 
 
 def _with_its_sign(product: PowerProduct) -> PowerProduct:
@@ -103,7 +104,7 @@ def _with_its_sign(product: PowerProduct) -> PowerProduct:
 
 def _fraction(value: sp.Expr, ring: FourierRing) -> tuple[Element, Element | None]:
     """Numerator and denominator as elements; the latter None where there are roots, or where they are too long."""
-    if value.count_ops() > MOST_QUOTIENT_OPERATIONS:
+    if count_operations(value) > MOST_QUOTIENT_OPERATIONS:
         return ring.zero, None
     above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
     related = (e for m, _ in (*above.terms, *below.terms) for i, e in unpack(m) if i in ring.related)

@@ -30,6 +30,7 @@ from lagrange.algebra.fourier.limits import (
 )
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, common_factor, textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 Tidy = Callable[[sp.Expr], sp.Expr]
@@ -54,7 +55,7 @@ class _Bounded:
         self.work = 0
 
     def __call__(self, entry: sp.Expr) -> sp.Expr:
-        operations = int(entry.count_ops())
+        operations = count_operations(entry)
         self.work += operations
         if operations > MOST_ENTRY_OPERATIONS or self.work > MOST_WORK:
             raise TooLargeError
@@ -171,7 +172,7 @@ def _by_determinants(
 ) -> list[sp.Expr | None] | None:
     """One or two x by Cramer's rule in the ring of Fourier sums, y being None. None where the determinant is zero."""
     size = len(inverse)
-    if sum(e.count_ops() for row in rows for e in row) + sum(b.count_ops() for b in right) > MOST_WORK:
+    if sum(count_operations(e) for row in rows for e in row) + sum(count_operations(b) for b in right) > MOST_WORK:
         return None
     # In the ring nothing has to be tidied on the way: a tenth of the time of an elimination with quotients.
     ring = FourierRing()
@@ -260,7 +261,7 @@ def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     if entry.is_number or entry.is_Symbol:
         return entry
     formed = textbook_form(entry)
-    if formed.count_ops() > MOST_CANCELLED or formed.is_polynomial():
+    if count_operations(formed) > MOST_CANCELLED or formed.is_polynomial():
         return formed
     return in_lowest_terms(textbook_form(sp.cancel(formed)))
 
@@ -300,7 +301,7 @@ def _pivot(
                 # Markowitz: a pivot fills in at most (entries in its row − 1)(entries in its column − 1) places.
                 below = sum(work[k][c] != 0 for k in rows)
                 cheap = 0 if entry.is_number else 1 if entry.is_nonzero else 2
-                ranked.append((cheap, (filled - 1) * (below - 1), entry.count_ops(), r, c))
+                ranked.append((cheap, (filled - 1) * (below - 1), count_operations(entry), r, c))
     for *_, r, c in sorted(ranked):
         if work[r][c].is_nonzero or surface.is_zero(work[r][c]) is False:
             return r, c

@@ -28,6 +28,7 @@ from lagrange.algebra.fourier.limits import (
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
+from lagrange.core.operations import count_operations
 
 LARGEST_COUNT = 1e9
 
@@ -70,7 +71,7 @@ def tidied(expression: sp.Expr) -> sp.Expr:
     if not is_short(expression) or _degree(expression, sp.sin) < 2 or _degree(expression, sp.cos) < 2:
         return expression
     form = textbook_form(expression)
-    return form if form.count_ops() < expression.count_ops() else expression
+    return form if count_operations(form) < count_operations(expression) else expression
 
 
 def _degree(expression: sp.Expr, function: type[sp.Function]) -> int:
@@ -116,7 +117,7 @@ def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.
             rest = rest.xreplace({a: sp.S.Zero, b: difference})
             differences[difference] = b - a
     result = sp.factor(rest).xreplace(differences) if differences else expression
-    return result if result.count_ops() < expression.count_ops() else expression
+    return result if count_operations(result) < count_operations(expression) else expression
 
 
 def with_cotangents(expression: sp.Expr) -> sp.Expr:

@@ -19,6 +19,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.results.approximate import approximate
 from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
@@ -227,7 +228,7 @@ def _of_sides(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
     for ratio in (r for r in ratios if r.is_Rational and r > 0 and r != 1):
         of_term = [{s for s in _symbols(term) if sp.diff(term, s, 2) == 0} for term in other]
         alone = [[s for s in of_term[n] if s not in of_term[1 - n]] for n in (0, 1)]
-        n = min((n for n in (0, 1) if alone[n]), key=lambda n: other[n].count_ops(), default=None)
+        n = min((n for n in (0, 1) if alone[n]), key=lambda n: count_operations(other[n]), default=None)
         if n is None:
             return
         letter = min(alone[n], key=str)

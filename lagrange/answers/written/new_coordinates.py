@@ -17,6 +17,7 @@ import sympy as sp
 
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.scope import Scope
@@ -38,7 +39,7 @@ def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr |
     for known, other in ((left, right), (right, left)):
         order = _order(known, slots)
         rates = [n for n in range(3) if prime(own, n) in other.free_symbols]
-        if order is None or not rates or other.count_ops() > _MOST or known.count_ops() > _MOST:
+        if order is None or not rates or count_operations(other) > _MOST or count_operations(known) > _MOST:
             continue
         if rates == [order]:
             return _integrated(known, other, prime(own, order), order, scope)

@@ -6,6 +6,7 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, TimeDerivative, prime, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
@@ -58,7 +59,7 @@ def _shown(
         Equation((i.expression, CONSTANT), label=f"conserved{suffix}-{conserved.integrals.index(i) + 1}")
         for i in integrals
     ]
-    long = any(i.expression.count_ops() > LONGEST for i in integrals)
+    long = any(count_operations(i.expression) > LONGEST for i in integrals)
     ending = "." if long else ":"
     return [
         prose(*_reason(conserved, integrals, small), ". ", *_conclusion(conserved, integrals, proofs=proofs), ending),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
@@ -139,7 +140,7 @@ def _derivatives(setup: LagrangeExposition) -> list[Block]:
         if p != 0
     ]
     absent = [q for q, p in zip(setup.coordinates, energies.partials, strict=True) if p == 0]
-    long = any(rate.count_ops() > LONGEST for rate in energies.rates)
+    long = any(count_operations(rate) > LONGEST for rate in energies.rates)
     body: list[Block] = []
     if absent_velocities:
         zero = [letters.momentum(q) for q, p in zip(setup.coordinates, energies.momenta, strict=True) if p == 0]
@@ -282,7 +283,7 @@ def _eliminated(setup: LagrangeExposition) -> list[Block]:
         Equation((r.force, value), label=f"force-of{setup.suffix}-{r.name}")
         for r, value in zip(reactions, motion.forces, strict=True)
     ]
-    long = any(line.sides[1].count_ops() > LONGEST for line in lines if isinstance(line.sides[1], sp.Expr))
+    long = any(count_operations(line.sides[1]) > LONGEST for line in lines if isinstance(line.sides[1], sp.Expr))
     names = {r.called for r in reactions}
     what = "reaction" if len(names) > 1 else names.pop()
     of = plural(len(motion.elimination.dependent), "The equation for ", "The equations for ")

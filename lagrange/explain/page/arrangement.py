@@ -14,6 +14,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
@@ -220,7 +221,7 @@ def _is_detour(solution: Solution, step: Step) -> bool:
     moving = {*solution.own.configuration.slots.coordinates, *first.configuration.slots.coordinates, t}
     if all(not e.free_symbols & moving for e in first.configuration.expressed.values()):
         return True  # the others are constant
-    return turning or sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
+    return turning or sum(count_operations(e) for e in own.expressions) > LONGEST_BESIDE
 
 
 def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
@@ -454,10 +455,10 @@ def _chain(
 ) -> Equation:
     before = sizes.get(equation.sides[0])
     last = equation.sides[-1]
-    if before is None or before.count_ops() > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
+    if before is None or count_operations(before) > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
         return equation
     if before.free_symbols == last.free_symbols and sp.cancel(before - last) == 0:
         return equation
-    if sp.expand(before.xreplace(dict(rule)) - last) == 0 and before.count_ops() == last.count_ops():
+    if sp.expand(before.xreplace(dict(rule)) - last) == 0 and count_operations(before) == count_operations(last):
         return equation  # r for R
     return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import free_letter
 from lagrange.document.derivation import Block, Display, Equation, Step
 
@@ -24,7 +25,7 @@ def _named(block: Block, taken: Collection[str]) -> Block:
     if not isinstance(block, Display) or not block.boxed or len(block.equations) < 2:
         return block
     counts = Counter(base for e in block.equations for base in {*_below(e)})
-    shared = [base for base, n in counts.items() if n > 1 and base.count_ops() >= SHORTEST]
+    shared = [base for base, n in counts.items() if n > 1 and count_operations(base) >= SHORTEST]
     if len(shared) != 1:
         return block
     [base] = shared

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
@@ -388,7 +389,7 @@ def _is_likewise(blocks: Sequence[Block]) -> bool:
     ):
         return False
     words = [str(p.parts[0]) if isinstance(p, Prose) else "" for p in (blocks[1], blocks[3])]
-    length = shown.equations[0].sides[-1].count_ops()
+    length = count_operations(shown.equations[0].sides[-1])
     return words[0].startswith("With ") and words[1].startswith("This does not vanish") and length <= LONGEST_IN_LINE
 
 
@@ -500,7 +501,7 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
 
 
 def _longest(block: Display) -> int:
-    return max((int(s.count_ops()) for e in block.equations for s in e.sides if isinstance(s, sp.Expr)), default=0)
+    return max((count_operations(s) for e in block.equations for s in e.sides if isinstance(s, sp.Expr)), default=0)
 
 
 def _where(e: Equation, simple: Mapping[sp.Expr, sp.Expr]) -> Equation:

@@ -15,6 +15,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.forms.integrability import frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, free_letter, t, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
@@ -204,7 +205,7 @@ def without_division(solution: Solution, step: Step) -> Step:
     common = _common(list(own.values()), slots)
     if common is None:
         return step
-    own = {q: min(e, shortest_form(e), key=lambda x: int(x.count_ops())) for q, e in
+    own = {q: min(e, shortest_form(e), key=lambda x: count_operations(x)) for q, e in
            ((q, sp.cancel(e / common)) for q, e in own.items())}  # fmt: skip
     pivots = [
         f for f in sp.Mul.make_args(sp.factor(common)) if f.free_symbols & {*slots.coordinates, *slots.prescribed, t}
@@ -271,7 +272,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
             return side
         for velocity, square in rules:
             reduced = sp.factor(sp.cancel(sp.expand(side).xreplace({velocity**2: square})))
-            side = reduced if reduced.count_ops() < side.count_ops() else side
+            side = reduced if count_operations(reduced) < count_operations(side) else side
         return side
 
     def line(e: Equation) -> Equation:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
@@ -220,7 +221,7 @@ def _relative(reaction: Reaction) -> sp.Expr | None:
 
 
 def _length(e: sp.Expr) -> int:
-    return int(e.count_ops())
+    return count_operations(e)
 
 
 def _factored(work: sp.Expr) -> sp.Expr:

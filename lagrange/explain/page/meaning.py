@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
@@ -57,7 +58,7 @@ def explain_meaning(
 
 def operations(stated: Stated) -> int:
     """How many operations it takes to write equations with everything on one side."""
-    return sum(int((left - right).count_ops()) for left, *_, right in stated)
+    return sum(count_operations(left - right) for left, *_, right in stated)
 
 
 def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
@@ -71,7 +72,7 @@ def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
         if _are_shown(stated_by_rates, [defined(e) for e in form.equations.expressions]):
             return
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
-    if operations(stated) < sum(int(e.count_ops()) for e in (*(e.expression for e in motion.final), *rates)):
+    if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
@@ -111,7 +112,7 @@ def _conserved(
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
     step = _without_constant_coordinates(step, conserved)
-    short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
+    short = all(count_operations(i.expression) <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
         yield from _without_accelerations(step.body)
@@ -202,7 +203,7 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
     speeds = tuple(form.velocities.definitions)
     for e in form.equations.expressions:
         found = [u for u in speeds if e.has(prime(u))]
-        if len(found) != 1 or e.count_ops() > LONGEST_LINE:
+        if len(found) != 1 or count_operations(e) > LONGEST_LINE:
             continue
         [u] = found
         factor = sp.diff(e, prime(u))

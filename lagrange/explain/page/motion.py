@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, t, variation
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, listed, math, paired, prose
@@ -111,7 +112,7 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
     solved = motion.elimination.solved(slots)
     if not rows or not solved:
         return step
-    if any(value.count_ops() > LONGEST for value in solved.values()):
+    if any(count_operations(value) > LONGEST for value in solved.values()):
         return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
     pivots = conditions(motion.elimination)
     where: tuple[Part, ...] = (" where ", *pivots) if pivots else ()
@@ -133,7 +134,7 @@ def without_long_sum(step: Step, motion: DalembertMotion) -> Step:
     for n, block in enumerate(body):
         if not isinstance(block, Display) or not (block.equations[0].label or "").startswith("reduced"):
             continue
-        if motion.reduced.count_ops() > LONGEST_SUM:
+        if count_operations(motion.reduced) > LONGEST_SUM:
             coordinates = motion.configuration.slots.coordinates
             solved = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
             suffix = suffix_of(motion.configuration.name)

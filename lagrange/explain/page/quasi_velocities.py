@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, prose
@@ -55,7 +56,7 @@ def _are_long(solution: Solution) -> bool:
         return False
     nameless = all(r.single is None and r.given is None for r in law.newton.reactions)
     values = [v for v in dynamics.reactions.multipliers.values() if v is not None]
-    return nameless and reaction_as_a_whole(solution) is None and any(v.count_ops() > LONGEST for v in values)
+    return nameless and reaction_as_a_whole(solution) is None and any(count_operations(v) > LONGEST for v in values)
 
 
 def _without_rates(solution: Solution, block: Block) -> Block:

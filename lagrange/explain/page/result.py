@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
@@ -107,7 +108,7 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
     because = f", because of {constraints_called(free)}," if len(free) == 1 < len(found.constraints) else ""
     words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
     functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined[:1]))
-    lines = [Equation((f, CONSTANT)) for f in functions if int(f.count_ops()) <= LONGEST_ANSWER][:MOST]
+    lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST]
     body: tuple[Block, ...] = (prose(f"{words}."),)
     if lines:
         body = (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF))
@@ -202,7 +203,7 @@ def _steady(found: SteadyMotions) -> Iterator[Equation]:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             stability = None if s is None else s.judgement.stability
             words: tuple[Part, ...] = ()
-            if stability is not None and sum(c.lhs.count_ops() for c in stability.conditions) <= LONGEST_WORDS:
+            if stability is not None and sum(count_operations(c.lhs) for c in stability.conditions) <= LONGEST_WORDS:
                 firm = stability.conditions and stability.verdict is StabilityVerdict.CONDITIONAL
                 words = ("stable where ", *sign_conditions(stability.conditions)) if firm else ()
             rates = [Equation((v, value)) for v, value in family.rates.items()]
@@ -223,7 +224,7 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
         words: tuple[Part, ...] = ()
         if verdict is not None:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
-            if not b.left and sum(int((c.lhs - c.rhs).count_ops()) for c in said) <= LONGEST_WORDS:
+            if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
         yield from _branch(b, *words)
 
@@ -262,7 +263,7 @@ def _frequencies(linearization: Linearization) -> Iterator[Equation]:
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
         squares = [f.square for f in at.frequencies]
-        if any(s is None or s.count_ops() > LONGEST_ANSWER for s in squares):
+        if any(s is None or count_operations(s) > LONGEST_ANSWER for s in squares):
             continue
         about = listed(math(r.lhs, r.rhs) for r in b.equations)
         words: tuple[Part, ...] = ("about ", *about) if about else ()
@@ -300,7 +301,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))
-        if sum(int((c.lhs - c.rhs).count_ops()) for c in b.conditions) > LONGEST_CONDITIONS:
+        if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_CONDITIONS:
             clauses.append(("under conditions that are given below",))
         elif b.conditions:
             clauses.append(("where ", *sign_conditions(b.conditions)))
@@ -319,4 +320,4 @@ def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:
 
 
 def _operations(equation: Equation) -> int:
-    return sum(int(s.count_ops()) for s in equation.sides if isinstance(s, sp.Expr))
+    return sum(count_operations(s) for s in equation.sides if isinstance(s, sp.Expr))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from lagrange.core.operations import count_operations
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
@@ -88,4 +89,4 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
 def are_short(equations: Sequence[Equation]) -> bool:
     """Whether two of them have room in a line."""
     components = (s.as_sum() if isinstance(s, Vector) else s for e in equations for s in e.sides)
-    return all(c.count_ops() <= SHORT for c in components)
+    return all(count_operations(c) <= SHORT for c in components)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Rule, Step, Table
@@ -60,7 +61,7 @@ def _start(found: StateInNumbers, configuration: Configuration) -> Step:
 
 def _constraints(classification: Classification) -> Step:
     """The constraints, those that are short written out, and what each is."""
-    short = [c for c in classification.constraints if c.constraint.function.count_ops() <= LONGEST]
+    short = [c for c in classification.constraints if count_operations(c.constraint.function) <= LONGEST]
     lines = [Equation((c.constraint.lhs, c.constraint.rhs), label=f"constraint-{c.row.name}") for c in short]
     rows = tuple(
         (
@@ -87,7 +88,7 @@ def _constraints(classification: Classification) -> Step:
 def _equations(found: LongEquations, solution: Solution) -> Step:
     """How long the equations of motion are, and where they stand; in full, the equations."""
     slots = solution.problem.slots
-    operations = sum(int(e.count_ops()) for e in (*found.definitions.values(), *found.left, *found.right))
+    operations = sum(count_operations(e) for e in (*found.definitions.values(), *found.left, *found.right))
     names = list(found.definitions)
     text = (
         f"D'Alembert's principle gives {counted(len(found.left), 'equation')} with "

@@ -10,6 +10,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified, VectorSymbol, prime, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
@@ -84,7 +85,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
     cancelled = "Time appears in the positions but cancels in the equations of motion. "
     start = (cancelled if linearization.driven else "") + "At rest all velocities and accelerations are zero"
     shown = list(dict.fromkeys(c.expression for c in e.conditions))
-    long = not linearization.complete and sum(c.count_ops() for c in shown) > LONGEST
+    long = not linearization.complete and sum(count_operations(c) for c in shown) > LONGEST
     if e.configuration.rows:
         start += ". Reactions balance the remaining forces" + (", and the constraints hold," if finite else "")
     elif not shown:
@@ -237,7 +238,7 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     gyroscopic = s.system.kind is VelocityTerms.GYROSCOPIC
     wave = ("exp(i " if gyroscopic else "cos(", math(unknown), " ", math(TIME), ")")
     closed = all(f.square is not None for f in s.frequencies)
-    if len(s.free) > 1 and c.count_ops() <= LONGEST:
+    if len(s.free) > 1 and count_operations(c) <= LONGEST:
         words = ", with constant amplitudes not all zero, exist if"
         yield prose("Solutions proportional to ", *wave, words, detail=detail)
         yield display(Equation((c, ZERO), label=label_of(linearization, "frequencies", n)), detail=detail)
@@ -290,7 +291,7 @@ def _presupposed(f: Frequency, before: str = "") -> tuple[Part, ...]:
 
 def _long_ratios(f: Frequency, s: SmallOscillations, linearization: Linearization) -> list[Equation]:
     """ξ_2/ξ_1 = ..., for a mode too long to be shown beside its frequency, where it could not be broken."""
-    if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(a.count_ops() for a in f.modes[0]) <= LONGEST_BESIDE:
+    if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(count_operations(a) for a in f.modes[0]) <= LONGEST_BESIDE:
         return []
     first, *others = (linearization.displacements[k] for k in s.free)
     lines = [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
@@ -301,7 +302,7 @@ def _damped(n: int, s: SmallOscillations, linearization: Linearization) -> Itera
     """With damping: the characteristic equation for p; for one coordinate the frequency and the damping ratio."""
     p, c = s.unknown, s.characteristic
     wave = ("exp(", math(p), " ", math(TIME), ")")
-    if c is not None and c.count_ops() <= LONGEST:
+    if c is not None and count_operations(c) <= LONGEST:
         yield prose("Nonzero solutions proportional to ", *wave, " exist if")
         yield display(Equation((c, ZERO), label=label_of(linearization, "exponents", n)))
     if s.damped is not None:
@@ -376,12 +377,12 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
                     "the two rates ", math(sigma), " ± ", math(root), ".")  # fmt: skip
     if found.left:
         yield prose("The other roots are those of")
-        yield display(*(Equation((f, ZERO)) for f, _ in found.left if f.count_ops() <= LONGEST))
+        yield display(*(Equation((f, ZERO)) for f, _ in found.left if count_operations(f) <= LONGEST))
 
 
 def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:
     """`with ξ_1 : ξ_2 as 1 : −1`."""
-    if not m.shape or sum(a.count_ops() for a in m.shape) > LONGEST_BESIDE:
+    if not m.shape or sum(count_operations(a) for a in m.shape) > LONGEST_BESIDE:
         return ()
     moved = (linearization.displacements[k] for k in s.free)
     return ("with ", math(*moved, relation=":"), " as ", math(*m.shape, relation=":"))
@@ -390,7 +391,7 @@ def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearizat
 def _is_sign_of_square(s: SmallOscillations) -> bool:
     """Whether it depends on the sign of the only ω², and to write the conditions out would take long."""
     one = len(s.free) == 1 and len(s.frequencies) == 1 and s.frequencies[0].square is not None
-    length = sum(int((c.lhs - c.rhs).count_ops()) for c in s.judgement.stability.conditions)
+    length = sum(count_operations(c.lhs - c.rhs) for c in s.judgement.stability.conditions)
     return one and s.oscillates and length > LONGEST_CONDITIONS
 
 
@@ -458,7 +459,7 @@ def _why(s: SmallOscillations) -> tuple[Part, ...]:
     one = len(s.free) == 1
     stable = stability.verdict is StabilityVerdict.STABLE
     grows = " is negative, so some motion grows exponentially: "
-    long = any(m.count_ops() > LONGEST_BESIDE for m in stability.minors[:1])
+    long = any(count_operations(m) > LONGEST_BESIDE for m in stability.minors[:1])
     match ground:
         case Ground.POTENTIAL if not stable:
             return ("Some displacement produces a force that increases it: ",)

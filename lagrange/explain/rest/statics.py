@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
@@ -287,7 +288,7 @@ def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
     for name in dict.fromkeys(name for pulls in equilibrium.pulls for name in pulls):
         forces: dict[sp.Expr, list[Part]] = {}
         for n, pulls in enumerate(equilibrium.pulls, start=1):
-            if name in pulls and pulls[name].count_ops() <= LONGEST:
+            if name in pulls and count_operations(pulls[name]) <= LONGEST:
                 forces.setdefault(pulls[name], []).append(Ref(f"equilibrium{suffix}-{n}"))
         if forces:
             sizes = series((math(f), " at ", *listed(places)) for f, places in forces.items())
@@ -356,7 +357,7 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
 def _in_brief(s: Stability) -> tuple[Part, ...]:
     """The stability in short; of long conditions only that there are some."""
     said = (*s.conditions, *s.presupposed, *s.unstable)
-    if sum(int((c.lhs - c.rhs).count_ops()) for c in said) > LONGEST:
+    if sum(count_operations(c.lhs - c.rhs) for c in said) > LONGEST:
         return ("its stability depends on the parameters",)
     return stability_in_short(s)
 
@@ -388,7 +389,7 @@ LONGEST = 30
 
 
 def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
-    long = not one and sum(m.count_ops() for m in s.minors) > LONGEST
+    long = not one and sum(count_operations(m) for m in s.minors) > LONGEST
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
     where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
@@ -403,7 +404,7 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
         case StabilityVerdict.STABLE:
             return (*what, ", positive" if one else ", all positive", *where, ": stable.")
         case StabilityVerdict.UNSTABLE if s.principal is not None:
-            if long or s.principal.count_ops() > LONGEST:
+            if long or count_operations(s.principal) > LONGEST:
                 return ("another principal minor is negative", *where, ": unstable.")
             return (*what, "; another principal minor is ", math(s.principal), *where, ": unstable.")
         case StabilityVerdict.UNSTABLE if long:

@@ -30,6 +30,7 @@ from lagrange.algebra.forms.combinations import combination, independent_columns
 from lagrange.algebra.forms.first_integrals import is_variable
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
@@ -269,7 +270,7 @@ def _conditions(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:
 
 def _varying(e: sp.Expr, slots: Slots) -> list[sp.Expr]:
     """The factors of an expression that may vanish."""
-    numerator, _ = sp.fraction(sp.together(e) if e.count_ops() <= LONGEST_MINOR else e)
+    numerator, _ = sp.fraction(sp.together(e) if count_operations(e) <= LONGEST_MINOR else e)
     content = sp.factor_terms(numerator)
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(content))
     return [b for b in bases if is_variable(b, slots) and not b.is_nonzero and not isinstance(b, Sign | sp.exp)]
@@ -282,7 +283,7 @@ def _factors(independent: ConstrainedSystem) -> Iterator[sp.Expr]:
         return
     columns = independent_columns([r.coefficients for r in rows], independent.surface)
     matrix = sp.Matrix([[r.coefficients[k] for k in columns] for r in rows])
-    if not matrix.is_square or sum(e.count_ops() for e in matrix) > LONGEST_MINOR:
+    if not matrix.is_square or sum(count_operations(e) for e in matrix) > LONGEST_MINOR:
         return
     minor = textbook_form(matrix.det(method="berkowitz"))
     if minor.is_Add and len(minor.free_symbols) <= MOST_FACTORED_SYMBOLS:

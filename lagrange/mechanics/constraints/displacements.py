@@ -26,6 +26,7 @@ from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, ordered_differences, written
 from lagrange.core.expression_size import Sizes
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, differential, t, variation
@@ -199,7 +200,7 @@ def _has_denominator(rate: sp.Expr, slots: Slots) -> bool:
 
 
 def _operations(rates: Sequence[sp.Expr]) -> int:
-    return sum(1 + int(r.count_ops()) for r in rates if r != 0)
+    return sum(1 + count_operations(r) for r in rates if r != 0)
 
 
 def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
@@ -244,7 +245,7 @@ def eliminate(
                     _tidy(a - factor * b) if b != 0 else a for a, b in zip(matrix[other], matrix[r], strict=True)
                 ]
         pivot_of[r] = column
-        if most is not None and sum(int(e.count_ops()) for entries in matrix for e in entries) > most:
+        if most is not None and sum(count_operations(e) for entries in matrix for e in entries) > most:
             raise TooLongError
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
@@ -255,7 +256,7 @@ def eliminate(
 
 def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[int]) -> int | None:
     """The column to divide by, or None where the row vanishes on the constraint surface."""
-    ranked = sorted((k not in first, not e.is_number, e.count_ops(), k) for k, e in enumerate(row) if e != 0)
+    ranked = sorted((k not in first, not e.is_number, count_operations(e), k) for k, e in enumerate(row) if e != 0)
     for *_, k in ranked:
         if surface.is_zero(row[k]) is False:
             return k
@@ -292,10 +293,10 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
     """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], if factors make a quotient shorter."""
     if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED_SYMBOLS:
         return quotient
-    if not is_short(quotient) or quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+    if not is_short(quotient) or count_operations(quotient) > LONGEST_FACTORED or quotient.atoms(sp.Function):
         return quotient
     factors = sp.factor(quotient)
-    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    shorter = factors if count_operations(factors) < count_operations(quotient) else quotient
     return ordered_differences(in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name))))
 
 
@@ -317,4 +318,4 @@ def _tidy(entry: sp.Expr) -> sp.Expr:
     if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
     tidied = written(reduced)
-    return tidied if tidied.count_ops() <= reduced.count_ops() else reduced
+    return tidied if count_operations(tidied) <= count_operations(reduced) else reduced

@@ -1,6 +1,6 @@
 """Limits of kinematics: beyond them an expression is left as it is, a place not looked for; nothing becomes wrong.
 
-Sizes are operations (`count_ops`), nodes or terms. A number in brackets is the largest value met in the 129 shipped
+Sizes are operations (`count_operations`), nodes or terms. A number in brackets is the largest value met in the 129 shipped
 problems, measured when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 

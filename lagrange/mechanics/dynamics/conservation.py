@@ -24,6 +24,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point
 from lagrange.algebra.fourier.ring import Element
 from lagrange.algebra.fourier.terms import Exponent, as_term, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.core.verdicts import all_hold
@@ -57,7 +58,7 @@ def admitted_displacements(elimination: Elimination, configuration: Configuratio
         return []
     tried: dict[tuple[sp.Expr, ...], None] = {}
     for column in displacement_basis(elimination, len(configuration.slots.coordinates)):
-        if sum(e.count_ops() for e in column) > LONGEST_DISPLACEMENT:
+        if sum(count_operations(e) for e in column) > LONGEST_DISPLACEMENT:
             continue
         denominator = sp.Mul(*_denominators(column))
         if denominator != 1:

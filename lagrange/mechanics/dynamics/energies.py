@@ -22,6 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, common_factor
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.core.vectors import Vector
@@ -183,7 +184,7 @@ def _written_kinetic(configuration: Configuration, kinetic: Element, ring: Fouri
     if squares == 0:
         return expanded
     parts = _in_front(textbook.form(kinetic - ring.from_sympy(squares))) + squares
-    return parts if parts.count_ops() < expanded.count_ops() else expanded
+    return parts if count_operations(parts) < count_operations(expanded) else expanded
 
 
 def _in_front(total: sp.Expr) -> sp.Expr:
@@ -206,6 +207,6 @@ def _written_potential(configuration: Configuration, textbook: Textbook) -> sp.E
     """V as the sum of its contributions; that of a spring as k (d − l)²/2 if that is shorter."""
     springs = [s.energy for s in configuration.springs]
     fields = configuration.potential - sp.Add(*springs)
-    written = (min(textbook.form(e), e, key=lambda form: form.count_ops()) for e in springs)
+    written = (min(textbook.form(e), e, key=lambda form: count_operations(form)) for e in springs)
     weights = potential_energy(configuration) - configuration.potential
     return sp.Add(textbook.form(weights), textbook.form(fields), *written)

@@ -28,6 +28,7 @@ from lagrange.algebra.fourier.polynomials import unpack
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import Exponent, PowerProduct, as_term, common_powers, divided, multiplied, sum_of
 from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
@@ -405,4 +406,4 @@ def in_one_term(rate: sp.Expr) -> sp.Expr:
     if not any(p.exp.is_negative and not p.exp.is_Integer for p in rate.atoms(sp.Pow)):
         return rate
     joined: sp.Expr = sp.factor_terms(rate)
-    return joined if joined.count_ops() < rate.count_ops() else rate
+    return joined if count_operations(joined) < count_operations(rate) else rate

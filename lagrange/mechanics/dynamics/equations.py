@@ -36,6 +36,7 @@ from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import is_acceleration
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, common_factor, normalised, textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import prime, variation
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -189,7 +190,7 @@ def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> 
     kept = factor.divide(expression)
     if any(f.is_Add for f, _ in factor.denominator.powers):
         shorter = factor.numerator.divide(expression)
-        if shorter.count_ops() < kept.count_ops():  # multiplying out would make the equation longer
+        if count_operations(shorter) < count_operations(kept):  # multiplying out would make the equation longer
             kept, factor = shorter, factor.numerator
     if factor.denominator.powers:
         kept = textbook.form(kept)
@@ -345,13 +346,13 @@ def _substituted(equation: EquationOfMotion, rule: dict[sp.Symbol, sp.Expr], tex
         # The coefficient of q'' is a sum of contributions, which may be shorter factored one by one than as a sum.
         shares = [before.diff(a), *(before.diff(e) * value.diff(a) for e, value in rule.items() if is_acceleration(e))]
         parts = sp.Add(*(textbook.form(ring.from_sympy(s * scale)) for s in shares if s != 0))
-        if parts.count_ops() < expression.diff(a).count_ops():
+        if count_operations(parts) < count_operations(expression.diff(a)):
             expression = expression.xreplace({a: sp.S.Zero}) + parts * a
     return replace(after, expression=expression)
 
 
 def _length(equations: Sequence[EquationOfMotion]) -> int:
-    return sum(int(e.expression.count_ops()) for e in equations)
+    return sum(count_operations(e.expression) for e in equations)
 
 
 @record
@@ -419,7 +420,7 @@ def _tidier(first: EquationOfMotion, second: EquationOfMotion) -> EquationOfMoti
     split, other = (_is_split(e) for e in forms)
     if split != other:
         return second if split else first
-    return second if forms[1].count_ops() < forms[0].count_ops() else first
+    return second if count_operations(forms[1]) < count_operations(forms[0]) else first
 
 
 def _has(forces: Iterable[sp.Expr], unknown: Collection[sp.Symbol]) -> bool:

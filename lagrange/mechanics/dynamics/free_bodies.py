@@ -28,6 +28,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.vectors import Triad, Vector
@@ -182,7 +183,7 @@ def _half_angle(factor: sp.Expr) -> sp.Expr:
 
 
 def _tidied(vectors: Mapping[str, Vector]) -> dict[str, Vector]:
-    tidied = {name: g.map(lambda c: textbook_form(c) if c.count_ops() > 1 else c) for name, g in vectors.items()}
+    tidied = {name: g.map(lambda c: textbook_form(c) if count_operations(c) > 1 else c) for name, g in vectors.items()}
     return {name: g for name, g in tidied.items() if not g.is_zero}
 
 

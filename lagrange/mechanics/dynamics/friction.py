@@ -23,6 +23,7 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
@@ -425,7 +426,7 @@ def _slip(
 
 
 def _operations(vector: Vector) -> int:
-    return sum(int(c.count_ops()) for c in vector.components)
+    return sum(count_operations(c) for c in vector.components)
 
 
 def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:

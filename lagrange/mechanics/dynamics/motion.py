@@ -19,6 +19,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.displacements import Elimination
@@ -264,7 +265,7 @@ def motion(
     loads, signs = solved_loads(frictions, reactions)
     final = replace(configuration, loads=(*configuration.loads, *loads))
     shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(frictions)))
-    long = any(reactions.multipliers[f.reaction.name].count_ops() > LONGEST_SUBSTITUTED for f in frictions)  # type: ignore[union-attr]
+    long = any(count_operations(reactions.multipliers[f.reaction.name]) > LONGEST_SUBSTITUTED for f in frictions)  # type: ignore[union-attr]
     equations = law.equations(final, elimination)
     return Motion(
         equations=equations,

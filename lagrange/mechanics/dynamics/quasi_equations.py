@@ -27,6 +27,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing, RingDerivation
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, textbook_form
 from lagrange.core.inertia import InertiaTensor
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base, partial, prime, t, variation
 from lagrange.core.triads import axis_names
@@ -122,7 +123,7 @@ class _Motion:
     def moving(self, v: Vector, triads: Sequence[Triad], inertia: InertiaTensor | None = None) -> Moving:
         """A velocity in the first of the triads in which it is shortest; with a tensor of inertia, H and dH/dt."""
         written = (v.along(triad).map(self.form) for triad in dict.fromkeys(triads))
-        rate = min(written, key=lambda w: sum(1 + c.count_ops() for c in w.components if c != 0))
+        rate = min(written, key=lambda w: sum(1 + count_operations(c) for c in w.components if c != 0))
         partials = tuple(rate.map(lambda c, u=u: c.diff(u)) for u in self.quasi.slots.velocities)  # type: ignore[misc]
         vector = rate
         if inertia is not None:
@@ -242,7 +243,7 @@ def _solved(
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """u' -> its value."""
     unknowns = quasi.slots.accelerations
-    operations = sum(int(e.expression.count_ops()) for e in equations)
+    operations = sum(count_operations(e.expression) for e in equations)
     if len(unknowns) > MOST_SOLVED_RATES or operations > LONGEST_SOLVED_RATES:
         return None
     at_rest = dict.fromkeys(unknowns, sp.S.Zero)

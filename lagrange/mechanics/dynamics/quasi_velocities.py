@@ -28,6 +28,7 @@ import sympy as sp
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import with_cotangents
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, variation
 from lagrange.core.vectors import Vector
@@ -168,7 +169,7 @@ def _eliminated(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Con
         solved = eliminate(rows, size + len(speeds), configuration.surface, range(size), LONGEST_ELIMINATION)
     except TooLongError:
         raise too_long from None
-    if sum(int(e.count_ops()) for row in solved.solution for e in row) > LONGEST_KINEMATIC:
+    if sum(count_operations(e) for row in solved.solution for e in row) > LONGEST_KINEMATIC:
         raise too_long
     return solved
 
@@ -176,7 +177,7 @@ def _eliminated(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Con
 def _shorter(definition: sp.Expr) -> sp.Expr:
     """The definition as written in the file, unless its textbook form is shorter: dot(omega_B, e1_B), expanded."""
     tidied = textbook_form(definition)
-    return tidied if tidied.count_ops() < definition.count_ops() else definition
+    return tidied if count_operations(tidied) < count_operations(definition) else definition
 
 
 def _in_groups(rate: sp.Expr) -> sp.Expr:

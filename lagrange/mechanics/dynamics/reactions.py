@@ -33,6 +33,7 @@ from lagrange.algebra.fourier.linear_systems import (
     tidy_quotient,
 )
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
@@ -349,17 +350,19 @@ def _joined(value: sp.Expr) -> sp.Expr:
 def _unnested(value: sp.Expr) -> sp.Expr:
     """A quotient without quotients in the sums of its numerator: g (l² − y²), not g l² (1 − y²/l²)."""
     numerator, _ = sp.fraction(value)
-    sums = (s for s in numerator.atoms(sp.Add) if s.count_ops() <= MOST_CANCELLED)
-    if numerator.count_ops() > MOST_CANCELLED or all(sp.fraction(term)[1].is_number for s in sums for term in s.args):
+    sums = (s for s in numerator.atoms(sp.Add) if count_operations(s) <= MOST_CANCELLED)
+    if count_operations(numerator) > MOST_CANCELLED or all(
+        sp.fraction(term)[1].is_number for s in sums for term in s.args
+    ):
         return value
     over, under = sp.fraction(sp.together(value))
     formed = textbook_form(over) / textbook_form(under)
-    return formed if formed.count_ops() < value.count_ops() else value
+    return formed if count_operations(formed) < count_operations(value) else value
 
 
 def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:
     force: Vector = direction * value
-    return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
+    return force.map(lambda c: tidy(c) if count_operations(c) < MOST_CANCELLED else c)
 
 
 def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
@@ -411,14 +414,14 @@ def _on_surface(configuration: Configuration) -> Tidy:
     relations = [
         sp.expand(f)
         for f in configuration.finite_constraints
-        if f.is_polynomial(*coordinates) and f.count_ops() <= MOST_CANCELLED
+        if f.is_polynomial(*coordinates) and count_operations(f) <= MOST_CANCELLED
     ]
     lowest = min((_degree(f, coordinates) for f in relations), default=0)
 
     def tidy(entry: sp.Expr) -> sp.Expr:
         formed = tidy_quotient(entry)
         moving = formed.free_symbols & set(coordinates)
-        if not relations or not moving or formed.count_ops() > MOST_CANCELLED:
+        if not relations or not moving or count_operations(formed) > MOST_CANCELLED:
             return formed
         numerator, denominator = sp.fraction(sp.together(formed))
         reduced = [
@@ -428,7 +431,7 @@ def _on_surface(configuration: Configuration) -> Tidy:
         if reduced == [numerator, denominator] or reduced[1] == 0:
             return formed
         shorter = tidy_quotient(reduced[0] / reduced[1])
-        return shorter if shorter.count_ops() < formed.count_ops() else formed
+        return shorter if count_operations(shorter) < count_operations(formed) else formed
 
     return tidy
 
@@ -446,4 +449,4 @@ def _reduced(e: sp.Expr, relations: Sequence[sp.Expr], coordinates: Sequence[sp.
     if not e.is_polynomial(*coordinates) or e.free_symbols.isdisjoint(coordinates):
         return e
     _, remainder = sp.reduced(e, relations, *coordinates, order="grevlex")
-    return remainder if remainder.count_ops() < e.count_ops() else e
+    return remainder if count_operations(remainder) < count_operations(e) else e

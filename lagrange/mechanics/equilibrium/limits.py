@@ -1,6 +1,6 @@
 """Limits of statics and small oscillations: beyond them nothing is claimed, "undecided" or no result.
 
-Sizes are operations (`count_ops`). A number in brackets is the largest value met in the 129 shipped problems, measured
+Sizes are operations (`count_operations`). A number in brackets is the largest value met in the 129 shipped problems, measured
 when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 

@@ -34,6 +34,7 @@ from lagrange.algebra.closed_forms.eigenmodes import (
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import never_vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
@@ -369,7 +370,9 @@ def oscillations(
 def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
     """A polynomial in a letter, with short coefficients in factors."""
     terms = sp.Poly(f, letter).terms()
-    return sp.Add(*((sp.factor(c) if c.count_ops() <= LONGEST_COEFFICIENT else c) * letter**n for (n,), c in terms))
+    return sp.Add(
+        *((sp.factor(c) if count_operations(c) <= LONGEST_COEFFICIENT else c) * letter**n for (n,), c in terms)
+    )
 
 
 def _damped(system: LinearSystem, judgement: StabilityJudgement) -> DampedOscillation | None:
@@ -439,7 +442,7 @@ def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, resti
 
 def _shorter(e: sp.Expr) -> sp.Expr:
     formed = textbook_form(e)
-    return formed if formed.count_ops() <= e.count_ops() else e
+    return formed if count_operations(formed) <= count_operations(e) else e
 
 
 def _equations(mass: Matrix, damping: Matrix, stiffness: Matrix, moved: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:

@@ -22,6 +22,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import base, t, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
@@ -42,7 +43,7 @@ def equilibria_of_motion(form: MatrixForm, motion: EquationsOfMotion) -> Equilib
 
 def branches_at_rest(resting: Equilibrium) -> tuple[tuple[Branch, ...], bool]:
     """The branches, and whether they are all; instead of long unsolved conditions the trivial ones at 0 and π."""
-    long = [b for b in resting.branches if sum(e.count_ops() for e in b.left) > LONGEST_UNSOLVED]
+    long = [b for b in resting.branches if sum(count_operations(e) for e in b.left) > LONGEST_UNSOLVED]
     if not long:
         return resting.branches, resting.solution.solved
     kept = [b for b in resting.branches if b not in long]

@@ -33,6 +33,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, different_from_ze
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
@@ -178,7 +179,7 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     for root in letters.roots:
         if root in value.free_symbols:
             value = value.xreplace({root: resolved(letters.roots[root], b.common) ** sp.S.Half})
-    if value.has(sp.zoo, sp.nan) or value.count_ops() > 4 * LARGEST_FACTORED:
+    if value.has(sp.zoo, sp.nan) or count_operations(value) > 4 * LARGEST_FACTORED:
         return None
     numerator, denominator = sp.fraction(sp.cancel(sp.together(value)))
     numerators = [numerator, letters.reduced(numerator)]
@@ -191,8 +192,8 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
         forms.append(letters.write(product) / divisor)
     if in_parameters:
         unknowns = {*e.solution.unknowns}
-        return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), f.count_ops()))
-    return min(forms, key=lambda f: (sign_of(f) is None, f.count_ops()))
+        return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), count_operations(f)))
+    return min(forms, key=lambda f: (sign_of(f) is None, count_operations(f)))
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
@@ -247,8 +248,8 @@ def _of_first_harmonic(second: sp.Expr, value: sp.Expr | None, b: Branch, e: Equ
     if constant.has(q) or is_zero(second * sp.cos(q) - force * sp.sin(q) - constant) is not True:
         return None
     forms = (constant, e.work.textbook.form(constant), sp.factor(sp.expand_trig(constant)))
-    shorter = min(map(shortest_form, forms), key=lambda x: int(x.count_ops())) / sp.cos(q)
-    return shorter if shorter.count_ops() < value.count_ops() else None
+    shorter = min(map(shortest_form, forms), key=lambda x: count_operations(x)) / sp.cos(q)
+    return shorter if count_operations(shorter) < count_operations(value) else None
 
 
 def _at_pole(values: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:
@@ -286,9 +287,9 @@ def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equil
         [[second]] = matrix
         positive = SignCondition(second, ">", sp.S.Zero)
         return Stability(StabilityVerdict.CONDITIONAL, (second,), (positive,))
-    if sum(int((c.lhs - c.rhs).count_ops()) for c in judged.conditions) > LONGEST_UNSOLVED:
+    if sum(count_operations(c.lhs - c.rhs) for c in judged.conditions) > LONGEST_UNSOLVED:
         return undecided
-    return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: int(x.count_ops())) for m in known))
+    return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in known))
 
 
 def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
@@ -354,7 +355,7 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
         minors.append(minor)
     known = known_positive(b)
     judged = by_signs(minors, b, e)
-    written = tuple(min(m, shortest_form(m), key=lambda x: int(x.count_ops())) for m in minors)
+    written = tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in minors)
     if judged.verdict is StabilityVerdict.STABLE or any(sign_on(m, known) == -1 for m in minors):
         return replace(judged, minors=written)
     others = [m for rows in _not_leading(len(matrix)) if (m := _minor(matrix, rows, b, e)) is not None]
@@ -463,7 +464,7 @@ def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | No
 
 def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
     """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
-    for factor in sp.Mul.make_args(sp.factor(x) if x.count_ops() <= LARGEST_SIGNED else x):
+    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
         base, exponent = factor.as_base_exp()
         if exponent.is_Rational and not exponent.is_Integer:
             yield from ((f, False) for f, _ in _bases(base))
@@ -508,7 +509,7 @@ def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
             condition = more_than_zero(e, known)
             conditions.append(condition)
             known.append(sp.factor(condition.lhs - condition.rhs) * (-1 if condition.relation == "<" else 1))
-    if any((c.lhs - c.rhs).count_ops() > LARGEST_FACTORED for c in conditions):
+    if any(count_operations(c.lhs - c.rhs) > LARGEST_FACTORED for c in conditions):
         return None
     kept = _without_weaker(conditions)
     return tuple(SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) for c in kept)

@@ -18,6 +18,7 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_between
 from lagrange.problem.model import Range
 
@@ -80,7 +81,7 @@ def _conditions(
             value = solution.at(points[0], e)
         except (NotAlgebraicError, DivisionByZeroError):
             continue
-        if not value.free_symbols & {*solution.unknowns} and value.count_ops() <= LONGEST_CONDITION:
+        if not value.free_symbols & {*solution.unknowns} and count_operations(value) <= LONGEST_CONDITION:
             yield from not_negative(value) or ()
 
 

@@ -32,6 +32,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter, partial, prime, t
 from lagrange.core.verdicts import all_hold
@@ -165,7 +166,9 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
         raise NotCoveredError("momenta that cannot be solved for the velocities: Hamilton's function")
     by_squares = (sp.Add(*(s.derivative(p) for s in squares)) for p in momenta)
     by_inverse = (over_one_denominator(v) for v in solved if v is not None)
-    velocities = tuple(min(pair, key=lambda v: v.count_ops()) for pair in zip(by_squares, by_inverse, strict=True))
+    velocities = tuple(
+        min(pair, key=lambda v: count_operations(v)) for pair in zip(by_squares, by_inverse, strict=True)
+    )
     in_momenta = dict(zip(slots.velocities, velocities, strict=True))
     rest = sp.Add(stated.potential, -textbook_form(stated.kinetic.xreplace(at_rest)))
     applied = tuple(tidy_quotient(q.xreplace(in_momenta)) if q != 0 else ZERO for q in stated.applied)
@@ -202,7 +205,7 @@ def completed_squares(
     while left:
 
         def cost(k: int) -> tuple[int, int]:
-            return sum(m[k][i] != 0 for i in left), int(m[k][k].count_ops())
+            return sum(m[k][i] != 0 for i in left), count_operations(m[k][k])
 
         k = min(left, key=cost)
         if not m[k][k].is_positive and surface.is_zero(m[k][k]) is not False:

@@ -33,6 +33,7 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, free_letter, prime, velocity_before
@@ -533,11 +534,11 @@ def _with_energies(
 def _tidy(expression: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, over one denominator, in factors where that is shorter."""
     tidied = over_one_denominator(tidy_quotient(expression))
-    if tidied.is_Atom or tidied.count_ops() > LONGEST_FACTORED or tidied.atoms(sp.Function):
+    if tidied.is_Atom or count_operations(tidied) > LONGEST_FACTORED or tidied.atoms(sp.Function):
         return tidied
     factors = sp.factor(tidied)
     nested = any(a.is_Pow and a.exp.is_negative for b in tidied.atoms(sp.Add) for a in sp.preorder_traversal(b))
-    return without_leading_minus(factors) if nested or factors.count_ops() <= tidied.count_ops() else tidied
+    return without_leading_minus(factors) if nested or count_operations(factors) <= count_operations(tidied) else tidied
 
 
 def _sum(expression: sp.Expr) -> sp.Expr:

@@ -13,6 +13,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t
 from lagrange.core.verdicts import all_hold
@@ -111,7 +112,9 @@ def _by_accelerations(
         for row, b in zip(law.system.rows[:size], law.system.right, strict=False)
     ]
     chosen: list[int] = []
-    for k in sorted(range(size), key=lambda k: (sum(e.count_ops() for e in rows[k]), balance[k].count_ops())):
+    for k in sorted(
+        range(size), key=lambda k: (sum(count_operations(e) for e in rows[k]), count_operations(balance[k]))
+    ):
         if configuration.states.rank([rows[i] for i in (*chosen, k)]) == len(chosen) + 1:
             chosen.append(k)
         if len(chosen) == len(used):
@@ -122,7 +125,7 @@ def _by_accelerations(
     for r, value in zip(used, solved, strict=False):
         if value is not None:
             written = sp.Add(*(partial(value, d) * e for d, e in letters.items()))
-            if written.count_ops() <= LONGEST_BY_ACCELERATIONS:
+            if count_operations(written) <= LONGEST_BY_ACCELERATIONS:
                 values[r.multiplier] = textbook_form(written)
     found = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
     return found, _hold(configuration, chosen, used, values) if found else None

@@ -27,6 +27,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, sq
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import vanishes
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
@@ -54,7 +55,7 @@ class ClosedMotion:
     def written(self, value: sp.Expr) -> sp.Expr:
         """The value of a quantity at one time, in the form in which it is printed."""
         found = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value)
-        return without_roots_in_logarithms(min(value, found, key=sp.count_ops) if self.speeds else found)
+        return without_roots_in_logarithms(min(value, found, key=count_operations) if self.speeds else found)
 
     def at_time(self, e: sp.Expr) -> sp.Expr:
         """An expression of the state as a function of time."""
@@ -72,7 +73,7 @@ def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol
         q = waiting[0]
         group = coupled_with(q, accelerations)
         equations = [accelerations.get(prime(c, 2)) for c in group]
-        if any(a is None or a.count_ops() > LONGEST_INTEGRATED for a in equations):
+        if any(a is None or count_operations(a) > LONGEST_INTEGRATED for a in equations):
             return []
         if any(s not in initial for c in group for s in (c, prime(c))):
             return []

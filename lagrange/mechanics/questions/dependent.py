@@ -12,6 +12,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import vanishes
+from lagrange.core.operations import count_operations
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 Rule = Mapping[sp.Symbol, sp.Expr]
@@ -54,7 +55,7 @@ def _express(
 
 
 def _has_sign(slope: sp.Expr) -> bool:
-    return slope != 0 and slope.count_ops() < 20 and sign_of(slope) in (1, -1)
+    return slope != 0 and count_operations(slope) < 20 and sign_of(slope) in (1, -1)
 
 
 def reduced(equations: Sequence[sp.Expr], rule: Rule) -> list[sp.Expr]:

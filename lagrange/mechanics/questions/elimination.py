@@ -22,6 +22,7 @@ from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_POINTS, MOST_UNKNOWNS
 from lagrange.mechanics.questions.results import AnswerBranch
@@ -66,7 +67,7 @@ def eliminated(
     equations = [sp.expand(e).xreplace(rule) if squares else e for e in equations]
     used = set().union(*(e.free_symbols for e in equations), wanted.free_symbols)
     sought = [squares.get(u, u) for u in unknowns if squares.get(u, u) in used or u in used]
-    if len(sought) > MOST_UNKNOWNS or any(e.count_ops() > LONGEST_EQUATION for e in equations):
+    if len(sought) > MOST_UNKNOWNS or any(count_operations(e) > LONGEST_EQUATION for e in equations):
         return Eliminated()
     if not equations:
         return _outright(wanted, given, unknowns, called)

@@ -10,6 +10,7 @@ from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.operations import count_operations
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 
 
@@ -30,13 +31,13 @@ def under_one_root(e: sp.Expr) -> sp.Expr:
 
 def without_roots_below(e: sp.Expr) -> sp.Expr:
     """A short value with roots in its denominator, multiplied out without them where that is shorter."""
-    if not e.is_Mul or e.count_ops() > LONGEST_MULTIPLIED_OUT or e.is_polynomial(*e.free_symbols):
+    if not e.is_Mul or count_operations(e) > LONGEST_MULTIPLIED_OUT or e.is_polynomial(*e.free_symbols):
         return e
     below = sp.fraction(e)[1]
     if not any(p.exp.is_Rational and not p.exp.is_Integer and p.base.is_Add for p in below.atoms(sp.Pow)):
         return e
     other = sp.factor_terms(sp.radsimp(sp.expand(e)))
-    return other if other.count_ops() < e.count_ops() and is_zero(other - e) is True else e
+    return other if count_operations(other) < count_operations(e) and is_zero(other - e) is True else e
 
 
 def _product(e: sp.Expr) -> sp.Expr:
@@ -71,7 +72,7 @@ def without_roots_in_logarithms(e: sp.Expr) -> sp.Expr:
             return f
         square = sp.cancel(sp.together(inner**2))
         has_root = any(p.exp.is_Rational and not p.exp.is_Integer for p in square.atoms(sp.Pow))
-        return f if has_root or square.count_ops() >= inner.count_ops() else sp.log(square) / 2
+        return f if has_root or count_operations(square) >= count_operations(inner) else sp.log(square) / 2
 
     return e.replace(lambda f: isinstance(f, sp.log), shorter)
 

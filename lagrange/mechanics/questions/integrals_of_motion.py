@@ -21,6 +21,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
 from lagrange.mechanics.questions.results import IntegralKind, UsedIntegral
@@ -54,7 +55,7 @@ def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
     slots = place.configuration.slots
     for q in slots.coordinates:
         a, v = known.accelerations.get(prime(q, 2)), prime(q)
-        if a is None or a.count_ops() > LONGEST_INTEGRATED or a.has(Unspecified):
+        if a is None or count_operations(a) > LONGEST_INTEGRATED or a.has(Unspecified):
             continue
         if not a.free_symbols.isdisjoint({*place.moving} - {q, v}):
             continue

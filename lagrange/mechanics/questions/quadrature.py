@@ -17,6 +17,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.forms.antiderivatives import antiderivative
+from lagrange.core.operations import count_operations
 from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
 
 
@@ -26,7 +27,7 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
     # |q'| is integrated over the distance already covered, so that its roots are real.
     away = start + way * place
     size = sp.factor((way * speed).xreplace({q: away}))
-    if size.count_ops() > LONGEST_INTEGRATED:
+    if count_operations(size) > LONGEST_INTEGRATED:
         return None
     length = way * (end - start)
     for form in _forms(1 / size):

@@ -24,6 +24,7 @@ from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import numerical
@@ -245,7 +246,9 @@ class _Search:
         """The answer where the quantity is a multiple of an integral; None where it is none."""
         moving = {*self.place.moving}
         for i in self.setting.integrals:
-            ratio = sp.cancel(self.quantity / i.expression) if i.expression.count_ops() < LONGEST_EQUATION else None
+            ratio = (
+                sp.cancel(self.quantity / i.expression) if count_operations(i.expression) < LONGEST_EQUATION else None
+            )
             if ratio is None or ratio.free_symbols & moving:
                 continue
             value = shortest_form(ratio * i.value)
@@ -527,7 +530,7 @@ class _Search:
             ),
             None,
         )
-        timed = sorted((e for e in when if t in e.free_symbols), key=lambda e: (e is not given, e.count_ops()))
+        timed = sorted((e for e in when if t in e.free_symbols), key=lambda e: (e is not given, count_operations(e)))
         for equation in timed:
             roots = times(equation, positive=self.question.by is None)
             if roots is None:

@@ -22,6 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
@@ -74,7 +75,7 @@ class Path:
             (self.direction is None and not self.rest)
             or way is None
             or far
-            or self.square.count_ops() > LONGEST_INTEGRATED
+            or count_operations(self.square) > LONGEST_INTEGRATED
         ):
             return Reach(Reached.OPEN)
         conditions = not_negative(factored_quotient(self._at(end)))

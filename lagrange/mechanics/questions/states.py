@@ -22,6 +22,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
@@ -133,7 +134,7 @@ def _accelerations(place: Place) -> Values:
     except DivisionByZeroError:
         return {}
     pairs = zip(wanted, solved or [], strict=False)
-    return {a: v for a, v in pairs if v is not None and v.count_ops() <= LONGEST_EQUATION}
+    return {a: v for a, v in pairs if v is not None and count_operations(v) <= LONGEST_EQUATION}
 
 
 def meanings_at(place: Place, known: Meanings, state: Values) -> Meanings:

@@ -22,6 +22,7 @@ from lagrange.algebra.closed_forms.signs import (
     sign_of,
 )
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.questions.branches import sign_of_value
@@ -43,7 +44,7 @@ def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
 
     positive  whether roots of unknown sign get the condition that they are positive
     """
-    if equation.count_ops() > LONGEST_EQUATION:
+    if count_operations(equation) > LONGEST_EQUATION:
         return None
     above, _ = sp.fraction(sp.together(equation))
     for form in (sp.expand(equation), sp.expand(above)):
@@ -197,7 +198,7 @@ def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
     rates = {x.diff(t) for x in exponents}
     if any(x != sp.expand(r * t) for x in exponents for r in [x.diff(t)]) or not rates:
         return None
-    first = min(rates, key=lambda r: (r.count_ops(), str(r)))
+    first = min(rates, key=lambda r: (count_operations(r), str(r)))
     ratios = {r: sp.cancel(r / first) for r in rates}
     if not all(q.is_Integer for q in ratios.values()):
         return None
@@ -239,7 +240,7 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
 
 def fades(e: sp.Expr) -> bool:
     """Whether a function of time is a sum of terms that all decay exponentially."""
-    terms = sp.Add.make_args(sp.expand(e)) if e.count_ops() <= LONGEST_EQUATION else ()
+    terms = sp.Add.make_args(sp.expand(e)) if count_operations(e) <= LONGEST_EQUATION else ()
     return bool(terms) and all(_decays(term) for term in terms)
 
 

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
@@ -43,7 +44,7 @@ def bounded_by(
     inside = size.args[0] if isinstance(size, sp.Abs) else size
     for factor in (f for f in sp.Mul.make_args(pressed) if f.is_positive):  # m g |sin θ| ≤ μ m g cos θ
         shorter = sp.cancel(inside / factor)
-        if shorter.count_ops() < inside.count_ops():
+        if count_operations(shorter) < count_operations(inside):
             inside, pressed = sp.factor(shorter), pressed / factor
     size = sp.Abs(inside) if isinstance(size, sp.Abs) else inside
     if not signed:

@@ -29,6 +29,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.core.verdicts import all_hold
@@ -372,7 +373,7 @@ class _System:
         presupposed: list[sp.Expr] = []
         for column in places:
             candidates = [
-                (signs.of(row[column]) is None, row[column].count_ops(), n)
+                (signs.of(row[column]) is None, count_operations(row[column]), n)
                 for n, row in enumerate(work)
                 if n not in pivots.values() and not self._is_zero(row[column])
             ]

@@ -10,6 +10,7 @@ from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.core.operations import count_operations
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK
 
@@ -18,7 +19,7 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
     finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
     used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
-    if not used or any(f.count_ops() > LONGEST_SLACK for f in finite):
+    if not used or any(count_operations(f) > LONGEST_SLACK for f in finite):
         return {}
     if len(used) > len(finite):
         return _held_outright(configuration)
@@ -57,7 +58,7 @@ def equal_angles(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     turning = {q for f in finite for g in f.atoms(sp.sin, sp.cos) for q in g.free_symbols if q in coordinates}
     others = [q for q in coordinates if q not in turning]
     slopes = sp.Matrix([[f.diff(q) for q in others] for f in finite]) if finite and others else sp.Matrix()
-    if len(turning) < 2 or slopes.free_symbols or any(f.count_ops() > LONGEST_SLACK for f in finite):
+    if len(turning) < 2 or slopes.free_symbols or any(count_operations(f) > LONGEST_SLACK for f in finite):
         return {}
     equal: dict[sp.Symbol, sp.Expr] = {}
     for combination in slopes.T.nullspace():

@@ -22,6 +22,7 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES
 
@@ -93,7 +94,7 @@ def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
     """An expression in sines and cosines, with the square of either replaced by that of the other."""
     plain = in_sines_and_cosines(e)
     yield plain
-    if plain.count_ops() > LONGEST_SLACK:
+    if count_operations(plain) > LONGEST_SLACK:
         return
     for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
         rule = {f**2: 1 - other(f.args[0]) ** 2 for f in plain.atoms(one)}
@@ -105,7 +106,7 @@ def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
 @lru_cache(maxsize=4096)
 def in_sines_and_cosines(e: sp.Expr) -> sp.Expr:
     """An expression over one denominator, in the sines and cosines of single angles."""
-    if e.count_ops() > LONGEST_SLACK:
+    if count_operations(e) > LONGEST_SLACK:
         return e
     plain = sp.expand_trig(e)
     plain = plain.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
@@ -115,14 +116,14 @@ def in_sines_and_cosines(e: sp.Expr) -> sp.Expr:
 @lru_cache(maxsize=4096)
 def shortest(e: sp.Expr) -> sp.Expr:
     """An expression over one denominator, factored; with sin² + cos² = 1 if that makes it shorter."""
-    if e.is_number or e.is_Symbol or e.count_ops() > LONGEST_SLACK:
+    if e.is_number or e.is_Symbol or count_operations(e) > LONGEST_SLACK:
         return e
     best = in_sines_and_cosines(e)
     for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
         rule = {f**2: 1 - other(f.args[0]) ** 2 for f in best.atoms(one)}
         over, under = (sp.expand(part) for part in sp.fraction(best))
         turned = sp.factor(sp.expand(over.xreplace(rule)) / sp.expand(under.xreplace(rule)))
-        if turned.count_ops() < best.count_ops():
+        if count_operations(turned) < count_operations(best):
             best = turned
     return best
 
