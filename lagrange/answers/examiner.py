@@ -21,9 +21,10 @@ from lagrange.answers.questions.own_answers import (
     compared_impending,
     compared_rest,
     conditions_of_rest,
+    on_freedom_and_class,
     readable,
 )
-from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
+from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution

@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
-from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints, on_freedom_and_class
-from lagrange.answers.questions.statics import reactions_at_rest
 from lagrange.answers.reactions import check_reaction
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
@@ -41,6 +39,49 @@ def compared_answers(solution: Solution) -> Iterator[AnswerVerdict]:
     if answers.equations and (verdict := _equations(solution, answers)) is not None:
         yield AnswerVerdict(verdict)
     yield from map(readable, answers_besides_equations(solution, answers))
+
+
+def on_freedom_and_class(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
+    """The verdicts on the degrees of freedom, the classification, and what is integrable."""
+    classification = solution.classification
+    if answers.degrees_of_freedom is not None:
+        agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
+        why = ""
+        if not agrees:
+            from lagrange.answers.models.letters import explained_degrees_of_freedom
+
+            why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
+        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
+    if answers.classification:
+        yield _together("classification", {word: _class(solution, word) for word in answers.classification})
+    if answers.integrable:
+        derived = {c.constraint.name: c.integrable for c in classification.constraints}
+        agree = {n: None if derived.get(n) is None else derived[n] == s for n, s in answers.integrable.items()}
+        yield _together("integrable", agree)
+
+
+def _together(name: str, parts: Mapping[str, bool | None]) -> AnswerVerdict:
+    """The verdict on several statements, naming those that are not right."""
+    verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
+    named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
+    heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
+    diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
+    return AnswerVerdict(verdict, name=name, diagnosis=diagnosis)
+
+
+def _agrees(same: bool | None) -> Verdict:
+    return Verdict.UNDECIDED if same is None else Verdict.EQUIVALENT if same else Verdict.WRONG
+
+
+def _class(solution: Solution, word: str) -> bool | None:
+    """Whether the system belongs to a class; None if that is undecided."""
+    c = solution.classification
+    positive = {"holonomic": c.holonomic, "scleronomic": c.scleronomic, "catastatic": c.catastatic}
+    negative = {"nonholonomic": c.holonomic, "rheonomic": c.scleronomic, "acatastatic": c.catastatic}
+    if word in positive:
+        return positive[word]
+    value = negative[word]
+    return None if value is None else not value
 
 
 def readable(answer: AnswerVerdict) -> AnswerVerdict:
@@ -82,6 +123,8 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
             yield quantities.check_generalized_forces(answers.generalized_forces, solution)
         if answers.conserved:
             yield quantities.check_conserved(answers.conserved, solution)
+        from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
+
         if answers.virtual_displacements and about_constraints(solution):
             from lagrange.answers.written.working import understood
 
@@ -236,6 +279,8 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
         return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
+    from lagrange.answers.questions.statics import reactions_at_rest
+
     at_rest = reactions_at_rest(solution) if solution.own.motion is None else None
     parts: list[EquationVerdict] = []
     errors: list[Diagnostic] = []

@@ -9,7 +9,7 @@ displacements as the constraints do. A relation f = const, and one with dq or dt
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -32,7 +32,6 @@ from lagrange.core.symbols import CONSTANT, base, differential, prime, symbols_i
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import Standing, System, agreed_in_motion, compare
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.problem.model import Answers
 
 if TYPE_CHECKING:
     from lagrange.answers.written.working import Working
@@ -52,49 +51,6 @@ def about_constraints(solution: Solution | None) -> bool:
     if solution is None or solution.impact is not None or solution.own.motion is not None:
         return False
     return all(v.equilibrium is None and v.at_rest is None and v.impending is None for v in solution.views)
-
-
-def on_freedom_and_class(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
-    """The verdicts on the degrees of freedom, the classification, and what is integrable."""
-    classification = solution.classification
-    if answers.degrees_of_freedom is not None:
-        agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
-        why = ""
-        if not agrees:
-            from lagrange.answers.models.letters import explained_degrees_of_freedom
-
-            why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
-        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
-    if answers.classification:
-        yield _together("classification", {word: _class(solution, word) for word in answers.classification})
-    if answers.integrable:
-        derived = {c.constraint.name: c.integrable for c in classification.constraints}
-        agree = {n: None if derived.get(n) is None else derived[n] == s for n, s in answers.integrable.items()}
-        yield _together("integrable", agree)
-
-
-def _together(name: str, parts: Mapping[str, bool | None]) -> AnswerVerdict:
-    """The verdict on several statements, naming those that are not right."""
-    verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
-    named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
-    heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
-    diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
-    return AnswerVerdict(verdict, name=name, diagnosis=diagnosis)
-
-
-def _agrees(same: bool | None) -> Verdict:
-    return Verdict.UNDECIDED if same is None else Verdict.EQUIVALENT if same else Verdict.WRONG
-
-
-def _class(solution: Solution, word: str) -> bool | None:
-    """Whether the system belongs to a class; None if that is undecided."""
-    c = solution.classification
-    positive = {"holonomic": c.holonomic, "scleronomic": c.scleronomic, "catastatic": c.catastatic}
-    negative = {"nonholonomic": c.holonomic, "rheonomic": c.scleronomic, "acatastatic": c.catastatic}
-    if word in positive:
-        return positive[word]
-    value = negative[word]
-    return None if value is None else not value
 
 
 def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:

@@ -265,7 +265,7 @@ def motion(
     loads, signs = solved_loads(frictions, reactions)
     final = replace(configuration, loads=(*configuration.loads, *loads))
     shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(frictions)))
-    long = any(count_operations(reactions.multipliers[f.reaction.name]) > LONGEST_SUBSTITUTED for f in frictions)  # type: ignore[union-attr]
+    long = any(count_operations(reactions.multipliers[f.reaction.name]) > LONGEST_SUBSTITUTED for f in frictions)
     equations = law.equations(final, elimination)
     return Motion(
         equations=equations,

@@ -33,11 +33,7 @@ from lagrange.mechanics.questions.branches import Beginning, bounds, first_branc
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import (
-    joined,
-    under_one_root,
-    without_roots_below,
-)
+from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_below
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import number_between, time_between
 from lagrange.mechanics.questions.reach import Path
@@ -246,10 +242,10 @@ class _Search:
         """The answer where the quantity is a multiple of an integral; None where it is none."""
         moving = {*self.place.moving}
         for i in self.setting.integrals:
-            ratio = (
-                sp.cancel(self.quantity / i.expression) if count_operations(i.expression) < LONGEST_EQUATION else None
-            )
-            if ratio is None or ratio.free_symbols & moving:
+            if count_operations(i.expression) >= LONGEST_EQUATION:
+                continue
+            ratio = sp.cancel(self.quantity / i.expression)
+            if ratio.free_symbols & moving:
                 continue
             value = shortest_form(ratio * i.value)
             branch = AnswerBranch(self.question.quantity, value, (value,))
