@@ -382,10 +382,9 @@ def _potential(solution: Solution) -> dict[str, sp.Expr]:
 def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
     """delta(pi_u) of each quasi-velocity u."""
     problem = solution.problem
+    moving = problem.slots.coordinates
     return {
-        quasi_variation(u.symbol).name: sp.Add(
-            *(u.definition.diff(prime(q)) * variation(q) for q in problem.slots.coordinates)
-        )
+        quasi_variation(u.symbol).name: sp.Add(*(u.definition.diff(prime(q)) * variation(q) for q in moving))
         for u in problem.speeds
     }
 
@@ -520,9 +519,8 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
         for row in configuration.rows
     )
     equations = tuple(e.xreplace(values) for e in system.equations)
-    return System(
-        replace(configuration, constrained=configuration.constrained.with_rows(rows)), equations, system.multipliers
-    )
+    constrained = configuration.constrained.with_rows(rows)
+    return System(replace(configuration, constrained=constrained), equations, system.multipliers)
 
 
 def units_of(problem: Problem) -> dict[sp.Symbol, str]:

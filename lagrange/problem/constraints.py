@@ -212,8 +212,8 @@ def _excluded(meanings: Alternatives) -> list[sp.Expr]:
 
 def _check_no_sum_of_squares(name: str, function: sp.Expr, span: Span, context: LoadContext) -> None:
     """Raises ProblemError for a geometric constraint such as x² + y² = 0, which is a point and has no normal there."""
-    signs = {(a.is_nonnegative, a.is_nonpositive) for a in sp.Add.make_args(function)}
-    mixed = (True, False) in signs and (False, True) in signs
+    terms = sp.Add.make_args(function)
+    mixed = any(a.is_nonnegative for a in terms) and any(a.is_nonpositive for a in terms)
     slots = context.scope.slots
     linear = all(function.diff(q).free_symbols.isdisjoint(slots.coordinates) for q in slots.coordinates)
     if not function.is_Add or mixed or linear or not context.may_reduce(function):
