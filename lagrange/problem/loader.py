@@ -86,7 +86,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         given = parameters
         parameters = diagnostics.attempt(lambda: with_settings(given, coordinates, settings)) or given
     functions = read_functions(root.section("functions"), context.names)
-    context.unknowns = read_unknowns(root.section("unknowns"), context.names, root.get("forces"))
+    context.unknowns = read_unknowns(root.section("unknowns"), context.names, root.section("forces"))
     context.values = {p.symbol: p.value for p in parameters if p.value is not None}
     context.scope = first_scope(parameters, coordinates, functions, context.unknowns)
     frame = read_frame(root.section("frame"), context)

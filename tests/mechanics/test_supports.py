@@ -3,15 +3,55 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import pytest
 import sympy as sp
 
+from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.mechanics.supports import supports
+from lagrange.problem.loader import read_problem
 from tests.support.shared import solved
 
+BY_ITS_ENDS = """
+title: Rod on two planes of different inclination
+axes: {i: right, j: up}
+parameters:
+  W: {assume: positive, meaning: weight of the rod}
+  l: {assume: positive, meaning: length of the rod}
+  alpha: {assume: acute, meaning: inclination on the left}
+  beta: {assume: acute, meaning: inclination on the right}
+coordinates:
+  s: distance of A from the origin
+  u: distance of B from the origin
+  theta: {meaning: inclination of the rod, range: [-90 deg, 90 deg]}
+particles:
+  A: {position: -s*cos(alpha)*i + s*sin(alpha)*j}
+  B: {position: u*cos(beta)*i + u*sin(beta)*j}
+constraints:
+  across: s*cos(alpha) + u*cos(beta) = l*cos(theta)
+  upward: u*sin(beta) - s*sin(alpha) = l*sin(theta)
+forces:
+  half_at_A: {on: A, vector: -W/2*j}
+  half_at_B: {on: B, vector: -W/2*j}
+generalized_coordinates:
+  inclination:
+    coordinates: [theta]
+    substitute: {s: l*sin(beta - theta)/sin(alpha + beta), u: l*sin(alpha + theta)/sin(alpha + beta)}
+"""
+
 NUMBERS = {"alpha": 0.7, "beta": 0.4, "l": 2.0, "W": 3.0, "k": 0.6}
+
+
+@cache
+def rod(name: str) -> Solution:
+    """A shipped problem, or the rod with its ends as particles."""
+    if name == "by-its-ends":
+        return solve(read_problem(Source("rod.yaml", BY_ITS_ENDS)))
+    return solved(name, complete=False)
 
 
 def at_rest(name: str) -> dict[str, float]:
@@ -25,7 +65,7 @@ def at_rest(name: str) -> dict[str, float]:
 
 
 def values(name: str) -> dict[str, float]:
-    found = supports(solved(name, complete=False))
+    found = supports(rod(name))
     assert found is not None
     numbers = {sp.Symbol(n): v for n, v in at_rest(name).items()}
 
@@ -35,7 +75,7 @@ def values(name: str) -> dict[str, float]:
     return {s.point: number(s.size) for s in found.at}
 
 
-@pytest.mark.parametrize("name", ["ex16-rod-on-two-planes", "rod-on-unequal-planes"])
+@pytest.mark.parametrize("name", ["ex16-rod-on-two-planes", "by-its-ends"])
 def test_forces_and_moments_balance(name: str) -> None:
     size, n = values(name), at_rest(name)
     a, b, theta = n["alpha"], n["beta"], n["theta"]
@@ -52,10 +92,10 @@ def test_on_equal_planes_each_carries_the_same() -> None:
 
 @pytest.mark.parametrize("name", ["ladder", "rod-over-peg", "ex11-ideal-pendulum"])
 def test_of_other_systems_nothing_is_said(name: str) -> None:
-    assert supports(solved(name, complete=False)) is None
+    assert supports(rod(name)) is None
 
 
-@pytest.mark.parametrize("name", ["ex16-rod-on-two-planes", "rod-on-unequal-planes"])
+@pytest.mark.parametrize("name", ["ex16-rod-on-two-planes", "by-its-ends"])
 def test_the_rod_is_unstable_and_the_second_derivative_is_that_of_its_height(name: str) -> None:
     """V'' by finite differences of W times the height of the mass centre, against the closed form."""
     n = at_rest(name)
@@ -66,7 +106,7 @@ def test_the_rod_is_unstable_and_the_second_derivative_is_that_of_its_height(nam
 
     step = 1e-4
     second = (energy(n["theta"] + step) - 2 * energy(n["theta"]) + energy(n["theta"] - step)) / step**2
-    stability = solved(name, complete=False).choices[0].stability
+    stability = rod(name).choices[0].stability
     assert stability is not None
     [verdict] = stability.verdicts
     assert verdict.verdict is StabilityVerdict.UNSTABLE
