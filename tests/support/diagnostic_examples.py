@@ -349,7 +349,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "not-compared": (
         "What the file's answers say in coordinates that `--choice` leaves out is read, and not compared.",
         Command(("ex11", "--choice", "depth", "--detail", "brief"))),
-    "no-equations": ("The problem asks for no motion.", Command(("check", "ballistic-pendulum", "-e", "theta'' = 0"))),
+    "no-equations": ("What is to move has no masses.", Command(("export", "ex05", "--to", "c"))),
     "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
         "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),
     "reference-coordinates": ("The equations that are given to check answers against are in the coordinates of the file.",

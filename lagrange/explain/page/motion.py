@@ -232,6 +232,7 @@ def without_detour(solution: Solution, steps: Sequence[Step], is_detour: Callabl
             kept.append(replace(step, body=body))
         elif is_detour(step):
             kept.append(replace(step, body=(*moved, *step.body)))
+            moved = []
         else:
             kept.append(step)
     return kept

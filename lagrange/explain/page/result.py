@@ -136,13 +136,17 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
         lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
-        if not lines:
-            continue  # a reaction as a whole, which refers to an acceleration
+        if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e) for e in lines)):
+            continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
             continue  # with a denominator that has a letter of its own
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _has_accelerations(e: Equation) -> bool:
+    return any(s.name.endswith("''") for side in e.sides if isinstance(side, sp.Expr) for s in side.free_symbols)
 
 
 def _in_speeds(steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
