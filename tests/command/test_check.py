@@ -200,6 +200,7 @@ TABLE = [  # the LaTeX of the table of answers, with the plain answer that it is
     (r"\ddot\theta + \frac gl \cos\theta = 0", 1),
     (r"\sin^2\theta + \cos^2\theta = 1", 1),
     (r"\frac{d^2\theta}{dt^2} + \frac{g}{\ell}\sin\theta = 0", 0),
+    (r"\frac{d^2\theta}{dt^2} + \frac{g}{L}\sin\theta = 0", 2),
 ]
 
 

@@ -24,6 +24,7 @@ from lagrange.document.math_writer import text as plain_text
 from lagrange.explain.report import Report, report
 from lagrange.expressions.latex_layout import piece
 from lagrange.expressions.reader import EquationRead, Scope, read_equation
+from lagrange.mechanics.supports import supports
 from lagrange.problem.loader import load
 from lagrange.render.json import as_object
 from lagrange.render.latex import body
@@ -159,6 +160,8 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
     ]
     reference = reference_of_solution(solved.solution)
     abbreviations = {"Delta": sp.Symbol("Delta", real=True)} if re.search(r"\\Delta &?= ", document) else {}
+    if borne := supports(solved.solution):  # forces that the page names
+        abbreviations |= {f"N_{s.point}": sp.Symbol(f"N_{s.point}", real=True) for s in borne.at}
     spins = [v for name, v in reference.scope.vectors.items() if name.startswith("omega_")]
     named = reference.scope.scalar("omega") is not None  # a parameter or a speed of the file
     scope = replace(
