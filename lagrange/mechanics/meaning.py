@@ -30,7 +30,7 @@ from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
-from lagrange.problem.model import Keeper
+from lagrange.problem.model import Friction, Keeper
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
 if TYPE_CHECKING:
@@ -183,6 +183,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     # A pendulum of no length is none, and nothing moves without mass; a velocity as of light is large, not small.
     kept = {*by_unit["m"], *by_unit["m/s"], *(by_unit["kg"] if len(by_unit["kg"]) == 1 else ())}
     fast = [s for s in symbols if s in by_unit["m/s"]]
+    pushing = _pushing(solution)
     for parameter, to in (*((s, sp.oo) for s in fast), *_candidates(symbols, len(equations) > 1)):
         if to == 0 and parameter in kept:
             continue
@@ -190,12 +191,26 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if limit is None or limit in found:
             continue
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
+        if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
+            continue  # contact is lost
         shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         yield Limit(parameter, to, limit, shown if whole else {})
         found.append(limit)
         if len(found) == MOST_LIMITS:
             return
+
+
+def _pushing(solution: Solution) -> set[sp.Symbol]:
+    """The forces that are positive as long as there is contact."""
+    if solution.law is None:
+        return set()
+    rough = {f.constraint for f in solution.problem.forces if isinstance(f, Friction) and f.contact is not None}
+    return {
+        r.symbol_of_force
+        for r in solution.law.newton.reactions
+        if r.symbol_of_force is not None and (r.name in rough or r.constraint.side is not None)
+    }
 
 
 def _has_functions(equations: Sequence[sp.Expr]) -> bool:

@@ -138,3 +138,24 @@ def test_a_velocity_as_of_light_becomes_infinite_and_not_zero() -> None:
     coulomb = m * (s["r''"] - r * s["phi'"] ** 2) - k / r**2
     assert sp.simplify(radial / coulomb) == -r
     assert all(x.to != 0 or x.parameter.name != "m" for x in found.limits)
+
+
+BOWL = """
+title: Outside of a cylinder
+axes: {i: right, j: up}
+parameters: [m, R, g]
+coordinates: [r, theta]
+frame: {type: polar, coordinates: [r, theta]}
+particles: {P: {mass: m, position: r*e_r}}
+constraints: {cylinder: {equation: r >= R, reaction: N}}
+gravity: -g*j
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {r: R}}}
+"""
+
+
+@pytest.mark.parametrize(("sign", "without_weight"), [(">=", False), ("<=", True)])
+def test_no_limit_in_which_contact_is_lost(sign: str, without_weight: bool) -> None:
+    """Without weight N = −m R theta'^2 on the outside, where there is no contact, and m R theta'^2 on the inside."""
+    found = meaning(solve(read_problem(Source("cylinder.yaml", BOWL.replace(">=", sign)))))
+    assert found is not None
+    assert any(x.parameter.name == "g" for x in found.limits) is without_weight

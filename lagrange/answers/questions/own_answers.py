@@ -279,9 +279,11 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
         return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
-    from lagrange.answers.questions.statics import reactions_at_rest
+    at_rest = None
+    if solution.own.motion is None:
+        from lagrange.answers.questions.statics import reactions_at_rest
 
-    at_rest = reactions_at_rest(solution) if solution.own.motion is None else None
+        at_rest = reactions_at_rest(solution)
     parts: list[EquationVerdict] = []
     errors: list[Diagnostic] = []
     for name, fragment in stated.items():

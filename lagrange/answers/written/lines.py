@@ -441,7 +441,7 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
     `d/dt(∂L/∂x') = b = c`, whose first side may be the method quoted, is that and b = c.
     """
     parts = cuts(fragment.text, _EQUALS)
-    if not 2 < len(parts) <= 8:
+    if not 2 < len(parts) <= 8 or any(not fragment.text[start:end].strip(" $&") for start, end in parts):
         return []
     pieces = []
     (first, end), *_ = parts

@@ -300,7 +300,8 @@ def test_a_particle_that_its_coordinates_keep_on_a_line(problem: Read) -> None:
 
 def test_the_derivation_says_when_the_law_holds(problem: Read) -> None:
     said = str(report(problem("title: Example\n" + INCLINE.format(more=""))).derivation)
-    assert "This holds while the slip is not zero" in said
+    assert "This holds while " in said
+    assert "the slip is not zero" in said
 
 
 # -- a surface that keeps a distance -----------------------------------------------------------------------------------
@@ -324,8 +325,8 @@ def test_a_rough_surface_has_no_tension(problem: Read) -> None:
     assert (reaction.rod, reaction.tension, reaction.multiplier.name, reaction.is_normal) == (None, None, "N", True)
     shown = report(problem("title: Example\n" + DOME.format(coordinate="r", radius="r", dome="r = R")))
     page = terminal.text(shown.derivation, shown.notation, 120)
-    assert "N = m g cos θ − m r θ̇²" in page
-    assert "r θ̈ + 2ṙ θ̇ − μ r θ̇² − g sin θ + μ g cos θ = 0" in page
+    assert "N = m g cos θ − m R θ̇²" in page
+    assert "R θ̈ − μ R θ̇² − g sin θ + μ g cos θ = 0" in page
     for word in ("tension", "λ", "|"):
         assert word not in page.replace("│", "").replace("|R|", "")
     assert verdict(found, "r*theta'' + 2*r'*theta' = g*sin(theta) - mu*N/m") is Verdict.EQUIVALENT

@@ -104,7 +104,7 @@ def test_what_is_written(problem: Read) -> None:
         "x² + y² ≥ l² (c)",
         "is one-sided",
         "The c constraint is an inequality, which in the strict sense is no holonomic constraint; it acts as one",
-        "The c constraint can only push: it stays in contact as long as N ≥ 0, that is,",
+        "The c constraint can only push: it stays in contact as long as N ≥ 0.",
     ):
         assert words in " ".join(page.split())
     complete = terminal.text(told.derivation, told.notation, 120, detail=Detail.FULL)
