@@ -104,7 +104,7 @@ def meaning(solution: Solution) -> Meaning | None:
         tuple(_limits(solution, view, reactions)),
         tuple(_parts(view, reactions)),
         _units(solution, view),
-        _constant(view),
+        constant_accelerations(view),
         turning(view),
     )
 
@@ -308,7 +308,7 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
             yield Parts(force, static, added)
 
 
-def _constant(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
+def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     """The accelerations, if the equations determine them by parameters alone and do not say them already."""
     motion = view.motion
     assert motion is not None

@@ -92,11 +92,15 @@ class Point:
 
     def _known(self, node: int) -> Any:
         """The value of a node that has been evaluated here, or where this point comes from; None if it has none."""
-        if node < len(self._values) and self._values[node] is not None:
-            return self._values[node]
-        if self._origin is None or self.graph.symbols[node] & self._mask:
-            return None
-        return self._origin._known(node)
+        point: Point = self
+        symbols = self.graph.symbols[node]
+        while True:
+            values = point._values
+            if node < len(values) and values[node] is not None:
+                return values[node]
+            if point._origin is None or symbols & point._mask:
+                return None
+            point = point._origin
 
     def _taken_over(self, node: int) -> Any:
         """The same; it is kept."""

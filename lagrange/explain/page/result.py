@@ -25,6 +25,7 @@ from lagrange.explain.words import branch_conditions, constraints_called, in_wor
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.values import values_of
@@ -76,6 +77,7 @@ def explain_result(
     kept[Rule.IMPACT] = [*_impact(solution)]
     kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
     kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
+    _shorten(solution, kept)
     while kept and not _is_short(kept.values()):
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
@@ -93,6 +95,21 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
+    """Constant accelerations in place of equations for them; a reaction that is asked for once."""
+    view = (*solution.choices, solution.own)[0]
+    equations = kept.get(Rule.EQUATIONS_OF_MOTION)
+    if equations and view.motion is not None and view.motion.final:
+        solved = [Equation(pair) for pair in constant_accelerations(view).items()]
+        if solved and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
+            kept[Rule.EQUATIONS_OF_MOTION] = solved
+    asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
+    reactions = [e for e in kept.pop(Rule.SOLVED_REACTIONS, ()) if e.sides not in asked]
+    if reactions:
+        kept[Rule.SOLVED_REACTIONS] = reactions
+        kept |= {rule: kept.pop(rule) for rule in _CALLED if rule in kept}  # in their order again
 
 
 def _of_constraints(solution: Solution) -> Iterator[Step]:

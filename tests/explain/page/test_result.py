@@ -35,12 +35,24 @@ def box(r: Report) -> str:
         ("conical-pendulum", ("steady motions", "cos θ = g/(l φ̇²)")),
         ("double-pendulum-small-oscillations", ("small oscillations", "ω₁² = g (2 − √2)/l", "stable")),
         ("spherical-pendulum-by-routh", ("Hamilton's function", "H = p_θ²")),
+        ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
+        ("double-atwood", ("= (m₁ − M − m₂ − m₃) g",)),  # whose accelerations are longer
     ],
 )
 def test_the_box_contains_what_is_asked(name: str, contained: tuple[str, ...]) -> None:
     found = box(reported(name, complete=False))
     for line in contained:
         assert line in found
+
+
+def test_a_reaction_that_is_asked_for_stands_there_once(problem: Callable[[str], Problem]) -> None:
+    text = (
+        "title: Yo-yo\nparameters: [m, R, g]\ncoordinates: [y, phi]\ngravity: g*j\n"
+        "bodies: {disc: {mass: m, inertia: m*R^2/2, position: y*j, angle: phi}}\n"
+        "constraints: {string: {equation: y = R*phi, reaction: S, by: string}}\n"
+        "initial: {y: 0, y': 0}\nask: {pull: {quantity: S, when: t = 0}}\n"
+    )
+    assert box(report(problem(text))).count("S = ⅓ m g") == 1
 
 
 @pytest.mark.parametrize("name", ["ex16-rod-on-two-planes", "beads-on-hoop"])
