@@ -102,6 +102,12 @@ def split_number(text: str) -> tuple[str, str] | None:
     return (match[1].replace("−", "-"), match[2].strip()) if match else None
 
 
+def has_unit(text: str) -> bool:
+    """Whether a text is a number with a known unit: `7.5 cm`."""
+    parts = split_number(text)
+    return parts is not None and unit_of(parts[1]) is not None
+
+
 @lru_cache(maxsize=1 << 10)
 def unit_of(text: str) -> Unit | None:
     """The unit that a text denotes; None if it is not known, or ambiguous."""

@@ -24,6 +24,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
 from lagrange.core.symbols import Sign
+from lagrange.core.units import has_unit
 from lagrange.expressions.latex_layout import equations
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation, read_value
@@ -223,7 +224,8 @@ class AnswerReader:
             scalar = self.diagnostics.attempt(partial(scalar_of, value, "an answer"))
             names = self.diagnostics.attempt(partial(self._questions, key))
             if names and scalar is not None:
-                self._try_asked(scalar.fragment)
+                if not has_unit(scalar.fragment.text):
+                    self._try_asked(scalar.fragment)
                 answers[names[0]] = scalar.fragment
         return answers
 

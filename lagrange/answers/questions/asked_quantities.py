@@ -19,6 +19,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, 
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.force_names import Meaning, meanings
 from lagrange.answers.questions.named_values import Judged, check_each
+from lagrange.answers.questions.numbers_with_units import in_si
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
@@ -81,7 +82,8 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
 
 def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[Claim]:
     """What a text states about a question; with `±` two of them. Raises ProblemError."""
-    return [Claim(f, asked, solution, reference) for f in with_both_signs(fragment)]
+    stated, fits = in_si(fragment, asked, reference)
+    return [Claim(f, asked, solution, reference, fits) for f in with_both_signs(stated)]
 
 
 def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
@@ -96,8 +98,11 @@ _ONE_SIGN = "it is right with one of the two signs only"
 class Claim:
     """A stated answer to one question."""
 
-    def __init__(self, fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> None:
+    def __init__(
+        self, fragment: Fragment, asked: Asked, solution: Solution, reference: Reference, unit_fits: bool
+    ) -> None:
         self.asked = asked
+        self.unit_fits = unit_fits
         self.solution = solution
         self.values = dict(reference.values)
         self.own = reference.candidates[0] if reference.candidates else None
@@ -120,14 +125,16 @@ class Claim:
         """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
         if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
+        if not self.unit_fits:
+            return Verdict.WRONG, "its unit is not one of what is asked for"
         claim, judged = self.expression, self._of_expression
         if claim is None:
             assert self.equation is not None
             claim, judged = self.equation, self._of_equation
         verdict, remark = judged(as_written(claim))
-        if verdict in (Verdict.WRONG, Verdict.INCOMPLETE) and decimals_in([claim]):
+        if verdict in (Verdict.WRONG, Verdict.INCOMPLETE, Verdict.UNDECIDED) and decimals_in([claim]):
             rounded_verdict, rounded_remark = judged(claim)
-            if rounded_verdict is Verdict.EQUIVALENT or verdict is Verdict.WRONG:
+            if rounded_verdict is Verdict.EQUIVALENT or verdict is not Verdict.INCOMPLETE:
                 right = rounded_verdict is Verdict.EQUIVALENT
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
         if explaining and verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
@@ -198,7 +205,10 @@ class Claim:
 
     def _same(self, claim: sp.Expr, value: sp.Expr) -> bool | None:
         """Whether two values are equal, those of an angle modulo 2π."""
-        difference = (claim - value).xreplace(self.values)
+        value = value.xreplace(self.values)
+        if value.has(sp.I) and decimals_in([claim]) and not value.free_symbols:
+            value = sp.Rational(str(sp.re(value.evalf(30))))  # √(−2)/√(−3) of a quotient that is known to be positive
+        difference = claim.xreplace(self.values) - value
         if decimals_in([difference]):
             residual = sp.sin(difference / 2) if self._is_angle() else difference
             return rounded([residual]) is not None

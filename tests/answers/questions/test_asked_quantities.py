@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
+from functools import cache
 
 import pytest
 
@@ -11,6 +13,7 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.problem.stated_answers import read_answers
 from tests.support.paths import PROBLEMS
@@ -148,3 +151,59 @@ ask: {least: {quantity: l*omega_0, when: [theta = pi/2, theta' = 0]}}
 def test_of_a_product_the_initial_speed_is_asked_for(problem: Read) -> None:
     posed = problem(ROD)
     assert verdict(posed, solve(posed), "{least: sqrt(3*g*l)}").verdict is Verdict.EQUIVALENT
+
+
+SLOPE = """
+title: Block on a slope
+axes: {i: right, j: up}
+parameters:
+  m: {assume: positive, value: 40 kg}
+  g: {assume: positive, value: 9.81 m/s^2}
+  mu: {assume: positive, value: 0.25}
+  alpha: {assume: acute, value: 30 deg}
+  d: {assume: positive, value: 6 m}
+coordinates: {x: {unit: m}, y: {unit: m}}
+particles: {block: {mass: m, position: "[x*cos(alpha) + y*sin(alpha), y*cos(alpha) - x*sin(alpha)]"}}
+constraints: {plane: {equation: y = 0, reaction: N}}
+forces: {rub: {friction: mu, constraint: plane, on: block, slip: positive, contact: positive}}
+gravity: -g*j
+generalized_coordinates: {down: {coordinates: [x]}}
+initial: {x: 0, x': 0}
+ask:
+  speed: {quantity: "x'", when: "x = d"}
+  time: {quantity: t, when: "x = d"}
+  push: {quantity: N, when: "x = d"}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "answer", "expected"),
+    [  # a = g (1/2 − √3/8), v² = 12 a, t² = 12/a, N = m g √3/2
+        ("speed", "5.777 m/s", Verdict.EQUIVALENT),
+        ("speed", "20.80 km/h", Verdict.EQUIVALENT),
+        ("speed", "x' = 5.78 m/s", Verdict.EQUIVALENT),
+        ("speed", "v ≈ 5.78 m s^-1", Verdict.EQUIVALENT),
+        ("speed", r"5.777\,\frac{\text{m}}{\text{s}}", Verdict.EQUIVALENT),
+        ("speed", r"5.777~\mathrm{m\,s^{-1}}", Verdict.EQUIVALENT),
+        ("speed", "sqrt(2*a*d) = 5.777 m/s", Verdict.UNREADABLE),  # a is not declared
+        ("speed", "5.777 m", Verdict.WRONG),
+        ("speed", "5.777 km/h", Verdict.WRONG),
+        ("speed", "5.9 m/s", Verdict.WRONG),
+        ("time", "2.077 s", Verdict.EQUIVALENT),
+        ("time", "2077 ms", Verdict.EQUIVALENT),
+        ("time", "2.077 min", Verdict.WRONG),
+        ("push", "339.8 N", Verdict.EQUIVALENT),
+        ("push", "0.3398 kN", Verdict.EQUIVALENT),
+        ("push", "339.8 kg", Verdict.WRONG),
+    ],
+)
+def test_values_with_units(name: str, answer: str, expected: Verdict) -> None:
+    posed, solution = sloping()
+    written = json.dumps(answer, ensure_ascii=False)
+    assert verdict(posed, solution, f"{{{name}: {written}}}").verdict is expected
+
+
+@cache
+def sloping() -> tuple[Problem, Solution]:
+    posed = read_problem(Source("slope.yaml", SLOPE))
+    return posed, solve(posed, complete=False)

@@ -1,0 +1,73 @@
+"""Values with units in answers: v = 5.78 m/s, compression: 7.5 cm, F = 60 N.
+
+Where the parameters of a problem have values, a number is the answer, and its unit belongs to it. It is converted to
+SI, in which the derived value is. A letter of the unit may be that of a parameter, as in 2 m beside a mass m: the unit
+is meant if it has the dimension of what is asked for.
+"""
+
+from __future__ import annotations
+
+import re
+
+import sympy as sp
+
+from lagrange.answers.references import Reference
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.units import NO_DIMENSION, Dimension, split_number, unit_of
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.mechanics.questions.results import Asked
+from lagrange.values.dimensions import dimension, dimension_of_unit
+
+_SIDE = re.compile(r"=(?![=>])|≈|\\approx(?![A-Za-z])")
+_SPACES = re.compile(r"\\[,;:! ]|~|\$|\\q?quad(?![A-Za-z])|\\left(?![A-Za-z])|\\right(?![A-Za-z])")
+_POWER = re.compile(r"\^\s*\{([^{}]*)\}")
+_TEXTS = re.compile(r"\\(?:text|mathrm|mbox|rm|si|unit)\s*\{([^{}]*)\}")
+_BRACES = re.compile(r"\{([^{}]*)\}")
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_LONGEST = 60
+"""The most characters of a number with its unit."""
+
+
+def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
+    """A text whose last side is a number with a unit, with the number in SI; the text itself in all other cases.
+
+    Second, whether the unit has the dimension of what is asked for, as far as that is known.
+    """
+    if not reference.values:
+        return fragment, True
+    text = fragment.text
+    start = max((m.end() for m in _SIDE.finditer(text)), default=0)
+    if len(text) - start > _LONGEST:
+        return fragment, True
+    parts = split_number(_plain(text[start:]))
+    unit = unit_of(parts[1]) if parts else None
+    if parts is None or unit is None or unit.is_angle:
+        return fragment, True
+    expected = _dimensions(asked, reference)
+    fits = tuple(sp.Integer(n) for n in unit.dimension) in expected if expected else True
+    own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
+    if own and not (fits and expected):
+        return fragment, True  # 2 m is twice a mass
+    number = f" ({parts[0]})" if unit.factor == 1 else f" ({parts[0]})*({unit.factor})"
+    latex = is_latex(fragment)
+    draft = Draft(fragment)
+    sign = [(m.start(), m.end(), "=") for m in _SIDE.finditer(text) if m.end() == start]  # v ≈ 5.78 m/s
+    draft.apply([*sign, (start, len(text), number.replace("*", r" \cdot ") if latex else number)])
+    return draft.finished(latex=latex), fits
+
+
+def _plain(text: str) -> str:
+    r"""`9.81\,\text{m/s}^2` as 9.81 m/s^2."""
+    text = _SPACES.sub(" ", text.replace(r"\cdot", "*").replace(r"\times", "*"))
+    text = _TEXTS.sub(r"\1", _POWER.sub(r"^\1", text))
+    text = _BRACES.sub(r"\1", _FRACTION.sub(r"\1/\2", text))
+    return text.strip().rstrip(".,;").rstrip()
+
+
+def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
+    """The dimensions of the derived values; none where the file has too few units for them."""
+    known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
+    known |= {s: d for s, u in reference.units.items() if u and (d := dimension_of_unit(u)) is not None}
+    values = [v for b in asked.branches for v in b.values if v.free_symbols]
+    return {d for v in values if (d := dimension(v, known)) is not None}
