@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from lagrange.answers.questions.asked_in_text import asked_in_text
+from lagrange.answers.questions.numbers_with_units import stated_in_numbers
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
@@ -18,6 +19,7 @@ from lagrange.answers.written.listed_values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.relations import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
+from lagrange.problem.values import values_of
 
 Judge = Callable[[Sequence[Fragment]], Judgement]
 """The verdict on equations of motion, of equilibrium, and of constraints. May raise ProblemError."""
@@ -160,6 +162,34 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
 
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on values in numbers, each with its unit, and on everything else."""
+    valued = values_of(solution.problem) is not None
+    found = [(f, stated_in_numbers(f) if valued else None) for f in answer]
+    numbers = [n[0] for _, n in found if n]
+    lines = asked_in_text(numbers, solution) if numbers else None
+    if lines is None or lines.verdict is None:
+        return _asked_in_formulas(answer, solution, judge)
+    unasked = (
+        Diagnostic("not-judged", f"`{f.text.strip()}` is not asked for, and is not judged", f.whole).as_note()
+        for f in lines.rest
+    )
+    verdict = replace(lines.verdict, notes=(*lines.verdict.notes, *unasked))
+    try:
+        formulas = [f if n is None else n[1] for f, n in found]
+        others = _asked_in_formulas([f for f in formulas if f is not None], solution, judge)
+    except ProblemError:
+        return _only(_if_complete(verdict, lines.missing), solution)
+    return replace(others, others=(*others.others, verdict))
+
+
+def _if_complete(verdict: AnswerVerdict, missing: Sequence[str]) -> AnswerVerdict:
+    if verdict.verdict is not Verdict.EQUIVALENT or not missing:
+        return verdict
+    why = f"there is no answer to {', '.join(f'`{name}`' for name in missing)}"
+    return replace(verdict, verdict=Verdict.INCOMPLETE, diagnosis=why)
+
+
+def _asked_in_formulas(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     failed: ProblemError | None = None
     first: Judgement | None = None
     parts = [
@@ -178,7 +208,8 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
         return first
     judged = _with_asked(answer, solution, judge, first)
     if judged is None:
-        raise failed or ProblemError(Diagnostic("no-answer", "there is no equation to check", answer[0].whole))
+        where = answer[0].whole if answer else None
+        raise failed or ProblemError(Diagnostic("no-answer", "there is no equation to check", where))
     return judged
 
 

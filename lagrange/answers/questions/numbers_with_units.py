@@ -13,7 +13,7 @@ import sympy as sp
 
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
-from lagrange.core.units import NO_DIMENSION, Dimension, split_number, unit_of
+from lagrange.core.units import NO_DIMENSION, Dimension, has_unit, split_number, unit_of
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.questions.results import Asked
@@ -25,6 +25,7 @@ _POWER = re.compile(r"\^\s*\{([^{}]*)\}")
 _TEXTS = re.compile(r"\\(?:text|mathrm|mbox|rm|si|unit)\s*\{([^{}]*)\}")
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
 _LONGEST = 60
 """The most characters of a number with its unit."""
 
@@ -55,6 +56,24 @@ def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragm
     sign = [(m.start(), m.end(), "=") for m in _SIDE.finditer(text) if m.end() == start]  # v ≈ 5.78 m/s
     draft.apply([*sign, (start, len(text), number.replace("*", r" \cdot ") if latex else number)])
     return draft.finished(latex=latex), fits
+
+
+def stated_in_numbers(fragment: Fragment) -> tuple[Fragment, Fragment | None] | None:
+    """`v = sqrt(2*a*d) = 5.78 m/s` as v = 5.78 m/s, and v = sqrt(2*a*d); None where the last side is no such number.
+
+    The last of three sides may lack its unit, which in LaTeX is often taken for a word.
+    """
+    text, latex = fragment.text, is_latex(fragment)
+    signs = [*_SIDE.finditer(text)]
+    if not signs or len(text) - signs[-1].end() > _LONGEST:
+        return None
+    last = _plain(text[signs[-1].end() :])
+    if not has_unit(last) and (len(signs) == 1 or not _NUMBER.fullmatch(last)):
+        return None
+    number, front = Draft(fragment), Draft(fragment)
+    number.apply([(signs[0].start(), signs[-1].end(), "=")])
+    front.keep(0, signs[-1].start())
+    return number.finished(latex=latex), front.finished(latex=latex) if len(signs) > 1 else None
 
 
 def _plain(text: str) -> str:

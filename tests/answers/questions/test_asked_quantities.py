@@ -10,7 +10,7 @@ import pytest
 
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.core.diagnostics import Source
+from lagrange.core.diagnostics import Fragment, Source
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -207,3 +207,22 @@ def test_values_with_units(name: str, answer: str, expected: Verdict) -> None:
 def sloping() -> tuple[Problem, Solution]:
     posed = read_problem(Source("slope.yaml", SLOPE))
     return posed, solve(posed, complete=False)
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["v = 5.78 m/s", "t = 2.08 s", "N = 340 N"], Verdict.EQUIVALENT),
+        (["v = 5.78 m/s", "t = 2.08 s"], Verdict.INCOMPLETE),
+        ([r"$a = g(\sin\alpha-\mu\cos\alpha) = 2.78\,\text{m/s}^2$", r"$v=\sqrt{2ad}=5.78\,\text{m/s}$"],
+         Verdict.EQUIVALENT),
+        ([r"$v=\sqrt{2ad}=5.98\,\text{m/s}$"], Verdict.WRONG),
+        (["x'' = g*(sin(alpha) - mu*cos(alpha))", "v = 5.98 m/s"], Verdict.WRONG),
+        (["x'' = g*(sin(alpha) + mu*cos(alpha)) = 2.781 m/s^2", "v = 5.78 m/s"], Verdict.WRONG),
+    ],
+)  # fmt: skip
+def test_values_in_a_text(lines: list[str], expected: Verdict) -> None:
+    """A number with its unit answers its question, and the equation before it is judged as ever."""
+    posed, solution = sloping()
+    answer = tuple(Fragment.of(line) for line in lines)
+    assert Examiner(posed, solution).check(answer).verdict is expected
