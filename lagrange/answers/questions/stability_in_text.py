@@ -54,7 +54,7 @@ class _Claim:
 
 
 def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Reference) -> dict[int, tuple[bool, str]]:
-    """Place of an equation in the answer -> whether what is said of its stability is wrong, and what is amiss."""
+    """Place of an equation in the answer -> whether its stability is stated wrongly, and how."""
     views = [v for v in solution.views if v.equilibrium is not None and v.stability is not None]
     found: dict[int, tuple[bool, str]] = {}
     for n, fragment in enumerate(judged):
@@ -81,7 +81,7 @@ def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Refe
 def with_stability(
     verdict: AnswerVerdict, judged: Sequence[Fragment], solution: Solution, reference: Reference
 ) -> AnswerVerdict:
-    """The verdict on positions of equilibrium, with that on what is said about their stability."""
+    """The verdict on positions of equilibrium, with that on their stated stability."""
     if len(verdict.equations) != len(judged) or not any(_WORD.search(getattr(f, "beside", "")) for f in judged):
         return verdict
     equations, whole = list(verdict.equations), verdict.verdict

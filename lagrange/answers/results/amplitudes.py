@@ -4,7 +4,7 @@ The right ones are those of (K − ω² M + iω D) Z = F − iG. A changed probl
 missing in one equation or in all, or has the wrong sign, a drive in the wrong equation, other letters. Its amplitudes
 are numbers at random values of the letters, and the stated ones, all of them, are those of the first change that gives
 them at several such values; of each only the modulus counts. What agrees to thirty digits three times does so always,
-but for a chance that nobody has to fear.
+except by a chance too small to matter.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 A quantity that is asked for, or the friction that rolling needs, contains the moment of inertia as a number: 2/5, 1/2.
 So the problem is solved once more with a letter J for it, and the stated result is compared with the right one for
-J = 0 (the rotation is left out) and for the moments of inertia of other standard bodies.
+J = 0 (the rotation is ignored) and for the moments of inertia of other standard bodies.
 """
 
 from __future__ import annotations

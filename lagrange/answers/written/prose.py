@@ -1,10 +1,10 @@
-r"""Sentences around an equation in plain text, told from it by the names that the problem knows.
+r"""Sentences around an equation in plain text: words that are no names of the problem.
 
     let x be the elongation, so r = l + x:      r = l + x
     Torque about the contact point (instantaneous centre): I_P = 3/2 m r^2
     g_eff = g - a*Omega^2*cos(Omega*t), thus    g_eff = g - a*Omega^2*cos(Omega*t)
 
-What stands before the left side is left out up to the last linking word or punctuation mark that has a word of prose
+What precedes the left side is dropped up to the last linking word or punctuation mark that has a word of prose
 before it; what stands after the right side, from the first of them that is followed by prose alone. A word of prose has
 four letters or more, and is no name of the problem or the answer, no function and no product of names. A single
 unknown word beside an equation is not left out: it may be a factor.

@@ -473,7 +473,7 @@ LONGEST_STEP = 60
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:
-    """The answer to a question with the simple conditions put into long expressions; what stays long is left out.
+    """The answer to a question with the simple conditions put into long expressions; what stays long is omitted.
 
     With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
     """
