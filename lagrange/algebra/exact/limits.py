@@ -56,8 +56,9 @@ WIDE_SPREAD = 12
 FIRST_WIDE_POINT = 6
 SPREAD_ON_SURFACE = 1
 
-# Triangular order (`triangular`). Draws at which a block is tried: one with a root fails at all twelve with 2^-12.
-BLOCK_TRIALS = 12
+# Triangular order (`triangular`). Draws at which a block is tried. A root exists at half of the points, and is the
+# value of a positive symbol at half of these: 100 draws all fail with (3/4)^100, and with two such roots (15/16)^100.
+BLOCK_TRIALS = 100
 # Blocks tried in one search [73], constraints solved together [4], choices of unknowns for them. Blocks of more than
 # four are not looked for among the constraints; all that remain are still tried at once [8].
 MOST_TRIED_BLOCKS = 400

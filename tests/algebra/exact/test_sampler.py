@@ -247,3 +247,10 @@ def test_a_linkage_that_folds() -> None:
     for seed in range(20):
         surface = Surface(bars, [theta, phi, psi], fields=Fields(seed))
         assert surface.is_zero(sin(theta - phi) / sin(theta - psi)) is False
+
+
+@pytest.mark.parametrize("seed", [14, 68, 83, 146])
+def test_unlucky_draws_lose_no_points(seed: int) -> None:
+    """The lemniscate is solved for a > 0 alone, which exists at a quarter of the points: a dozen draws may all fail."""
+    lemniscate = (x**2 + y**2) ** 2 - r**2 * (x**2 - y**2)
+    assert Surface([lemniscate], [x, y], fields=Fields(seed)).order is not None
