@@ -158,7 +158,6 @@ class Destination:
 
     def _text(self, reports: Sequence[Report | None], figures: Figures | None = None) -> str:
         from lagrange.document.derivation import Detail
-        from lagrange.render.tex_layout import Vectors
 
         detail = Detail[self.detail.upper()]
         solved = self.layout.derivations([r for r in reports if r is not None])
@@ -168,6 +167,7 @@ class Destination:
             return json.render(reports)
         if self.format == "latex":
             from lagrange.render import latex
+            from lagrange.render.tex_layout import Vectors
 
             if self.layout.beamer:
                 from lagrange.render.notes import frames
@@ -178,6 +178,7 @@ class Destination:
         if self.format == "markdown":
             from lagrange.render import markdown
             from lagrange.render.notes.flavours import Flavour
+            from lagrange.render.tex_layout import Vectors
 
             flavour, vectors = Flavour(self.layout.reader), Vectors(self.vectors)
             if self.layout.is_exercise and flavour.labels:

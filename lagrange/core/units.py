@@ -13,7 +13,7 @@ Reference: BIPM, The International System of Units (2019); NIST Special Publicat
 from __future__ import annotations
 
 import re
-from functools import lru_cache
+from functools import cache, lru_cache
 
 import sympy as sp
 
@@ -47,40 +47,30 @@ class Unit:
 NUMBER = Unit(sp.S.One, NO_DIMENSION)
 
 
-def _unit(factor: object, angle: bool = False, **powers: int) -> Unit:
-    dimension = tuple(sp.Integer(powers.get(name, 0)) for name in BASE)
-    return Unit(sp.Rational(str(factor)), dimension, angle)
-
-
+# The factor to SI, a text of rational numbers and pi, and the powers of kg, m, s, A, K. A unit is made from it when it
+# is named first: few problems name more than five, and numbers of SymPy take time.
 _WITH_PREFIX = {
-    "g": _unit("1/1000", kg=1), "m": _unit(1, m=1), "s": _unit(1, s=1), "A": _unit(1, A=1), "K": _unit(1, K=1),
-    "Hz": _unit(1, s=-1), "N": _unit(1, kg=1, m=1, s=-2), "J": _unit(1, kg=1, m=2, s=-2),
-    "W": _unit(1, kg=1, m=2, s=-3), "Pa": _unit(1, kg=1, m=-1, s=-2), "C": _unit(1, A=1, s=1),
-    "V": _unit(1, kg=1, m=2, s=-3, A=-1), "T": _unit(1, kg=1, s=-2, A=-1), "Ω": _unit(1, kg=1, m=2, s=-3, A=-2),
-    "F": _unit(1, kg=-1, m=-2, s=4, A=2), "H": _unit(1, kg=1, m=2, s=-2, A=-2), "Nm": _unit(1, kg=1, m=2, s=-2),
-    "rad": _unit(1, angle=True),
+    "g": ("1/1000", (1,)), "m": ("1", (0, 1)), "s": ("1", (0, 0, 1)), "A": ("1", (0, 0, 0, 1)),
+    "K": ("1", (0, 0, 0, 0, 1)), "Hz": ("1", (0, 0, -1)), "N": ("1", (1, 1, -2)), "J": ("1", (1, 2, -2)),
+    "W": ("1", (1, 2, -3)), "Pa": ("1", (1, -1, -2)), "C": ("1", (0, 0, 1, 1)), "V": ("1", (1, 2, -3, -1)),
+    "T": ("1", (1, 0, -2, -1)), "Ω": ("1", (1, 2, -3, -2)), "F": ("1", (-1, -2, 4, 2)), "H": ("1", (1, 2, -2, -2)),
+    "Nm": ("1", (1, 2, -2)), "rad": ("1", ()),
 }  # fmt: skip
-
 _PREFIXES = {
     "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12,
 }  # fmt: skip
-
-_POUND_FORCE = sp.Rational("0.45359237") * sp.Rational("9.80665")
-_DEGREE = Unit(sp.pi / 180, NO_DIMENSION, is_angle=True)
-_TURN = Unit(2 * sp.pi, NO_DIMENSION, is_angle=True)
-
+_POUND_FORCE = "0.45359237*9.80665"
 _WITHOUT_PREFIX = {
-    "1": NUMBER, "%": _unit("1/100"), "sr": _unit(1), "t": _unit(1000, kg=1),
-    "min": _unit(60, s=1), "h": _unit(3600, s=1),
-    "deg": _DEGREE, "°": _DEGREE, "rev": _TURN, "rpm": Unit(sp.pi / 30, _unit(1, s=-1).dimension, is_angle=True),
-    "ft": _unit("0.3048", m=1), "in": _unit("0.0254", m=1), "mph": _unit("0.44704", m=1, s=-1),
-    "lb": Unit(_POUND_FORCE, _unit(1, kg=1, m=1, s=-2).dimension),
-    "lbf": Unit(_POUND_FORCE, _unit(1, kg=1, m=1, s=-2).dimension),
-    "slug": Unit(_POUND_FORCE / sp.Rational("0.3048"), _unit(1, kg=1).dimension),
+    "1": ("1", ()), "%": ("1/100", ()), "sr": ("1", ()), "t": ("1000", (1,)), "min": ("60", (0, 0, 1)),
+    "h": ("3600", (0, 0, 1)), "deg": ("1/180*pi", ()), "°": ("1/180*pi", ()), "rev": ("2*pi", ()),
+    "rpm": ("1/30*pi", (0, 0, -1)), "ft": ("0.3048", (0, 1)), "in": ("0.0254", (0, 1)), "mph": ("0.44704", (0, 1, -1)),
+    "lb": (_POUND_FORCE, (1, 1, -2)), "lbf": (_POUND_FORCE, (1, 1, -2)), "slug": (f"{_POUND_FORCE}/0.3048", (1,)),
 }  # fmt: skip
+_ANGLES = ("rad", "deg", "°", "rev", "rpm")
 
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
-_TOKEN = re.compile(r"\s*(?:([A-Za-zΩ°%µμ]+|1(?![\d.]))|(\*\*|\^)\s*(-?\d+|\(\s*-?\d+\s*\))|([*/·⋅()]))")
+# Compiled when a unit is read first: patterns take as long as all of the table.
+_TOKEN = r"\s*(?:([A-Za-zΩ°%µμ]+|1(?![\d.]))|(\*\*|\^)\s*(-?\d+|\(\s*-?\d+\s*\))|([*/·⋅()]))"
 # Numbers are atomic, (?>...), so that the 1e3 of a bare number is not taken for 1 e3, nor 2*pi for 2 and a unit.
 _NUMERAL = (
     r"(?>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|(?:pi(?![A-Za-z])|π)|(?:sqrt|√)?\([-+*/^.\d\s]*\d[-+*/^.\d\s]*\)|√\d+)"
@@ -88,9 +78,7 @@ _NUMERAL = (
 _ARITHMETIC = (
     rf"[-+−]?{_NUMERAL}(?>\s*(?:\*\*|[-+−*/·^])\s*[-+−]?{_NUMERAL}(?!\s*/\s*[A-Za-z(])|\s*(?:pi(?![A-Za-z])|π))*"
 )
-_NUMBER_AND_UNIT = re.compile(
-    rf"\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)", re.S
-)
+_NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)"
 
 
 def split_number(text: str) -> tuple[str, str] | None:
@@ -98,7 +86,7 @@ def split_number(text: str) -> tuple[str, str] | None:
 
     The number may be arithmetic, `2*pi rad/s`, and the unit a factor, `9.81*m/s^2`.
     """
-    match = _NUMBER_AND_UNIT.fullmatch(text)
+    match = re.fullmatch(_NUMBER_AND_UNIT, text)
     return (match[1].replace("−", "-"), match[2].strip()) if match else None
 
 
@@ -115,8 +103,9 @@ def unit_of(text: str) -> Unit | None:
         r"(?<=[A-Za-zΩ°µμ)])([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)", lambda x: f"^{x[1].translate(_SUPERSCRIPTS)}", text.strip()
     )
     tokens, at = [], 0
+    pattern = re.compile(_TOKEN)
     while at < len(superscripts):
-        token = _TOKEN.match(superscripts, at)
+        token = pattern.match(superscripts, at)
         if token is None:
             return None
         tokens.append(token)
@@ -173,15 +162,17 @@ class _Reader:
 
 
 def _named(name: str) -> Unit | None:
-    known = _WITHOUT_PREFIX.get(name) or _WITH_PREFIX.get(name)
-    if known is not None or len(name) < 2 or name[0] not in _PREFIXES:
-        return known
-    unit = _WITH_PREFIX.get(name[1:])
-    return (
-        None
-        if unit is None
-        else Unit(unit.factor * sp.Integer(10) ** _PREFIXES[name[0]], unit.dimension, unit.is_angle)
-    )
+    known, prefix = _WITHOUT_PREFIX.get(name) or _WITH_PREFIX.get(name), 0
+    if known is None and name[0] in _PREFIXES:
+        known, prefix, name = _WITH_PREFIX.get(name[1:]), _PREFIXES[name[0]], name[1:]
+    if known is None:
+        return None
+    text, powers = known
+    factor = sp.Integer(10) ** prefix
+    for part in text.split("*"):
+        numerator, _, denominator = part.partition("/")
+        factor *= sp.pi if part == "pi" else sp.Rational(numerator) / sp.Rational(denominator or 1)
+    return Unit(factor, tuple(map(sp.Integer, powers)) + NO_DIMENSION[len(powers) :], name in _ANGLES)
 
 
 def written(dimension: Dimension) -> str:
@@ -202,12 +193,14 @@ def unit_called(dimension: Dimension, is_angle: bool = False) -> str:
     return f"{inverse[1]}^-{inverse[2] or 1}" if inverse else called
 
 
-_NAMED = {u.dimension: name for name in ("W", "N m", "N s/m", "N/m", "N") if (u := unit_of(name)) is not None}
-
-
 def in_si(unit: Unit) -> str:
     """The unit of SI with the dimension of a unit, as engineers write it: N for kN, rad for deg, rad/s for rpm."""
-    plain = _NAMED.get(unit.dimension) or written(unit.dimension)
+    plain = _named_dimensions().get(unit.dimension) or written(unit.dimension)
     if not unit.is_angle:
         return plain
     return "rad" + plain.removeprefix("1") if plain.startswith("1") else plain
+
+
+@cache
+def _named_dimensions() -> dict[Dimension, str]:
+    return {u.dimension: name for name in ("W", "N m", "N s/m", "N/m", "N") if (u := unit_of(name)) is not None}

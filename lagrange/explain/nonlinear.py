@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.algebra.forms.nonlinear_constraints import Reduction, Why
+from lagrange.algebra.forms.reductions import Reduction, Why
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref
 from lagrange.explain.words import counted, plural

@@ -19,8 +19,8 @@ from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Keeper
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.nearby.long_reactions import LongReactions
-from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 LONGEST = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""

@@ -63,8 +63,8 @@ class Mark:
     end: int
 
 
-_MARK = re.compile(
-    r"(?P<comment>%[^\n]*)|\\(?P<side>begin|end)\s?\{(?P<name>[A-Za-z]{1,20}\*?)\}"
+_MARK = (
+    r"(?s)(?P<comment>%[^\n]*)|\\(?P<side>begin|end)\s?\{(?P<name>[A-Za-z]{1,20}\*?)\}"
     r"|(?P<row>\\\\\*?(?:\[[0-9a-z. ]{1,20}\])?|\\newline(?![A-Za-z]))"
     r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{)"
     r"|(?P<label>\\(?:label|tag\*?|eqref|ref|cite)\s?\{[^{}]{0,200}\})|(?P<box>\\(?:boxed|fbox)\s?\{)"
@@ -74,9 +74,9 @@ _MARK = re.compile(
     r"|(?P<equals>:=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overset|stackrel)\s?\{!\}\s?\{=\})"
     r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"
     r"|(?P<cases>\\left\s?(?:\\\{|\\lbrace|\.)(?=\s*\\begin)|\\right\s?\.)"
-    r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)",
-    re.DOTALL,
+    r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)"
 )
+"""Compiled when LaTeX is read first: it takes longer than the modules of this package."""
 ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
 """What separates alternatives; it does not separate equations that hold together."""
 _BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
@@ -126,7 +126,8 @@ def marks_of(text: str) -> list[Mark]:
     marks = []
     closing = _closing_braces(text)
     at, verbatim = 0, ""
-    while match := _MARK.search(text, at):
+    pattern = re.compile(_MARK)
+    while match := pattern.search(text, at):
         start, at = match.start(), match.end()
         side, name = match["side"], match["name"]
         if verbatim:

@@ -111,6 +111,12 @@ class InCoordinates:
         return self.coordinates.signs
 
     @property
+    def is_about_rest(self) -> bool:
+        """Whether there are results about rest, steady motion or small oscillations."""
+        results = (self.equilibrium, self.at_rest, self.rolling, self.impending, self.steady, self.linearization)
+        return any(r is not None for r in results)
+
+    @property
     def is_own(self) -> bool:
         """Whether these are the file's own coordinates."""
         return not self.name

@@ -22,13 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.forms.affine import is_affine
-from lagrange.algebra.forms.nonlinear_constraints import (
-    Alternative,
-    Alternatives,
-    Why,
-    alternatives,
-    in_configuration,
-)
+from lagrange.algebra.forms.reductions import Alternative, Alternatives, Why
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
@@ -184,6 +178,8 @@ def _reduced(
         _check_no_sum_of_squares(name, function, scalar.span, context)
     if not kinematic or is_affine(function, slots) or not context.may_reduce(function):
         return [(lhs, rhs, kinematic)], None
+    from lagrange.algebra.forms.nonlinear_constraints import alternatives
+
     try:
         meanings = alternatives(function, slots)
     except DivisionByZeroError:
@@ -218,6 +214,8 @@ def _check_no_sum_of_squares(name: str, function: sp.Expr, span: Span, context: 
     linear = all(function.diff(q).free_symbols.isdisjoint(slots.coordinates) for q in slots.coordinates)
     if not function.is_Add or mixed or linear or not context.may_reduce(function):
         return
+    from lagrange.algebra.forms.nonlinear_constraints import in_configuration
+
     meanings = in_configuration(function, slots)
     if meanings.endless or len(meanings.members) != 1:
         return

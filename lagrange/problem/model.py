@@ -15,7 +15,7 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.algebra.forms.nonlinear_constraints import Reduction
+from lagrange.algebra.forms.reductions import Reduction
 from lagrange.algebra.fourier.vector_cleanup import written
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor

@@ -35,8 +35,8 @@ from lagrange.algebra.closed_forms.limits import (
 )
 from lagrange.algebra.closed_forms.polynomial_roots import square_root
 from lagrange.algebra.closed_forms.repeated_roots import reduced_by_zero_test, with_repeated_roots_apart
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.linear_algebra import nullspace
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.core.operations import count_operations

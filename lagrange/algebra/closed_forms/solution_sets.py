@@ -4,8 +4,6 @@ Every point of a branch is substituted back into the equations, exactly, and one
 squaring, and multiplying by a denominator, introduce such points. Where a denominator vanishes the equations have no
 value; these points are kept apart (`SolutionSet.excluded`). Points that are stated alike, θ with cos θ = b/a, make one
 branch. A branch contained in another one is dropped. How branches are found: `branching`.
-
-The value of an unknown is written in the shortest of a few forms, cot α as 1/tan α.
 """
 
 from __future__ import annotations
@@ -17,64 +15,14 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
-from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
+from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factors
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-
-
-def shortest_form(e: sp.Expr) -> sp.Expr:
-    """The expression in the shortest of its forms."""
-    if e.is_Atom or count_operations(e) > LONGEST_REWRITTEN:
-        return e
-    forms = [e]
-    roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer]
-    forms += [_with_radicands(e, roots)] if roots else []
-    if not roots and e.has(sp.sin, sp.cos):
-        above, below = sp.fraction(sp.together(e))
-        forms.append(textbook_form(above) / textbook_form(below))
-    if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
-        forms.append(textbook_form(e))
-    candidates = [as_tangents(f) for f in forms]
-    return min(candidates, key=lambda f: (count_operations(f), forms.index(f) if f in forms else 0))
-
-
-def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
-    """Sines and cosines under roots in textbook form, where that is shorter."""
-    shorter = {}
-    for p in roots:
-        if (p.base.is_Add or p.base.is_Mul) and p.base.has(sp.sin, sp.cos):
-            form = textbook_form(p.base)
-            if count_operations(form) < count_operations(p.base) and not p.base.atoms(sp.Pow) & {*roots}:
-                shorter[p] = form**p.exp
-    return e.xreplace(shorter)
-
-
-def as_tangents(e: sp.Expr) -> sp.Expr:
-    """Products of sines and cosines of one angle as tangents: cos α/sin α is 1/tan α."""
-    if e.is_Add:
-        return sp.Add(*(as_tangents(a) for a in e.args))
-    powers: dict[sp.Expr, list[sp.Integer]] = {}
-    rest = []
-    for factor in sp.Mul.make_args(e):
-        base, exponent = factor.as_base_exp()
-        if isinstance(base, sp.sin | sp.cos) and exponent.is_Integer:
-            entry = powers.setdefault(base.args[0], [sp.S.Zero, sp.S.Zero])
-            entry[isinstance(base, sp.cos)] += exponent
-        else:
-            rest.append(factor)
-    for angle, (sines, cosines) in powers.items():
-        if sines * cosines < 0:
-            both = sp.Min(abs(sines), abs(cosines)) * sp.sign(sines)
-            rest.append(sp.tan(angle) ** both)
-            sines, cosines = sines - both, cosines + both
-        rest.append(sp.sin(angle) ** sines * sp.cos(angle) ** cosines)
-    return sp.Mul(*rest)
 
 
 @record

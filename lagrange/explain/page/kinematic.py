@@ -12,7 +12,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import shortest_form
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.forms.integrability import frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations

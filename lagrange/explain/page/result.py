@@ -13,26 +13,20 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.meaning import Stated, operations, verdict_on
-from lagrange.explain.rest.statics import stability_in_short
-from lagrange.explain.words import branch_conditions, constraints_called, in_words, sign_conditions, spoken
+from lagrange.explain.page.meaning import Stated, operations
+from lagrange.explain.words import constraints_called, in_words, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.equilibrium.linear_stability import Ground
-from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.meaning import constant_accelerations
-from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.linearization import Linearization
-    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.questions.results import AnswerBranch, Asked
 
 LONGEST = 120
 """The most operations of the equations in the result at the head."""
@@ -42,8 +36,6 @@ LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
 LONGEST_CONDITIONS = 16
 """The most operations of the conditions beside an answer to a question."""
-LONGEST_WORDS = 12
-"""The most operations of the conditions of stability beside an equilibrium."""
 
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
@@ -180,17 +172,15 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     """What is asked in one set of coordinates."""
     if view.hamiltonian is not None:
         yield Rule.HAMILTON, [Equation((energy_symbols(solution).hamiltonian, view.hamiltonian.function))]
-    yield Rule.EQUILIBRIUM, [*_equilibria(view)]
-    yield Rule.FRICTION_AT_REST, [*_friction(view)]
-    if view.steady is not None:
-        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_ANSWER]
+    if view.is_about_rest:
+        from lagrange.explain.page.result_at_rest import result_at_rest
+
+        yield from result_at_rest(view)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         yield Rule.RESPONSE, [Equation(pair) for pair in pairs]
     elif view.forced is not None:
         yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
-    if view.linearization is not None:
-        yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
 
 
 def _impact(solution: Solution) -> Iterator[Equation]:
@@ -208,97 +198,6 @@ def _impact(solution: Solution) -> Iterator[Equation]:
         kinetic = energy_symbols(solution).kinetic
         line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, found.energy_lost))
         yield from [replace(line, condition=("the energy lost",))] if _operations(line) <= LONGEST_ANSWER else []
-
-
-def _branch(b: Branch, *more: Part) -> list[Equation]:
-    """The equations of a solution, its conditions beside the last of them, then `more`."""
-    condition = branch_conditions(b)
-    words = (*condition, "; " if condition else "", *more) if more else condition
-    lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
-    return [*lines[:-1], replace(lines[-1], condition=words)] if lines else []
-
-
-def _steady(found: SteadyMotions) -> Iterator[Equation]:
-    """The steady motions, each with its stability."""
-    for family in found.families:
-        for b, s in zip(family.about.branches, family.about.at, strict=True):
-            stability = None if s is None else s.judgement.stability
-            words: tuple[Part, ...] = ()
-            if stability is not None and sum(count_operations(c.lhs) for c in stability.conditions) <= LONGEST_WORDS:
-                firm = stability.conditions and stability.verdict is StabilityVerdict.CONDITIONAL
-                words = ("stable where ", *sign_conditions(stability.conditions)) if firm else ()
-            rates = [Equation((v, value)) for v, value in family.rates.items()]
-            if not b.equations:
-                yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
-                continue
-            given = (*listed(math(*e.sides) for e in rates), ": " if words else "") if rates else ()
-            yield from _branch(b, *(("with ",) if given else ()), *given, *words)
-
-
-def _equilibria(view: InCoordinates) -> Iterator[Equation]:
-    """The equilibria, each with its stability."""
-    if view.equilibrium is None:
-        return
-    branches = view.equilibrium.branches
-    verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    for b, verdict in zip(branches, verdicts, strict=True):
-        words: tuple[Part, ...] = ()
-        if verdict is not None:
-            said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
-            if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
-                words = stability_in_short(verdict)
-        yield from _branch(b, *words)
-
-
-def _friction(view: InCoordinates) -> Iterator[Equation]:
-    """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
-    rest = view.at_rest
-    if rest is not None:
-        yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
-        yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
-    if view.rolling is not None:
-        yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
-    found = [b for m in view.impending or () for b in m.equilibrium.branches]
-    for b in found:
-        lines = _branch(b)
-        if rest is not None:
-            said = lines[-1].condition
-            lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
-        yield from lines
-
-
-def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:
-    """Inequalities of which all hold; of several cases only those of one line, with `or` between them."""
-    if len(cases) > 1 and any(len(case) > 1 for case in cases):
-        return
-    for n, case in enumerate(cases, start=1):
-        for sides in case:
-            yield Equation(sides, relation="≤", condition=("or",) if n < len(cases) else ())
-
-
-def _frequencies(linearization: Linearization) -> Iterator[Equation]:
-    """The squares of the frequencies, `about θ = 0`."""
-    for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
-        if linearization.copy_of(k) is not None:
-            continue
-        if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
-            continue
-        squares = [f.square for f in at.frequencies]
-        if any(s is None or count_operations(s) > LONGEST_ANSWER for s in squares):
-            continue
-        about = listed(math(r.lhs, r.rhs) for r in b.equations)
-        words: tuple[Part, ...] = ("about ", *about) if about else ()
-        conditions = at.judgement.stability.conditions
-        verdict = verdict_on(at)
-        firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
-        stable = "stable where " if firm else "stable to first order where "
-        stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
-        stability = stability or ((verdict,) if verdict else ())
-        words += (", " if words and stability else "", *stability)
-        for n, square in enumerate(squares, start=1):
-            name = f"{at.unknown.name}_{n}" if len(squares) > 1 else at.unknown.name
-            last = n == len(squares)
-            yield Equation((sp.Symbol(name, real=True) ** 2, square), condition=words if last else ())
 
 
 def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -20,7 +21,9 @@ from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.reactions import explain_reactions_at_rest
 from lagrange.explain.words import joined, plural
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.mechanics.supports import Support, Supports, supports
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.supports import Support, Supports
 
 ZERO = sp.S.Zero
 
@@ -105,7 +108,11 @@ def _reactions(solution: Solution, first: InCoordinates) -> Step | None:
 
 def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps, with the forces of two supports of a rod where the coordinates leave them out."""
-    found = supports(solution)
+    found = None
+    if (*solution.choices, solution.own)[0].equilibrium is not None:
+        from lagrange.mechanics.supports import supports
+
+        found = supports(solution)
     if found is None:
         yield from steps
         return

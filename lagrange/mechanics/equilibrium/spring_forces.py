@@ -10,7 +10,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import Branch, shortest_form
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring

@@ -29,8 +29,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import Branch, resolved, shortest_form
+from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.operations import count_operations

@@ -19,8 +19,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved, shortest_form
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.algebra.fourier.linear_systems import tidy_quotient

@@ -24,8 +24,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record

@@ -17,9 +17,10 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation, Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, shortest_form
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.operations import count_operations

@@ -13,8 +13,8 @@ import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.operations import count_operations

@@ -20,8 +20,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.operations import count_operations

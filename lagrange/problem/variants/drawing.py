@@ -13,8 +13,16 @@ from __future__ import annotations
 
 import hashlib
 import unicodedata
+from collections.abc import Mapping, Sequence
+
+from lagrange.problem.model import Varied
 
 RULE = "lagsolve variant 1"
+
+
+def values_drawn(varied: Sequence[Varied], seed: str) -> Mapping[str, str]:
+    """The value, as text, that a seed draws for each parameter."""
+    return {v.name: v.values[drawn(seed, v.name, len(v.values))] for v in varied}
 
 
 def drawn(seed: str, name: str, number: int) -> int:

@@ -9,7 +9,7 @@ they stand, so that no seed draws a value that the file could not have.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 import sympy as sp
@@ -23,7 +23,6 @@ from lagrange.problem.limits import MOST_VARIED_VALUES
 from lagrange.problem.model import Parameter, Varied
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 from lagrange.problem.values import ValueRead, read_number_with_unit
-from lagrange.problem.variants.drawing import drawn
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node
 
 _EXAMPLE = "vary: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}"
@@ -125,8 +124,3 @@ def decimal(number: sp.Rational) -> str:
     digits = str(abs(int(number * 10**places))).rjust(places + 1, "0")
     text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
     return f"-{text}" if number < 0 else text
-
-
-def values_drawn(varied: Sequence[Varied], seed: str) -> Mapping[str, str]:
-    """The value, as text, that a seed draws for each parameter."""
-    return {v.name: v.values[drawn(seed, v.name, len(v.values))] for v in varied}

@@ -19,7 +19,7 @@ from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.limits import LONGEST_SEED
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
-from lagrange.problem.variants.vary import values_drawn
+from lagrange.problem.variants.drawing import values_drawn
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 

@@ -11,12 +11,11 @@ _NUMBERS = {
     "zero": 0, "no": 0, "none": 0, "one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "seven": 7,
     "null": 0, "keine": 0, "ein": 1, "eins": 1, "einen": 1, "zwei": 2, "drei": 3, "vier": 4, "fünf": 5, "sechs": 6,
 }  # fmt: skip
-_ONLY = re.compile(
-    r"\s*\$?\s*(?:[A-Za-z]{1,3}\s*=|DOFs?\s*[:=]?|there\s+(?:are|is))?\s*(?P<chain>(?:[0-9]{1,2}|[^\W\d_]+)(?:\s*(?:[-−–+*·=]|\\cdot)\s*[0-9]{1,2})*)"
-    r"\s*\$?\s*(?:degrees?(?:[ -]of[ -]freedom)?|DOFs?|Freiheitsgrade?)?\s*\.?\s*",
-    re.IGNORECASE,
+_ONLY = (
+    r"(?i)\s*\$?\s*(?:[A-Za-z]{1,3}\s*=|DOFs?\s*[:=]?|there\s+(?:are|is))?\s*(?P<chain>(?:[0-9]{1,2}|[^\W\d_]+)(?:\s*(?:[-−–+*·=]|\\cdot)\s*[0-9]{1,2})*)"
+    r"\s*\$?\s*(?:degrees?(?:[ -]of[ -]freedom)?|DOFs?|Freiheitsgrade?)?\s*\.?\s*"
 )
-_NEGATED = re.compile(r"(?:not|non|nicht|an|no)[\s-]*", re.IGNORECASE)
+_NEGATED = r"(?i)(?:not|non|nicht|an|no)[\s-]*"
 _STEMS = (
     ("holonom", "holonomic", "nonholonomic"),
     ("acatastat", "acatastatic", "catastatic"),
@@ -27,14 +26,14 @@ _STEMS = (
     ("skleronom", "scleronomic", "rheonomic"),
     ("rheonom", "rheonomic", "scleronomic"),
 )
-_SEPARATOR = re.compile(r"\s*(?:[,;/&+]|\band\b|\bund\b|\bet\b|\bbut\b|\baber\b)\s*", re.IGNORECASE)
+_SEPARATOR = r"(?i)\s*(?:[,;/&+]|\band\b|\bund\b|\bet\b|\bbut\b|\baber\b)\s*"
 _TRUE = frozenset({"true", "yes", "y", "ja", "oui", "integrable", "holonomic", "1"})
 _FALSE = frozenset({"false", "no", "n", "nein", "non", "not integrable", "nonintegrable", "nonholonomic", "0"})
 
 
 def whole_number_in(text: str) -> int | None:
     """The whole number that a text states, of a chain of equations the last; None if it states none."""
-    match = _ONLY.fullmatch(text)
+    match = re.fullmatch(_ONLY, text)
     if match is None:
         return None
     parts = re.split(r"=", match["chain"])
@@ -50,8 +49,8 @@ def whole_number_in(text: str) -> int | None:
 def classes_in(text: str) -> tuple[str, ...]:
     """The classes that a text names; none if there is anything else in it."""
     found = []
-    for part in filter(None, _SEPARATOR.split(text.strip(" ."))):
-        negated = _NEGATED.match(part)
+    for part in filter(None, re.split(_SEPARATOR, text.strip(" ."))):
+        negated = re.match(_NEGATED, part)
         word = part[negated.end() :] if negated else part
         meant = [(a, b) for stem, a, b in _STEMS if re.fullmatch(rf"{stem}[a-z]{{0,5}}", word, re.IGNORECASE)]
         if not meant:

@@ -1,0 +1,134 @@
+"""The lines of the result about rest and steady motion: equilibria, rest with friction, small oscillations.
+
+Each solution is followed by its conditions and its stability, as far as they are short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.operations import count_operations
+from lagrange.document.builders import listed, math
+from lagrange.document.derivation import Equation, Part, Rule
+from lagrange.explain.page.meaning import verdict_on
+from lagrange.explain.rest.statics import stability_in_short
+from lagrange.explain.words import branch_conditions, sign_conditions
+from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.linearization import Linearization
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+from lagrange.mechanics.results import InCoordinates
+
+LONGEST_LINE = 30
+"""The most operations of the square of a frequency, or of a line about a steady motion."""
+LONGEST_WORDS = 12
+"""The most operations of the conditions of stability beside a solution."""
+
+
+def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
+    """Everything about rest and steady motion in one set of coordinates."""
+    yield Rule.EQUILIBRIUM, [*_equilibria(view)]
+    yield Rule.FRICTION_AT_REST, [*_friction(view)]
+    if view.steady is not None:
+        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_LINE]
+    if view.linearization is not None:
+        yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
+
+
+def _equilibria(view: InCoordinates) -> Iterator[Equation]:
+    """The equilibria, each with its stability."""
+    if view.equilibrium is None:
+        return
+    branches = view.equilibrium.branches
+    verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
+    for b, verdict in zip(branches, verdicts, strict=True):
+        words: tuple[Part, ...] = ()
+        if verdict is not None:
+            said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
+            if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
+                words = stability_in_short(verdict)
+        yield from _branch(b, *words)
+
+
+def _friction(view: InCoordinates) -> Iterator[Equation]:
+    """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
+    rest = view.at_rest
+    if rest is not None:
+        yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
+        yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
+    if view.rolling is not None:
+        yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
+    found = [b for m in view.impending or () for b in m.equilibrium.branches]
+    for b in found:
+        lines = _branch(b)
+        if rest is not None:
+            said = lines[-1].condition
+            lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
+        yield from lines
+
+
+def _steady(found: SteadyMotions) -> Iterator[Equation]:
+    """The steady motions, each with its stability."""
+    for family in found.families:
+        for b, s in zip(family.about.branches, family.about.at, strict=True):
+            stability = None if s is None else s.judgement.stability
+            words: tuple[Part, ...] = ()
+            if stability is not None and sum(count_operations(c.lhs) for c in stability.conditions) <= LONGEST_WORDS:
+                firm = stability.conditions and stability.verdict is StabilityVerdict.CONDITIONAL
+                words = ("stable where ", *sign_conditions(stability.conditions)) if firm else ()
+            rates = [Equation((v, value)) for v, value in family.rates.items()]
+            if not b.equations:
+                yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
+                continue
+            given = (*listed(math(*e.sides) for e in rates), ": " if words else "") if rates else ()
+            yield from _branch(b, *(("with ",) if given else ()), *given, *words)
+
+
+def _frequencies(linearization: Linearization) -> Iterator[Equation]:
+    """The squares of the frequencies, `about θ = 0`."""
+    for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
+        if linearization.copy_of(k) is not None:
+            continue
+        if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
+            continue
+        squares = [f.square for f in at.frequencies]
+        if any(s is None or count_operations(s) > LONGEST_LINE for s in squares):
+            continue
+        about = listed(math(r.lhs, r.rhs) for r in b.equations)
+        words: tuple[Part, ...] = ("about ", *about) if about else ()
+        conditions = at.judgement.stability.conditions
+        verdict = verdict_on(at)
+        firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
+        stable = "stable where " if firm else "stable to first order where "
+        stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
+        stability = stability or ((verdict,) if verdict else ())
+        words += (", " if words and stability else "", *stability)
+        for n, square in enumerate(squares, start=1):
+            name = f"{at.unknown.name}_{n}" if len(squares) > 1 else at.unknown.name
+            last = n == len(squares)
+            yield Equation((sp.Symbol(name, real=True) ** 2, square), condition=words if last else ())
+
+
+def _branch(b: Branch, *more: Part) -> list[Equation]:
+    """The equations of a solution, its conditions beside the last of them, then `more`."""
+    condition = branch_conditions(b)
+    words = (*condition, "; " if condition else "", *more) if more else condition
+    lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
+    return [*lines[:-1], replace(lines[-1], condition=words)] if lines else []
+
+
+def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:
+    """Inequalities of which all hold; of several cases only those of one line, with `or` between them."""
+    if len(cases) > 1 and any(len(case) > 1 for case in cases):
+        return
+    for n, case in enumerate(cases, start=1):
+        for sides in case:
+            yield Equation(sides, relation="≤", condition=("or",) if n < len(cases) else ())
+
+
+def _operations(line: Equation) -> int:
+    return sum(count_operations(s) for s in line.sides if isinstance(s, sp.Expr))
