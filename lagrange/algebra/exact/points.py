@@ -11,7 +11,7 @@ the derivative of e_i with respect to u_k, found for all k by one backward pass 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Self
+from typing import Any, Self, cast
 
 import sympy as sp
 
@@ -47,7 +47,7 @@ class Point:
         self._changes: Mapping[sp.Symbol, Any] = {}
         self._values: list[Any] = []
         self._origin: Point | None = None
-        self._mask = 0
+        self._mask: int | None = None
 
     @property
     def exact(self) -> bool:
@@ -72,18 +72,36 @@ class Point:
         if len(values) <= node:
             values.extend([None] * (len(self.graph.operations) - len(values)))
         if values[node] is None and (self._origin is None or self._taken_over(node) is None):
-            operations, codes, data = self.operations, self.graph.operations, self.graph.data
+            graph, operations, mask = self.graph, self.operations, self._mask
+            codes, data, symbols = graph.operations, graph.data, graph.symbols
             n = node
-            order = self.graph.order(node)
+            order = graph.order(node)
             spend(len(order) / NODES_PER_UNIT)
             try:
                 for n in order:
-                    if values[n] is None and (self._origin is None or self._taken_over(n) is None):
-                        values[n] = operations[codes[n]](self, values, data[n])
+                    if values[n] is None:
+                        shared = mask is not None and not symbols[n] & mask
+                        values[n] = self._shared(n) if shared else operations[codes[n]](self, values, data[n])
             except InadmissibleError as error:
                 # The first node that fails says which symbols are worth drawing again (`Sampler`).
                 error.node = n if error.node is None else error.node
                 raise
+        return values[node]
+
+    def _shared(self, node: int) -> Any:
+        """The value of a node without changed symbols: that of the point this one comes from, found there once.
+
+        What it needs has been evaluated there in the same way, since `at` goes through the graph in order.
+        """
+        point = cast(Point, self._origin)
+        values, graph = point._values, point.graph
+        if len(values) <= node:
+            values.extend([None] * (len(graph.operations) - len(values)))
+        if values[node] is None:
+            if point._mask is not None and not graph.symbols[node] & point._mask:
+                values[node] = point._shared(node)
+            else:
+                values[node] = point.operations[graph.operations[node]](point, values, graph.data[node])
         return values[node]
 
     def has_value(self, node: int) -> bool:
@@ -98,7 +116,7 @@ class Point:
             values = point._values
             if node < len(values) and values[node] is not None:
                 return values[node]
-            if point._origin is None or symbols & point._mask:
+            if point._origin is None or point._mask is None or symbols & point._mask:
                 return None
             point = point._origin
 
