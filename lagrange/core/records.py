@@ -2,15 +2,17 @@
 
 A record is a frozen dataclass, for `dataclasses.fields` and `replace` as well as for the type checker, and is compared
 field by field. `@dataclass(frozen=True)` compiles six methods for each class, and compiling those of two hundred
-classes is a tenth of what a short run takes beyond importing SymPy. Here only `__init__` is compiled, when the first
-record of its class is made (a short run makes records of every third class), and the other methods are shared.
+classes is a tenth of what a short run takes beyond importing SymPy. Here the methods are shared, and the fields of a
+class are looked at when its first record is made (a short run makes records of every third class). `__init__` is
+compiled only for arguments that do not fit, so that they are refused in Python's own words, and for `help`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import FrozenInstanceError, dataclass, field, fields
-from functools import cache, wraps
+from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
+from functools import cache
+from inspect import Signature, signature
 from threading import RLock
 from typing import Any, TypeVar, dataclass_transform
 
@@ -31,6 +33,7 @@ def record(cls: type[Made]) -> type[Made]:
         made.__init__(self, *values, **named)
 
     made.__init__ = first
+    made.__signature__ = _SignatureWhenAsked()
     return cls
 
 
@@ -45,8 +48,9 @@ class _WhenFirstAsked:
         with _ONE_AT_A_TIME:
             if vars(made)["__dataclass_fields__"] is self:
                 del made.__init__, made.__dataclass_fields__
-                dataclass(eq=False, repr=False)(made)
-                made.__init__ = _initializer(made.__init__)
+                made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
+                dataclass(eq=False, repr=False, init=False)(made)
+                made.__init__ = _initializer(made)
         found: dict[str, Any] = made.__dataclass_fields__
         return found
 
@@ -59,16 +63,46 @@ class _Open:
     """An object without protection, which shares the `__dict__` of a record while its fields are set."""
 
 
-def _initializer(plain: Callable[..., None]) -> Callable[..., None]:
-    """The `__init__` of a class that refuses assignments, made from one that assigns."""
+def _initializer(cls: Any) -> Callable[..., None]:
+    """The `__init__` of a class: the values by place and by name, then the defaults."""
+    initial = [f for f in fields(cls) if f.init]
+    places = tuple(f.name for f in initial if not f.kw_only)
+    allowed = {f.name for f in initial}
+    defaults = {f.name: f.default for f in initial if f.default is not MISSING}
+    factories = {f.name: f.default_factory for f in initial if f.default_factory is not MISSING}
+    required = allowed - {*defaults, *factories}
 
-    @wraps(plain)
     def initialize(self: Any, /, *values: Any, **named: Any) -> None:
-        unprotected = _Open()
-        unprotected.__dict__ = self.__dict__
-        plain(unprotected, *values, **named)
+        given = {**defaults, **dict(zip(places, values)), **named}  # noqa: B905, too many are refused below
+        if (
+            len(values) > len(places)
+            or not required <= given.keys() <= allowed
+            or not named.keys().isdisjoint(places[: len(values)])
+        ):
+            unprotected = _Open()
+            unprotected.__dict__ = self.__dict__
+            _compiled(cls).__init__(unprotected, *values, **named)
+            return
+        for name, factory in factories.items():
+            if name not in given:
+                given[name] = factory()
+        self.__dict__.update(given)
 
     return initialize
+
+
+def _compiled(cls: Any) -> Any:
+    """A class of the same fields with an `__init__` that `dataclass` compiles."""
+    names = {"__qualname__": cls.__qualname__, "__module__": cls.__module__, "__doc__": cls.__doc__}
+    return dataclass(eq=False, repr=False)(type(cls.__name__, (cls,), names))
+
+
+class _SignatureWhenAsked:
+    """The arguments of a class, for `help`."""
+
+    def __get__(self, _: object, cls: Any) -> Signature:
+        found = signature(_compiled(cls).__init__)
+        return found.replace(parameters=list(found.parameters.values())[1:])
 
 
 def _compared(instance: Any) -> list[Any]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
 from functools import cached_property
+from inspect import signature
 from pickle import dumps, loads
 from typing import Any
 
@@ -83,6 +84,15 @@ def test_arguments(classes: tuple[Any, Any]) -> None:
         classes[0]()
     with pytest.raises(TypeError, match="takes from 2 to 4 positional arguments"):
         classes[1](1, 2, "", ())
+
+
+def test_arguments_that_do_not_fit(classes: tuple[Any, Any]) -> None:
+    plane, space = classes
+    with pytest.raises(TypeError, match="got multiple values for argument 'x'"):
+        plane(1, x=2)
+    with pytest.raises(TypeError, match="got an unexpected keyword argument 'w'"):
+        space(1, w=2)
+    assert list(signature(space).parameters) == ["x", "y", "note", "z"]
 
 
 def test_own_methods_stay() -> None:
