@@ -95,7 +95,7 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     shown = statics.printed(pendulum().text)
     assert isinstance(shown, Printed)
     [both] = shown.json["equilibrium"] if len(shown.json["equilibrium"]) == 1 else [["tan(theta) = -3/4"]]
-    one = {"stability": ["undecided"], "equilibrium_conditions": [[]]}
+    one = {"stability": ["undecided"], "equilibrium_conditions": [[]], "stability_conditions": [{}]}
     assert kinds(shown, monkeypatch, equilibrium=[both], **one) == set()
     assert kinds(shown, monkeypatch, equilibrium=[["tan(theta) = 3/4"]], **one) == {
         "false equilibrium",
@@ -109,6 +109,8 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert kinds(shown, monkeypatch, equilibrium=[both], equilibrium_conditions=[[]], stability=["stable"]) == {
         "stability"
     }
+    somewhere = one | {"stability_conditions": [{"unstable_where": [["sin(theta) > 0"]]}]}
+    assert kinds(shown, monkeypatch, equilibrium=[both], **somewhere) == {"condition of stability"}
     assert "strange symbol" in kinds(shown, monkeypatch, equilibrium=[both], generalized_forces={"theta": "u*v"}, **one)
     assert "not for print" in kinds(shown, monkeypatch, equilibrium=[both], note="nan", **one)
 
