@@ -423,5 +423,5 @@ def test_nothing_is_called_coriolis_where_a_support_is_accelerated() -> None:
         ("l*theta'' + (g - h'')*sin(theta) = 0", "with the wrong sign of the terms of T that are linear in"),
         ("l*theta'' + (g + h')*sin(theta) = 0", "wrong in its terms with velocities or derivatives of a given motion;"),
     ):
-        [found] = check_answer(problem, (Fragment.of(equation),)).equations
+        [found] = check_answer(problem, (Fragment.of(equation),)).equations.equations
         assert said in found.diagnosis
