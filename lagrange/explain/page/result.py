@@ -135,7 +135,8 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"
-    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and all(e.condition for e in lines)
+    branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
+    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and any(len(b) > 1 for b in branches)
     return "the equilibria" if several else _CALLED[rule]
 
 
@@ -236,9 +237,10 @@ def _steady(found: SteadyMotions) -> Iterator[Equation]:
 
 
 def _equilibria(view: InCoordinates) -> Iterator[Equation]:
-    """The equilibria, each with its stability."""
+    """The equilibria, each with its stability; `or` between them where one takes several lines."""
     if view.equilibrium is None:
         return
+    found: list[list[Equation]] = []
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     for b, verdict in zip(branches, verdicts, strict=True):
@@ -247,7 +249,13 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
             if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
-        yield from _branch(b, *words)
+        found.append(_branch(b, *words))
+    found = [lines for lines in found if lines]
+    are_systems = any(len(lines) > 1 for lines in found)
+    for n, (*first, last) in enumerate(found, start=1):
+        said = last.condition
+        yield from first
+        yield replace(last, condition=(*said, ", or" if said else "or")) if are_systems and n < len(found) else last
 
 
 def _friction(view: InCoordinates) -> Iterator[Equation]:
