@@ -25,7 +25,8 @@ from lagrange.core.operations import count_operations
 def quotients(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> Iterator[tuple[sp.Expr, sp.Expr]]:
     """The terms of an expression that have an unknown in their denominator, as numerators and denominators."""
     for term in sp.Add.make_args(e):
-        in_sines = term.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a)).replace(sp.cot, lambda a: sp.cos(a) / sp.sin(a))
+        in_sines = term.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
+        in_sines = in_sines.replace(sp.cot, lambda a: sp.cos(a) / sp.sin(a))
         above, below = sp.fraction(sp.together(in_sines))
         moving = [f for f in sp.Mul.make_args(below) if f.free_symbols & {*unknowns}]
         if moving and count_operations(below) <= LONGEST_DENOMINATOR:
@@ -59,7 +60,7 @@ def undefined_points(
 def _narrowed(
     point: Values, solution: SolutionSet, at: Values, within: SolutionSet, left: Sequence[sp.Symbol]
 ) -> Values | None:
-    """A point of a family with the values of the unknowns that it left open; None if the two measure angles differently."""
+    """A point of a family with values of the unknowns that it left open; None if the two measure angles differently."""
     own, other = solution.letters.angles, within.letters.angles
     given: Values = {}
     for u in left:

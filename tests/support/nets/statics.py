@@ -251,7 +251,9 @@ def _judged_stability(
             each = [holds(c, system.scope(r.q, r.parameters)) for c in conditions]
             if None not in each and all(each) != r.stable:
                 return [Finding(f"condition of {kind}", f"{said}, stable where {' and '.join(conditions)}", true)]
-        holding = [all(holds(c, system.scope(r.q, r.parameters)) for c in alternative) for alternative in unstable or ()]
+        holding = [
+            all(holds(c, system.scope(r.q, r.parameters)) for c in alternative) for alternative in unstable or ()
+        ]
         if r.stable and any(holding):
             return [Finding(f"condition of {kind}", f"{said}, unstable where {unstable}", true)]
     if verdict == "undecided" and not unstable and solved and len(truths) == 1 and None not in truths:
