@@ -44,15 +44,17 @@ def stability_conditions(s: Stability, write: Write) -> dict[str, Any]:
     `stable_where` is a list of conditions, all of which must hold. `unstable_where` is a list of alternatives, each of
     them such a list. A conditional equilibrium is unstable elsewhere; otherwise the second variation does not decide.
     """
+    stable: tuple[SignCondition, ...] = ()
+    unstable: tuple[tuple[SignCondition, ...], ...] = ()
     match s.verdict.value:
         case "stable":
-            stable, unstable = s.presupposed, ()
+            stable = s.presupposed
         case "conditional":
-            stable, unstable = s.conditions, ()
+            stable = s.conditions
         case "unstable":
-            stable, unstable = (), (s.presupposed,) if s.presupposed else ()
+            unstable = (s.presupposed,) if s.presupposed else ()
         case _:
-            stable, unstable = (), tuple((c,) for c in s.unstable)
+            unstable = tuple((c,) for c in s.unstable)
     found: dict[str, Any] = {"stable_where": [condition(c, write) for c in stable]} if stable else {}
     if unstable:
         found["unstable_where"] = [[condition(c, write) for c in alternative] for alternative in unstable]

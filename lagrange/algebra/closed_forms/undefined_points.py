@@ -62,7 +62,7 @@ def _narrowed(
 ) -> Values | None:
     """A point of a family with values of the unknowns that it left open; None if the two measure angles differently."""
     own, other = solution.letters.angles, within.letters.angles
-    given: Values = {}
+    given: dict[sp.Symbol, sp.Expr] = {}
     for u in left:
         if u in other:
             if u not in own or own[u].measure != other[u].measure:

@@ -253,9 +253,9 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
     found = [lines for lines in found if lines]
     are_systems = any(len(lines) > 1 for lines in found)
     for n, (*first, last) in enumerate(found, start=1):
-        said = last.condition
         yield from first
-        yield replace(last, condition=(*said, ", or" if said else "or")) if are_systems and n < len(found) else last
+        beside = (*last.condition, ", or" if last.condition else "or")
+        yield replace(last, condition=beside) if are_systems and n < len(found) else last
 
 
 def _friction(view: InCoordinates) -> Iterator[Equation]:
