@@ -16,7 +16,7 @@ What has no closed form is compared by its factors, or on the surfaces that the 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 from typing import TypeAlias
@@ -27,6 +27,7 @@ from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given
+from lagrange.algebra.closed_forms.undefined_points import undefined_points
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.answers.readings import Reading
@@ -37,6 +38,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 
 RESTATED = "it restates a constraint"
 _NOWHERE = "it holds in no position of equilibrium"
+_DIVIDES = "there are equilibria at which it divides by zero: state them as well"
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 
 
@@ -199,21 +201,42 @@ class EquilibriumComparison:
             return AnswerVerdict(Verdict.UNDECIDED, equations)
         if self.left and not any(self._has_unsolved(s) for s in systems):
             uncovered |= {self.branches.index(b) for b in self.left}
-        if uncovered:
-            return AnswerVerdict(Verdict.INCOMPLETE, equations, missing=len(uncovered))
+        lost = {e for n, p in self.points if n not in uncovered for e in self._lost(p, alternatives)}
+        if lost:
+            equations = tuple(
+                replace(v, remarks=(*v.remarks, _DIVIDES)) if lost & {*es} else v
+                for v, es in zip(equations, (es for a in alternatives for es in a.equations), strict=True)
+            )
+        if uncovered or lost:
+            return AnswerVerdict(Verdict.INCOMPLETE, equations, missing=len(uncovered) + bool(lost))
         return AnswerVerdict(Verdict.EQUIVALENT, equations)
 
     def _uncovered(self, alternatives: Sequence[_Alternative]) -> set[int] | None:
         """The branches with a point that satisfies none of the alternatives; None: undecided."""
         uncovered = set()
         for n, p in self.points:
-            holds = self._one_holds([(p, [x for es in a.equations for x in es], a.angles) for a in alternatives])
+            holds = self._one_holds(self._cases(p, alternatives))
             if holds:
                 continue
             if holds is None or not self._is_balanced(self.solution, p, {}):
                 return None
             uncovered.add(n)
         return uncovered
+
+    def _cases(self, p: Values, alternatives: Sequence[_Alternative]) -> list[_Case]:
+        return [(p, [x for es in a.equations for x in es], a.angles) for a in alternatives]
+
+    def _lost(self, p: Values, alternatives: Sequence[_Alternative]) -> Iterator[sp.Expr]:
+        """The equations that lose equilibria of a family on which they hold, since they divide by zero there."""
+        unknowns = tuple(dict.fromkeys((*self.unknowns, *self.equilibrium.multipliers)))
+        for e in dict.fromkeys(x for a in alternatives for es in a.equations for x in es):
+            for q in undefined_points(e, p, self.solution, unknowns):
+                if self._is_balanced(self.solution, q, {}) and self._one_holds(self._defined(q, alternatives)) is False:
+                    yield e
+
+    def _defined(self, p: Values, alternatives: Sequence[_Alternative]) -> list[_Case]:
+        """The alternatives that have a value at a position."""
+        return [case for case in self._cases(p, alternatives) if self._residuals(*case) is not None]
 
     def _has_unsolved(self, system: Sequence[Sequence[sp.Expr]]) -> bool:
         """Whether an alternative includes the solutions that are not known in closed form."""

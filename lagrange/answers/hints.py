@@ -114,6 +114,8 @@ class Advisor:
         if change.group is None:
             return ""
         terms = _TERMS[change.group]
+        if change.group is Group.VELOCITY and self.notation.prescribed:
+            terms = "terms with velocities or derivatives of a given motion"
         if change.absent:
             return f"its terms are right, but {terms} are missing"
         return f"something is wrong in its {terms}" + ("" if change.alone else "; the others are right")

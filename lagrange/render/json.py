@@ -29,7 +29,7 @@ from lagrange.render.json_numbers import (
     rest_in_numbers,
     searched,
 )
-from lagrange.render.json_steps import block, condition, shown
+from lagrange.render.json_steps import block, condition, shown, stability_conditions
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -397,6 +397,7 @@ def _statics(
         result["equilibrium_outside_ranges"] = outside
     if stability is not None:
         result["stability"] = [s.verdict.value for s in stability.verdicts]
+        result["stability_conditions"] = [stability_conditions(s, write) for s in stability.verdicts]
     if in_numbers is not None:
         result["equilibrium_in_numbers"] = [position(p) for p in in_numbers.positions]
         if in_numbers.numerical is not None:
@@ -476,10 +477,7 @@ def _oscillations(
         result["damped_modes"] = damped_modes(s.decaying, write)
     decided = {"stable": True, "unstable": False}
     result |= {"stable": decided.get(stability.verdict.value), "stability": stability.verdict.value}
-    where = stability.presupposed if stability.verdict.value == "stable" else stability.conditions
-    if where:
-        result["stable_where"] = [condition(c, write) for c in where]
-    return result
+    return result | stability_conditions(stability, write)
 
 
 def motion(dynamics: Motion, write: Write) -> dict[str, Any]:

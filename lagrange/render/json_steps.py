@@ -1,4 +1,4 @@
-"""The steps of a derivation, in JSON: prose as sentences, equations as text that can be read back."""
+"""The steps of a derivation, in JSON: prose as sentences, equations and conditions as text that can be read back."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from lagrange.document.math_writer import TEXT
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
+    from lagrange.mechanics.equilibrium.stability import Stability
 
 Write = Callable[[Any], str]
 
@@ -35,6 +36,29 @@ Write = Callable[[Any], str]
 def condition(c: SignCondition, write: Write) -> str:
     """A condition in the language of problem files: a >= b."""
     return f"{write(c.lhs)} {TEXT.relation(c.relation)} {write(c.rhs)}"
+
+
+def stability_conditions(s: Stability, write: Write) -> dict[str, Any]:
+    """The conditions that go with a verdict; none where it holds for all parameters.
+
+    `stable_where` is a list of conditions, all of which must hold. `unstable_where` is a list of alternatives, each of
+    them such a list. A conditional equilibrium is unstable elsewhere; otherwise the second variation does not decide.
+    """
+    stable: tuple[SignCondition, ...] = ()
+    unstable: tuple[tuple[SignCondition, ...], ...] = ()
+    match s.verdict.value:
+        case "stable":
+            stable = s.presupposed
+        case "conditional":
+            stable = s.conditions
+        case "unstable":
+            unstable = (s.presupposed,) if s.presupposed else ()
+        case _:
+            unstable = tuple((c,) for c in s.unstable)
+    found: dict[str, Any] = {"stable_where": [condition(c, write) for c in stable]} if stable else {}
+    if unstable:
+        found["unstable_where"] = [[condition(c, write) for c in alternative] for alternative in unstable]
+    return found
 
 
 def block(block: Block, write: Write) -> dict[str, Any]:

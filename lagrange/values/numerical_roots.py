@@ -312,15 +312,32 @@ def _refined(
         rule = dict(zip(unknowns, values, strict=True))
         residual = sp.Matrix([e.xreplace(rule).evalf(2 * WORKING_DIGITS) for e in equations])
         slope = sp.Matrix([[d.xreplace(rule).evalf(2 * WORKING_DIGITS) for d in row] for row in jacobian])
-        if not all(x.is_number and x.is_real for x in (*residual, *slope)) or slope.det() == 0:
+        if not all(x.is_number and x.is_real for x in (*residual, *slope)):
             return None
-        step = slope.LUsolve(residual)
+        step = _solved(slope, residual)
+        if step is None:
+            return None
         values = [sp.Float(v - s, 2 * WORKING_DIGITS) for v, s in zip(values, step, strict=True)]
         if all(
             abs(s) <= sp.Float(10) ** (-WORKING_DIGITS - 5) * (1 + abs(v)) for v, s in zip(values, step, strict=True)
         ):
             return tuple(sp.Float(v, WORKING_DIGITS) for v in values)
     return None
+
+
+def _solved(slope: sp.Matrix, residual: sp.Matrix) -> list[sp.Float] | None:
+    """The step of Newton's iteration; None where the matrix is singular.
+
+    By mpmath, with pivots by size: SymPy takes the first one that is not zero, be it zero but for rounding.
+    """
+    digits = 2 * WORKING_DIGITS
+    with mpmath.workdps(digits):
+        rows = [[mpmath.mpf(sp.Float(x, digits)._mpf_) for x in slope.row(n)] for n in range(slope.rows)]
+        right = [mpmath.mpf(sp.Float(x, digits)._mpf_) for x in residual]
+        try:
+            return [sp.Float(x, digits) for x in mpmath.lu_solve(mpmath.matrix(rows), mpmath.matrix(right))]
+        except (ZeroDivisionError, ValueError):
+            return None
 
 
 def _enclosure(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:

@@ -404,3 +404,24 @@ def test_a_term_is_named_as_it_was_written(velocities: str, said: str) -> None:
     answer = Fragment.of(f"2*L*phi'' + l*psi''*cos(phi - psi) {velocities} + 2*g*sin(phi) = 0")
     found = check_answer(read_problem(Source("problem", WITH_VALUES)), (answer,))
     assert said in found.equations.equations[0].diagnosis
+
+
+SHAKEN = """
+title: A pendulum whose support is moved up and down
+parameters: [m, l, g]
+functions: {h: [t]}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i + (h - l*cos(theta))*j}}
+gravity: -g*j
+"""
+
+
+def test_nothing_is_called_coriolis_where_a_support_is_accelerated() -> None:
+    """m l h' θ' sin θ in T gives h'' sin θ alone, which is no term with velocities either."""
+    problem = read_problem(Source("problem.yaml", SHAKEN))
+    for equation, said in (
+        ("l*theta'' + (g - h'')*sin(theta) = 0", "with the wrong sign of the terms of T that are linear in"),
+        ("l*theta'' + (g + h')*sin(theta) = 0", "wrong in its terms with velocities or derivatives of a given motion;"),
+    ):
+        [found] = check_answer(problem, (Fragment.of(equation),)).equations.equations
+        assert said in found.diagnosis

@@ -338,3 +338,31 @@ answers: {equilibrium: %s}
 def test_positions_found_numerically(problem: Callable[[str], Problem], stated: str, verdict: str) -> None:
     [answer] = as_object(report(problem(RIM % stated)))["answers"]
     assert answer["verdict"] == verdict
+
+
+SKATE_ON_A_SPRING = """
+title: a skate on a spring
+parameters: [k]
+coordinates: [x, y, theta]
+particles: {P: {position: x*i + y*j}}
+constraints: {blade: "y'*cos(theta) - x'*sin(theta) = 0"}
+forces: {spring: {spring: k, between: [0*i, P]}}
+find: equilibrium
+"""
+"""In equilibrium for x cos θ + y sin θ = 0."""
+
+
+@pytest.mark.parametrize(
+    ("stated", "expected"),
+    [
+        ("x*cos(theta) + y*sin(theta) = 0", EQUIVALENT),
+        ("y = -x*cos(theta)/sin(theta)", INCOMPLETE),
+        ("x = -y*tan(theta)", INCOMPLETE),
+        ("tan(theta) = -x/y", INCOMPLETE),
+        ("y = -x*cot(theta) or x = -y*tan(theta)", EQUIVALENT),
+    ],
+)
+def test_equilibria_lost_by_dividing(stated: str, expected: Verdict) -> None:
+    """x = 0, θ = 0 with any y is lost by a division by sin θ, and x = y = 0 with any θ by one by y."""
+    judged = examiner(SKATE_ON_A_SPRING).check((Fragment.of(stated),))
+    assert judged.verdict is expected

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -84,18 +85,20 @@ def test_a_point_of_inflection_is_not_judged() -> None:
     assert {r.stable for r in rests(s, {}, random.Random(1)) if abs(r.q[0]) < 0.1} == {None}
 
 
-def kinds(shown: Printed, monkeypatch: pytest.MonkeyPatch, **changes: Any) -> set[str]:
+def kinds(
+    shown: Printed, monkeypatch: pytest.MonkeyPatch, system: Callable[[], System] = pendulum, **changes: Any
+) -> set[str]:
     """The kinds of findings where the program prints something else."""
     other = Printed(shown.text, shown.report, shown.json | changes)
     monkeypatch.setattr(statics, "printed", lambda _: other)
-    return {f.kind for f in check_system(pendulum(), random.Random(1), checking=False)} - {"undecided stability"}
+    return {f.kind for f in check_system(system(), random.Random(1), checking=False)} - {"undecided stability"}
 
 
 def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     shown = statics.printed(pendulum().text)
     assert isinstance(shown, Printed)
     [both] = shown.json["equilibrium"] if len(shown.json["equilibrium"]) == 1 else [["tan(theta) = -3/4"]]
-    one = {"stability": ["undecided"], "equilibrium_conditions": [[]]}
+    one = {"stability": ["undecided"], "equilibrium_conditions": [[]], "stability_conditions": [{}]}
     assert kinds(shown, monkeypatch, equilibrium=[both], **one) == set()
     assert kinds(shown, monkeypatch, equilibrium=[["tan(theta) = 3/4"]], **one) == {
         "false equilibrium",
@@ -109,8 +112,37 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     assert kinds(shown, monkeypatch, equilibrium=[both], equilibrium_conditions=[[]], stability=["stable"]) == {
         "stability"
     }
+    somewhere = one | {"stability_conditions": [{"unstable_where": [["sin(theta) > 0"]]}]}
+    assert kinds(shown, monkeypatch, equilibrium=[both], **somewhere) == {"condition of stability"}
     assert "strange symbol" in kinds(shown, monkeypatch, equilibrium=[both], generalized_forces={"theta": "u*v"}, **one)
     assert "not for print" in kinds(shown, monkeypatch, equilibrium=[both], note="nan", **one)
+
+
+def hanging() -> System:
+    """A particle of mass 1 on a rod of length 2 in Cartesian coordinates, and its small oscillations, ω² = 4/2."""
+    s = System("hanging", ["x", "y"], box=3, find="[equilibrium, linearization]")
+    s.particle("P", "1", "x", "y")
+    s.constraints["rod"] = "x^2 + y^2 = 4"
+    s.weigh("4")
+    return s
+
+
+def test_wrong_frequencies_and_reactions_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = statics.printed(hanging().text)
+    assert isinstance(shown, Printed)
+    assert kinds(shown, monkeypatch, hanging) == set()
+    entries = shown.json["linearization"]
+    assert [f["multiplicity"] for x in entries for f in x["frequencies"]] == [1, 1]
+    for change in ({"multiplicity": 2}, {"squared": "1 + 1/3"}):
+        wrong = [x | {"frequencies": [f | change for f in x["frequencies"]]} for x in entries]
+        assert kinds(shown, monkeypatch, hanging, linearization=wrong) == {"frequencies"}
+    rod = shown.json["reactions"]["rod"]
+    for factor in ("-1", "2"):
+        turned = [r | {"multiplier": f"{factor}*({r['multiplier']})"} for r in rod["at_equilibrium"]]
+        assert kinds(shown, monkeypatch, hanging, reactions={"rod": rod | {"at_equilibrium": turned}}) == {"reaction"}
+    for n in (0, 1):
+        kept = {k: shown.json[k][1 - n : 2 - n] for k in ("equilibrium", "equilibrium_conditions", "stability")}
+        assert "missing equilibrium" in kinds(shown, monkeypatch, hanging, **kept, linearization=[], reactions={})
 
 
 def test_conditions_are_read_from_the_page() -> None:

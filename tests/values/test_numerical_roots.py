@@ -91,3 +91,13 @@ def test_three_unknowns() -> None:
         pytest.approx([ends[0], ends[1], c]),
         pytest.approx([ends[1], ends[0], c]),
     ]
+
+
+def test_a_pivot_that_is_zero_but_for_rounding() -> None:
+    """The slopes of a four-bar linkage with two rods in line: SymPy takes 10⁻⁶¹ for a pivot, and ends in an error."""
+    slope = sp.Matrix([[sp.Float("-6e-61", 60), -18, 18], [-sp.sqrt(3), 3, -1], [1, 2, -1]]).evalf(60)
+    residual = sp.Matrix([1, 2, 3])
+    step = numerical_roots._solved(slope, residual)
+    assert step is not None
+    assert (slope * sp.Matrix(step) - residual).norm() < 1e-40
+    assert numerical_roots._solved(sp.Matrix([[1, 2], [2, 4]]), sp.Matrix([1, 1])) is None

@@ -50,3 +50,5 @@ HIGHEST_CONDITION_DEGREE = 12
 MOST_COMBINED = 4
 # The degree of a rational function of t that is taken apart: a rocket's mass is of the first.
 HIGHEST_RATIONAL_DEGREE = 12
+# Operations of a denominator whose zeros are sought, where an equation divides by it.
+LONGEST_DENOMINATOR = 30

@@ -21,6 +21,10 @@ from lagrange.core.vectors import Components
 from lagrange.mechanics.constraints.displacements import virtual_displacements
 
 HALF = sp.Rational(1, 2)
+LINEAR = (
+    "the terms of T that are linear in the velocities (Coriolis terms, or the acceleration of what moves as prescribed)"
+)
+"""T_1. Of a frame that turns uniformly it gives Coriolis terms, of a support that is shaken its acceleration alone."""
 
 
 def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
@@ -39,11 +43,11 @@ def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
         others = m.inertia(lambda i: i.times({(time, time): sp.S.Zero}))
         yield Variation("without the centrifugal terms of the prescribed motion", place, others)
         mixed = m.inertia(lambda i: i.times({p: sp.S.Zero for p in i.products if time in p and p != (time, time)}))
-        yield Variation("without the Coriolis terms of the prescribed motion", place, mixed)
+        yield Variation(f"without {LINEAR}", place, mixed)
         for c in (sp.S.NegativeOne, HALF, sp.Integer(2)):
             scaled = m.inertia(lambda i, c=c: i.times({p: c for p in i.products if time in p and p[0] != time}))  # type: ignore[misc]
-            how = "the wrong sign" if c == -1 else f"{c} times the right size"
-            yield Variation(f"with Coriolis terms of the prescribed motion of {how}", place, scaled)
+            how = "the wrong sign of" if c == -1 else f"{c} times"
+            yield Variation(f"with {how} {LINEAR}", place, scaled)
         reversed_ = m.inertia(lambda i: i.times({(time, time): sp.S.NegativeOne}))
         yield Variation("with centrifugal terms of the prescribed motion of the wrong sign", place, reversed_)
     for one in moved if len(moved) > 1 else ():

@@ -31,7 +31,7 @@ SAMPLES = 60
 ENOUGH = 10
 """So many random places with a clear sign settle a claim."""
 CLEAR = 1e-7
-WRONG_STABILITY = "what is said about its stability is not true"
+WRONG_STABILITY = "the claim about its stability is wrong"
 ONLY_SOMETIMES = "it is {} for some values of the parameters only: the condition is missing"
 _WORD = re.compile(
     r"(?<![^\W\d_])(?P<not>un|in|not\s+|non[- ]|nicht\s+)?(?P<word>stab(?:le|il)|labil)(?![^\W\d_])", re.IGNORECASE

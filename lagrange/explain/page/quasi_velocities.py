@@ -94,7 +94,7 @@ def reaction_as_a_whole(solution: Solution) -> Step | None:
     if in_speeds is not None and point.name in in_speeds.accelerations:
         known = ("with ", Ref(f"changed-in-speeds-r_{point.name}''"))
     words = f"By Newton's law the total reaction on {the(point.name)} is"
-    line = Equation(sides, label=f"reaction-{point.name}", condition=known)
+    line = Equation(sides, label=f"total-reaction-{point.name}", condition=known)
     body: list[Block] = [prose(words), display(line, boxed=True)]
     body += _across(solution, point.acceleration, point.mass, force, reaction)
     return Step(Rule.SOLVED_REACTIONS, "The reaction", tuple(body))

@@ -127,7 +127,8 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"
-    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and all(e.condition for e in lines)
+    branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
+    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and any(len(b) > 1 for b in branches)
     return "the equilibria" if several else _CALLED[rule]
 
 

@@ -40,9 +40,10 @@ def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]
 
 
 def _equilibria(view: InCoordinates) -> Iterator[Equation]:
-    """The equilibria, each with its stability."""
+    """The equilibria, each with its stability; `or` between them where one takes several lines."""
     if view.equilibrium is None:
         return
+    found: list[list[Equation]] = []
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     for b, verdict in zip(branches, verdicts, strict=True):
@@ -51,7 +52,13 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
             if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
-        yield from _branch(b, *words)
+        found.append(_branch(b, *words))
+    found = [lines for lines in found if lines]
+    are_systems = any(len(lines) > 1 for lines in found)
+    for n, (*first, last) in enumerate(found, start=1):
+        yield from first
+        beside = (*last.condition, ", or" if last.condition else "or")
+        yield replace(last, condition=beside) if are_systems and n < len(found) else last
 
 
 def _friction(view: InCoordinates) -> Iterator[Equation]:

@@ -20,9 +20,11 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.forms.exact_forms import primitive
 from lagrange.algebra.fourier.polynomials import unpack
 from lagrange.algebra.fourier.ring import Element, FourierRing
@@ -157,17 +159,33 @@ def _generalized(load: Load, configuration: Configuration, ring: FourierRing) ->
 
 
 def _is_closed(forces: tuple[Element, ...], configuration: Configuration, ring: FourierRing) -> bool:
-    """Whether ∂Q_i/∂q_k = ∂Q_k/∂q_i, for differentiable functions Q of the position."""
-    if any(f.to_sympy().has(sp.sign, sp.Abs) for f in forces):
-        return False
+    """Whether ∂Q_i/∂q_k = ∂Q_k/∂q_i, for functions Q of the position."""
     if any(forces) and not are_true_coordinates(configuration):
         return False
     coordinates = configuration.slots.coordinates
+    if any(f.to_sympy().has(sp.sign, sp.Abs) for f in forces):
+        return _is_closed_across_jumps([f.to_sympy() for f in forces], coordinates)
     return all(
         ring.is_zero(ring.partial(b)(forces[k]) - ring.partial(a)(forces[n]))
         for k, a in enumerate(coordinates)
         for n, b in enumerate(coordinates[:k])
     )
+
+
+def _is_closed_across_jumps(forces: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> bool:
+    """The same where signs and moduli occur: −c sgn(x − y) and c sgn(x − y) are closed, c sgn y and 0 are not.
+
+    The derivative of sgn u has 2 δ(u) u', whose coefficients must agree as well.
+    """
+    for (k, a), (n, b) in combinations(enumerate(coordinates), 2):
+        difference = forces[k].diff(b) - forces[n].diff(a)
+        signs = {e.args[0]: sp.Dummy() for e in difference.atoms(sp.sign, sp.Abs)}
+        letters: dict[sp.Basic, sp.Expr] = {sp.sign(u): s for u, s in signs.items()}
+        letters |= {sp.Abs(u): u * s for u, s in signs.items()}
+        letters |= {jump: sp.Dummy() for jump in difference.atoms(sp.DiracDelta)}
+        if is_zero(difference.xreplace(letters)) is not True:
+            return False
+    return True
 
 
 def _potential(forces: tuple[Element, ...], configuration: Configuration, ring: FourierRing) -> sp.Expr | None:

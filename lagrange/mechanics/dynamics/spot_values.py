@@ -30,6 +30,7 @@ from lagrange.mechanics.dynamics.comparison import System, affine_rows
 from lagrange.mechanics.dynamics.limits import (
     DIGITS,
     LARGEST_DENOMINATOR,
+    LARGEST_VELOCITY,
     MOST_DEPENDENT_SETS,
     MOST_ITERATIONS,
     RECOGNISED_DIGITS,
@@ -110,6 +111,8 @@ def _at(
         raise ValueError("no positions")
     values |= positions
     values |= _velocities(configuration, values, trial, signs[1])
+    if any(abs(values[v]) > LARGEST_VELOCITY for v in slots.velocities):
+        raise ValueError("no velocities, but for a pivot that is zero rounded")
     accelerations = _solved(system, values)
     if accelerations is None:
         raise ValueError("no accelerations")

@@ -86,3 +86,18 @@ def test_numbers_in_the_box_are_numbers_and_an_angle_has_its_degrees(problem: Ca
     told = box(report(problem(LADDER), complete=False))
     assert "that is sin θ ≈ 0.6265, θ ≈ 38.79°" in told
     assert told.count("that is") == 1
+
+
+def test_equilibria_of_several_lines_are_alternatives(problem: Callable[[str], Problem]) -> None:
+    """θ = 0 and φ = 0, or θ = π and φ = 0: no system of four equations."""
+    text = """
+title: Two angles
+parameters: [k]
+coordinates: [theta, phi]
+forces: {v: {potential: "-k*cos(theta) - k*cos(phi)"}}
+find: equilibrium
+"""
+    shown = box(report(problem(text)))
+    assert "the equilibria:" in shown
+    assert shown.count("or ") == 3
+    assert "stable, or" in shown

@@ -48,6 +48,42 @@ def test_the_potential_of_an_undefined_force_is_not_denied() -> None:
     assert kinds(found) == [("momentum", "cyclic")]
 
 
+JUMPS = """
+title: Two particles and forces that jump
+parameters: [m, c]
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}}
+forces: {a: {on: A, vector: "(%s)*i"}, b: {on: B, vector: "(%s)*i"}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("on_a", "on_b", "potential"),
+    [
+        ("-c*sign(x)", "0", "c*Abs(x)"),
+        ("-c*sign(x) - c*x", "0", "c*Abs(x) + c*x**2/2"),
+        ("-c*sign(x - y)", "c*sign(x - y)", "c*Abs(x - y)"),
+        ("-c*sign(y)", "0", None),
+        ("-c*sign(x)*x'^2", "0", None),
+    ],
+)
+def test_forces_that_jump_have_potentials_too(on_a: str, on_b: str, potential: str | None) -> None:
+    """−c sgn x is the slope of c |x|, as gravity towards a plane from both sides; c sgn y along x has none."""
+    found = of(JUMPS % (on_a, on_b))
+    energies = [i.expression for i in found.integrals if i.quantity is ConservedQuantity.ENERGY]
+    assert bool(energies) is (potential is not None)
+    if potential is not None:
+        letters = {n: sp.Symbol(n, real=True) for n in ("x", "y", "x'", "y'")}
+        letters |= {n: sp.Symbol(n, positive=True) for n in ("m", "c")}
+        v = energies[0].xreplace({letters["x'"]: sp.S.Zero, letters["y'"]: sp.S.Zero})
+        assert sp.expand(v - sp.sympify(potential, locals=letters)) == 0
+
+
+def test_a_potential_that_is_not_found_is_not_denied() -> None:
+    found = of(JUMPS % ("-c*x*abs(x)", "0"))
+    assert found.energy is None or found.energy.hidden
+
+
 FRICTION = """
 title: Block on a rough table
 parameters: [m, g, mu]

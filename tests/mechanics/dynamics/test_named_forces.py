@@ -13,6 +13,7 @@ import pytest
 import sympy as sp
 from sympy.parsing.sympy_parser import parse_expr
 
+from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.explain.report import report
 from lagrange.mechanics.constraints.classification import classify
@@ -264,6 +265,14 @@ NAMED = sorted(
 )
 
 
+WITHOUT_A_SINGLE_FORCE = {
+    *("impacts/ball-on-a-wedge", "impacts/rod-falls-on-an-edge"),  # of the impact
+    *("motion/four-bar-linkage", "motion/governor", "motion/planetary-gear"),  # between angles
+    *("motion/skewed-disc", "motion/suslov-body"),  # moments
+}
+"""Shipped problems whose named reactions are multipliers."""
+
+
 def rewritten(row: Row, lhs: sp.Expr, rhs: sp.Expr, configuration: Configuration) -> Row:
     """The row of another equation for the same constraint."""
     slots, f = configuration.slots, lhs - rhs
@@ -278,18 +287,21 @@ def rewritten(row: Row, lhs: sp.Expr, rhs: sp.Expr, configuration: Configuration
 def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
     """Multiplied by a positive factor, with squared lengths for lengths or the converse: the same force for N = 1.
 
-    With the sides exchanged, a tension is the same, and so is N of a one-sided constraint, whose normal points to the
-    permitted side; another unit normal, and N with it, change their signs.
+    With the sides exchanged, or a negative factor, a tension is the same, and so is N of a one-sided constraint, whose
+    normal points to the permitted side; another unit normal, and N with it, change their signs.
     """
     problem = load(PROBLEMS / f"{name}.yaml")
     configuration = kinematics(problem)
     before = newton_of(problem, configuration, problem.constraints)
+    tried = 0
     for n, (c, reaction) in enumerate(zip(problem.constraints, before.reactions, strict=True)):
         if c.reaction == reaction.row.multiplier or reaction.single is None or reaction.row.nonlinear is not None:
             continue
         is_tension = reaction.single.kind is ForceKind.TENSION
         exchanged = 1 if is_tension or c.side is not None else -1
-        other_ways = [(3 * c.lhs, 3 * c.rhs, 1), (c.rhs, c.lhs, exchanged)]
+        assert any(reaction.per_unit(body) is not None for body in reaction.acts_on)
+        tried += 1
+        other_ways = [(3 * c.lhs, 3 * c.rhs, 1), (c.rhs, c.lhs, exchanged), (-2 * c.lhs, -2 * c.rhs, exchanged)]
         if reaction.rod is not None:
             power = sp.Rational(1, 2) if c.rhs.is_Pow else sp.Integer(2)
             other_ways.append((c.lhs**power, c.rhs**power, 1))
@@ -297,18 +309,25 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
             rows = list(configuration.rows)
             rows[n] = rewritten(rows[n], lhs, rhs, configuration)
             other = replace(configuration, constrained=configuration.constrained.with_rows(rows))
-            side = -c.side if c.side is not None and lhs == c.rhs else c.side
+            is_exchanged = lhs == c.rhs or lhs == -2 * c.lhs != 0 or rhs == -2 * c.rhs != 0
+            side = -c.side if c.side is not None and is_exchanged else c.side
             constraints = [replace(d, lhs=lhs, rhs=rhs, side=side) if d is c else d for d in problem.constraints]
             after = newton_of(problem, other, constraints).reactions[n]
             assert after.force == reaction.force
             assert after.single is not None
             assert after.single.kind is reaction.single.kind
             for body in reaction.acts_on:
+                # λ ∂f/∂r is N times the direction that belongs to N: otherwise the size of N is another one.
+                by_multiplier = after.on(body)
+                scaled = None if by_multiplier is None else by_multiplier * after.per_force
+                if not after.per_force.atoms(Sign):  # r² = l(t)²: σ is the sign of r, at every point another one
+                    assert same(scaled, after.per_unit(body), configuration), (c.name, body)
                 for one, two in (
                     (reaction.per_unit(body), after.per_unit(body)),
                     (reaction.moment_per_unit(body), after.moment_per_unit(body)),
                 ):
                     assert same(one, None if two is None else two * sp.Integer(sign), configuration), (c.name, body)
+    assert bool(tried) is (name not in WITHOUT_A_SINGLE_FORCE)
 
 
 # -- what keeps two points apart on a line; strings counted from what moves ---------------------------------------------

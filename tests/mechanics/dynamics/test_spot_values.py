@@ -99,3 +99,18 @@ forces:
     assert spot is not None
     v = {s.name: float(e) for s, e in spot.values.items()}
     assert (v["v"] - v["u"] > 0) is (sense == "positive")
+
+
+def test_a_state_in_which_the_constraints_are_dependent_is_not_taken(problem: Read) -> None:
+    """Rods of lengths 2 and 1 in one line: a velocity of their end along it is impossible, but for rounding."""
+    text = """
+title: Double pendulum
+parameters: [m, M, g]
+coordinates: [x, y, X, Y]
+particles: {A: {mass: m, position: x*i + y*j}, B: {mass: M, position: X*i + Y*j}}
+constraints: {lower: "1 = (X - x)^2 + (Y - y)^2", upper: "(x^2 + y^2 - 4)/3 = 0"}
+gravity: -g*j
+"""
+    spot = solve(problem(text)).own.spot
+    assert spot is not None
+    assert all(abs(v) < 100 for v in spot.values.values())

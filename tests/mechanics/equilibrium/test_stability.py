@@ -9,11 +9,13 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.answers.examiner import check_answer
 from lagrange.answers.verdicts import Judgement
 from lagrange.core.diagnostics import Fragment, Source
+from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.stability import Stability
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict as Stable
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
+from lagrange.render.json import as_object
 from tests.support.statics_texts import ATWOOD, BEAD, CHAIN, PENDULUM, SPRINGS
 
 
@@ -47,6 +49,30 @@ def test_stability_conditions() -> None:
     assert stability is not None
     [c] = stability.verdicts[0].conditions
     assert (c.lhs, c.relation, c.rhs) == (b, ">", a)
+
+
+TORUS = """
+title: a particle on a torus, pushed up
+parameters: [m, g, F]
+coordinates: [theta, phi]
+particles: {P: {mass: m, position: (2 + cos(phi))*cos(theta)*i + (2 + cos(phi))*sin(theta)*j + sin(phi)*k}}
+gravity: -g*k
+forces: {up: {on: P, vector: F*k}}
+find: equilibrium
+"""
+
+
+def test_conditions_of_stability_in_json() -> None:
+    """At the top of a torus every turn about its axis is neutral: F > m g leaves the question open."""
+    found = as_object(report(read(TORUS)))
+    assert found["equilibrium"][:2] == [["phi = pi/2"], ["phi = -pi/2"]]
+    assert found["stability"][:2] == ["undecided", "undecided"]
+    top, bottom, indifferent = found["stability_conditions"]
+    assert top == {"unstable_where": [["F < m*g"]]}
+    assert bottom == {"unstable_where": [["F > m*g"]]}
+    assert indifferent == {}
+    stated = as_object(report(read(BEAD)))["stability_conditions"]
+    assert stated == [{"stable_where": ["b > a"]}, {}, {"stable_where": ["a > b"]}]
 
 
 def test_stability_in_a_choice() -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -11,6 +13,8 @@ from lagrange.answers.equations import Verdict
 from lagrange.answers.examiner import Judgement, check_answer, check_own_answers
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.explain.report import Report, report
+from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.equilibrium import static_reactions
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
@@ -191,6 +195,20 @@ def test_checks_hold_and_reactions_are_balanced(text: str) -> None:
     names = [c.name for c in result.solution.checks]
     assert "the reactions satisfy Lagrange's equations at every equilibrium" in names
     assert "the reactions do no virtual work" in names
+
+
+@pytest.mark.parametrize("factor", [-1, 2])
+def test_a_wrong_reaction_at_rest_is_found_out(monkeypatch: pytest.MonkeyPatch, factor: int) -> None:
+    """The check by Lagrange's equations can fail."""
+    right = static_reactions.reactions_at
+
+    def wrong(*given: Any) -> Reactions:
+        found = right(*given)
+        return replace(found, values={s: None if v is None else factor * v for s, v in found.values.items()})
+
+    monkeypatch.setattr(static_reactions, "reactions_at", wrong)
+    checks = {c.name: c.passed for c in solve(read_problem(Source("problem.yaml", INCLINE))).checks}
+    assert checks["the reactions satisfy Lagrange's equations at every equilibrium"] is False
 
 
 def test_ladder() -> None:

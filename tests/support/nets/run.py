@@ -120,7 +120,7 @@ def strings(value: Any) -> Iterator[str]:
 
 RESULTS = ("equilibrium", "equilibrium_conditions", "generalized_forces", "equations", "accelerations", "linearization",
            "reactions", "conserved", "newton", "equations_with_multipliers", "mass_matrix", "force_vector")  # fmt: skip
-WORDS = {"kind", "because", "stability", "how", "name", "choice"}
+WORDS = {"kind", "because", "stability", "how", "name", "choice", "unit"}
 
 
 def wrong_names(shown: Printed, names: set[str]) -> list[Finding]:

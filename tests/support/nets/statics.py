@@ -226,14 +226,19 @@ def _stability(
         at = [r for r in places if satisfies(system, r, *branches[n])]
         said = f"{' and '.join(branches[n][0])}: {verdict}"
         conditions = conditions_of_stability(shown, n + 1) if verdict == "conditional" else None
-        found += _judged_stability(system, at, verdict, conditions, said, "stability")
+        unstable = shown.json["stability_conditions"][n].get("unstable_where")
+        found += _judged_stability(system, at, verdict, conditions, said, "stability", unstable)
     return found
 
 
 def _judged_stability(
-    system: System, places: Sequence[Rest], verdict: str, conditions: list[str] | None, said: str, kind: str
-) -> list[Finding]:
-    """One verdict against the numbers at each of its places. Undecided is no fault where equations are left unsolved."""
+    system: System, places: Sequence[Rest], verdict: str, conditions: list[str] | None, said: str, kind: str,
+    unstable: list[list[str]] | None = None,
+) -> list[Finding]:  # fmt: skip
+    """One verdict against the numbers at each of its places. Undecided is no fault where equations are left unsolved.
+
+    unstable  conditions of an undecided verdict: where all of one list hold it is unstable
+    """
     solved = all(SOLVED.match(part) for part in said.removesuffix(f": {verdict}").split(" and "))
     truths = {r.stable for r in places}
     for r in places:
@@ -246,7 +251,12 @@ def _judged_stability(
             each = [holds(c, system.scope(r.q, r.parameters)) for c in conditions]
             if None not in each and all(each) != r.stable:
                 return [Finding(f"condition of {kind}", f"{said}, stable where {' and '.join(conditions)}", true)]
-    if verdict == "undecided" and solved and len(truths) == 1 and None not in truths:
+        holding = [
+            all(holds(c, system.scope(r.q, r.parameters)) for c in alternative) for alternative in unstable or ()
+        ]
+        if r.stable and any(holding):
+            return [Finding(f"condition of {kind}", f"{said}, unstable where {unstable}", true)]
+    if verdict == "undecided" and not unstable and solved and len(truths) == 1 and None not in truths:
         return [
             Finding(
                 f"undecided {kind}", said, f"{'stable' if True in truths else 'unstable'} at all {len(places)} places"
@@ -264,8 +274,9 @@ def _oscillations(system: System, shown: Printed, places: Sequence[Rest]) -> lis
         said = " and ".join(entry["equilibrium"])
         if verdict:
             found += _judged_stability(
-                system, at, verdict, entry.get("stable_where"), f"{said}: {verdict}", "linear stability"
-            )
+                system, at, verdict, entry.get("stable_where"), f"{said}: {verdict}", "linear stability",
+                entry.get("unstable_where"),
+            )  # fmt: skip
         frequencies = entry.get("frequencies") or []
         if verdict is None or any(f["squared"] is None for f in frequencies):
             continue
