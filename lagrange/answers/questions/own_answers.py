@@ -100,8 +100,7 @@ def answers_besides_equations(solution: Solution, answers: Answers) -> Iterator[
     if answers.frequencies or answers.decay:
         from lagrange.answers.questions.frequencies import check_oscillations
 
-        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        yield from check_oscillations(answers, linearizations, reference_of_solution(solution))
+        yield from check_oscillations(answers, solution)
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
     if answers.ask:
