@@ -37,6 +37,10 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     """The verdict on a text; what `judge` says of it if it is about nothing else. Raises ProblemError."""
     if solution.impact is not None and solution.own.motion is None:
         return _impact(answer, solution)
+    if solution.linear_motion is not None:
+        from lagrange.answers.questions.linear_motion import check_linear_motion
+
+        return Judgement(check_linear_motion(answer, solution), problem=solution.problem)
     if any(v.response is not None for v in solution.views):
         return _response(answer, solution, judge)
     if any(v.hamiltonian is not None for v in solution.views):

@@ -223,6 +223,13 @@ def _about_equilibria(
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
+    if solution.linear_motion is not None:
+        from lagrange.answers.questions.linear_motion import check_linear_motion
+
+        linear = check_linear_motion(answers.equations, solution)
+        if linear.unreadable:
+            raise ProblemError(linear.unreadable)
+        return linear.verdict
     if solution.own.motion is None:
         return Verdict.UNDECIDED
     verdict = check_equations(answers.equations, reference_of_solution(solution))
