@@ -379,18 +379,22 @@ def check_steady(found: SteadyMotions) -> list[Check]:
     """
     slots = found.form.configuration.slots
     left = _lagrange(found.motion)
-    others = [v for q, v in zip(slots.coordinates, slots.velocities, strict=True) if q not in found.cyclic]
-    steady = dict.fromkeys((*others, *slots.accelerations), ZERO)
+    pairs = zip(slots.coordinates, slots.velocities, strict=True)
+    resting = dict.fromkeys((v for q, v in pairs if q not in found.cyclic), ZERO)
+    uniform = dict.fromkeys(slots.accelerations, ZERO)
+    steady = [e.xreplace(resting | uniform) for e in left]
+    slopes = [  # what is zero in any case is left out before differentiating, where it is not what is differentiated by
+        [[partial(e, q) for q in slots.coordinates] for e in steady],
+        [[partial(e, v).xreplace(resting) for v in slots.velocities] for e in (e.xreplace(uniform) for e in left)],
+        [[partial(e, a).xreplace(uniform) for a in slots.accelerations] for e in (e.xreplace(resting) for e in left)],
+    ]
     c = [slots.coordinates.index(q) for q in found.cyclic]
     hold: list[bool] = []
     linear: list[bool] = []
     for family in found.families:
-        given = steady | dict(family.rates)
-        tables = [
-            [[partial(e, s).xreplace(given) for s in symbols] for e in left]
-            for symbols in (slots.coordinates, slots.velocities, slots.accelerations)
-        ]
-        balance = [e.xreplace(given) for e in left]
+        rates = dict(family.rates)
+        tables = [[[e.xreplace(rates) for e in row] for row in rows] for rows in slopes]
+        balance = [e.xreplace(rates) for e in steady]
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             for point in _points(b, family.about.equilibrium):
                 try:
