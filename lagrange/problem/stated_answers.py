@@ -423,7 +423,9 @@ def _of_frequency(mistake: Diagnostic) -> Diagnostic:
     return replace(mistake, help=help_) if mistake.code == "not-real" else mistake
 
 
-_LETTER_OF_FREQUENCY = re.compile(r"\s*(?:omega|Omega|[ωΩ]|w|f|nu|ν|T|sigma|σ|delta|δ|tau|τ)(?:_?\w{1,6})?(?:\s*\^\s*2)?\s*=(?!=)")
+_LETTER_OF_FREQUENCY = re.compile(
+    r"\s*(?:omega|Omega|[ωΩ]|w|f|nu|ν|T|sigma|σ|delta|δ|tau|τ)(?:_?\w{1,6})?(?:\s*\^\s*2)?\s*=(?!=)"
+)
 """`omega^2 = `, before the value itself."""
 EXAMPLE_OF_POINTS = "points: {equations: 6, degrees_of_freedom: 1}"
 EXAMPLE = "equations: [\"theta'' + g/l*sin(theta) = 0\"]"

@@ -46,7 +46,9 @@ from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Answers
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
-_NONE_KNOWN = "no characteristic equation for the frequencies is known in closed form, at an equilibrium or a steady motion"
+_NONE_KNOWN = (
+    "no characteristic equation for the frequencies is known in closed form, at an equilibrium or a steady motion"
+)
 _NOT_ALL_KNOWN = "not right at any equilibrium with known linear equations, but not all equilibria have these"
 _SEVERAL = "no equilibrium has all of them"
 

@@ -44,7 +44,9 @@ class _Tables:
         self.letters = found.letters
         self.coordinates = tuple(q for b in found.blocks for q in b.coordinates)
         self.required = sum(
-            len(b.coordinates) for b in found.blocks if any(e != 0 for t in (b.damping, b.stiffness) for r in t for e in r)
+            len(b.coordinates)
+            for b in found.blocks
+            if any(e != 0 for t in (b.damping, b.stiffness) for r in t for e in r)
         )
         self.all = [
             sp.diag(*(sp.Matrix(table) for table in tables))

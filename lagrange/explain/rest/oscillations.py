@@ -433,7 +433,9 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exac
                 else "; where the sides are equal, the linear equations do not decide."
             )
             yield prose(*subject, f" is {stable} where ", *where, contrary, detail=detail)
-        case StabilityVerdict.UNDECIDED if any(f.square == 0 for f in s.frequencies) and not has_uniform_motion(s.system):
+        case StabilityVerdict.UNDECIDED if any(f.square == 0 for f in s.frequencies) and not has_uniform_motion(
+            s.system
+        ):
             yield from _at_a_neighbour(named, s, exact=exact)
         case StabilityVerdict.UNDECIDED if stability.unstable:
             uniform = any(f.square == 0 for f in s.frequencies)

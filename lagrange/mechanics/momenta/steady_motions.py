@@ -44,6 +44,7 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t, variation
 from lagrange.mechanics.constraints.displacements import Elimination
@@ -52,6 +53,7 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_COMPARED_POINTS,
@@ -368,6 +370,12 @@ def reduced_matrices(
     if any(e is None for m in written for row in m for e in row):
         return None
     m, d, k = (tuple(tuple(e for e in row if e is not None) for row in rows) for rows in written)
+    coordinates = {slots.coordinates[k] for k in o}
+    if any(e.free_symbols & coordinates for rows in (m, d, k) for row in rows for e in row):
+        plain = [[[over_one_denominator(e) for e in x.row(n)] for n in range(x.rows)] for x in reduced]
+        lengths = [sum(count_operations(e) for rows in x for row in rows for e in row) for x in (plain, (m, d, k))]
+        if lengths[0] < lengths[1]:  # sin θ stays either way: better with cos θ as it is, too
+            m, d, k = (tuple(map(tuple, rows)) for rows in plain)
     return m, d, k
 
 
