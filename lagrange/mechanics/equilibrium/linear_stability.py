@@ -82,15 +82,18 @@ class LinearSystem:
     frequencies: tuple[Frequency, ...]
 
 
-def has_uniform_motion(s: LinearSystem) -> bool:
+def has_uniform_motion(s: LinearSystem) -> bool | None:
     """Whether ω = 0 belongs to a motion ξ = a t + b, with K a = 0 and K b + D a = 0, and not to displacements alone.
+
+    None where that is undecided.
 
     A charge at rest in a magnetic field has K = 0, but each of its motions is a circle.
     """
     k, d = ([list(row) for row in rows] for rows in (s.stiffness, s.damping))
     size, surface = len(k), Surface()
     both = [[*row, *[sp.S.Zero] * size] for row in k] + [[*a, *b] for a, b in zip(d, k, strict=True)]
-    return 2 * size - surface.rank(both) > size - surface.rank(k)
+    of_both, of_stiffness = surface.rank(both), surface.rank(k)
+    return None if of_both is None or of_stiffness is None else size > of_both - of_stiffness
 
 
 def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:

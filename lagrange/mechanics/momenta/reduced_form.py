@@ -40,7 +40,7 @@ def reduced_form(motion: EquationsOfMotion) -> MatrixForm:
     if any(r.finite is not None for r in configuration.rows):
         raise NotCoveredError(
             f"steady motions in coordinates that are not free: {names} still acts on them, so they",
-            cure="give independent coordinates under `generalized_coordinates`, in which these constraints hold identically",
+            cure="give independent coordinates under `generalized_coordinates`, which satisfy these constraints",
         )
     if any(r.nonlinear is not None for r in configuration.rows):
         raise NotCoveredError(f"steady motions under constraints that are not linear in the velocities ({names})")

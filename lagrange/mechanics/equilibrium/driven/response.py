@@ -221,8 +221,10 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
     lag = free_letter("phi", "psi", "delta", "epsilon", taken=taken, of=names)
     letters, lags = (tuple(sp.Symbol(f"{k}_{n}", real=True) for n in names) for k in (amplitude, lag))
-    written = [[None if e is None else e.xreplace(meant) for e in of] for of in (cosines, sines, found, phases)]
-    return Response(forced, drive, *map(tuple, written), resonances, rests, is_damped, letters, lags)
+    cosines, sines, amplitudes = ([e.xreplace(meant) for e in of] for of in (cosines, sines, amplitudes))
+    lagging = tuple(None if e is None else e.xreplace(meant) for e in phases)
+    states = tuple(cosines), tuple(sines), tuple(amplitudes)
+    return Response(forced, drive, *states, lagging, resonances, rests, is_damped, letters, lags)
 
 
 def _as_letter(
