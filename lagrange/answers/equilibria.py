@@ -25,6 +25,7 @@ from lagrange.answers.readings import (
     Reading,
     decimals_in,
     displaced_coordinates,
+    is_radius,
     read_answer,
     without_displacements,
 )
@@ -130,27 +131,46 @@ def check_equilibria(
 def check_steady(
     alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict:
-    """The verdict on steady motions. Those in one sense are complete if those in the opposite sense are steady too."""
+    """The verdict on steady motions.
+
+    Those in one sense are complete if those in the opposite sense are steady too, and those at r > 0 if what is missing
+    is the same at r < 0.
+    """
     verdict = _of_steady_motions(check_equilibria(alternatives, conditions, reference))
     if verdict.verdict is not Verdict.INCOMPLETE:
         return verdict
-    opposite = {v: -v for v in reference.scope.slots.velocities}
     both = [tuple(GivenEquation.of_reading(r, "answer") for r in _read(a, reference)[0]) for a in alternatives]
-    turned = [
-        tuple(
-            replace(g, reading=replace(g.reading, components=tuple(c.xreplace(opposite) for c in g.reading.components)))
-            for g in a
-        )
-        for a in both
-    ]
-    if turned == both:
-        return verdict
-    again = check_equilibria([*both, *turned], conditions, reference)
-    if again.verdict is not Verdict.EQUIVALENT:
-        return verdict
-    remark = "the same motion in the opposite sense is taken to be meant as well"
-    equations = tuple(replace(e, verdict=Verdict.EQUIVALENT, remarks=(*e.remarks, remark)) for e in verdict.equations)
-    return replace(verdict, verdict=Verdict.EQUIVALENT, equations=equations, missing=0)
+    for change, remark in _same_motions(reference):
+        turned = [
+            tuple(
+                replace(
+                    g, reading=replace(g.reading, components=tuple(c.xreplace(change) for c in g.reading.components))
+                )
+                for g in a
+            )
+            for a in both
+        ]
+        if (
+            turned == both
+            or check_equilibria([*both, *turned], conditions, reference).verdict is not Verdict.EQUIVALENT
+        ):
+            continue
+        right = (replace(e, verdict=Verdict.EQUIVALENT, remarks=(*e.remarks, remark)) for e in verdict.equations)
+        return replace(verdict, verdict=Verdict.EQUIVALENT, equations=tuple(right), missing=0)
+    return verdict
+
+
+def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:
+    """What changes a steady motion into one that a book does not state beside it, and the remark on that."""
+    opposite = {v: -v for v in reference.scope.slots.velocities}
+    yield opposite, "the same motion in the opposite sense is taken to be meant as well"
+    for configuration in (c.system.configuration for c in reference.candidates):
+        for r in configuration.slots.coordinates:
+            if is_radius(r, configuration):
+                yield (
+                    {r: -r},
+                    f"{r} is taken to be positive: a negative one is the same place, seen from the other side",
+                )
 
 
 _IN_EQUILIBRIUM = {

@@ -310,6 +310,10 @@ class Examiner:
         )
         if not answers.equations and others:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
+        if solution.linear_motion is not None:
+            from lagrange.answers.questions.linear_motion import check_linear_motion
+
+            return self._judgement(check_linear_motion(answers.equations, solution), others)
         return self._judgement(check_equations(answers.equations, self.reference), others)
 
     def revealed(self, judgement: Judgement) -> tuple[sp.Expr, ...]:

@@ -130,7 +130,7 @@ def radii(system: System) -> tuple[sp.Symbol, ...]:
     """The radii on whose signs the equations of a system depend."""
     signed = {s for e in system.equations for part in _magnitudes(e) for s in part.free_symbols}
     coordinates = system.configuration.slots.coordinates
-    return tuple(q for q in coordinates if q in signed and _is_radius(q, system.configuration))
+    return tuple(q for q in coordinates if q in signed and is_radius(q, system.configuration))
 
 
 def with_positive_radii(e: sp.Expr, positive: Sequence[sp.Symbol]) -> sp.Expr:
@@ -148,7 +148,7 @@ def _magnitudes(e: sp.Expr) -> Iterator[sp.Expr]:
     yield from (p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer)
 
 
-def _is_radius(r: sp.Symbol, configuration: Configuration) -> bool:
+def is_radius(r: sp.Symbol, configuration: Configuration) -> bool:
     """Whether every place with r < 0 is also one with r > 0."""
     others = [q for q in configuration.slots.coordinates if q != r]
     places = [c for p in configuration.points for c in p.position.fixed().components]

@@ -149,8 +149,8 @@ class GaveUpError(UndecidedError):
 class NotCoveredError(ProblemError):
     """The error for something that the format allows and the program cannot do yet."""
 
-    def __init__(self, what: str, span: Span | None = None) -> None:
-        super().__init__(Diagnostic("not-covered", f"{what} cannot be treated yet", span))
+    def __init__(self, what: str, span: Span | None = None, cure: str = "") -> None:
+        super().__init__(Diagnostic("not-covered", f"{what} cannot be treated yet", span, help=cure))
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:

@@ -13,6 +13,10 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Find, Problem
 
+_COVERED = (
+    "`find: motion` gives the equations in JSON, `find: linearization` the linear ones about the motion of `initial`, "
+    "`lagsolve export` and `lagsolve simulate` the motion in numbers"
+)
 COVERED = {Find.CONSTRAINTS, Find.MOTION, Find.LINEARIZATION, Find.STEADY}
 
 
@@ -22,7 +26,11 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
     beside = (("ask", problem.questions), ("speeds", problem.speeds), ("generalized_coordinates", problem.choices))
     missing = [*(f"find: {f.value}" for f in sorted(wanted - COVERED)), *(key for key, given in beside if given)]
     if missing:
-        raise NotCoveredError(f"`{missing[0]}` for a system whose displacements are too long to be solved for")
+        what = ", ".join(f"`{m}`" for m in missing)
+        raise NotCoveredError(
+            f"{what} for a system whose displacements are too long to be solved for",
+            cure=f"leave {'it' if len(missing) == 1 else 'them'} out: {_COVERED}",
+        )
     if Find.MOTION in wanted:
         yield lambda s: _with_long_equations(s, on_stage)
     if {Find.LINEARIZATION, Find.STEADY} & wanted:

@@ -234,7 +234,7 @@ def _limit(
     """The equations in the limit; None where they do not become much simpler, or do not determine the motion."""
     accelerations = view.configuration.slots.accelerations
     there = [_leading(e, parameter) if to == sp.oo else e.xreplace({parameter: to}) for e in equations]
-    if any(e is None or e == 0 for e in there) or not _occur(accelerations, there):
+    if any(e is None or e == 0 or e.has(sp.zoo, sp.nan, sp.oo) for e in there) or not _occur(accelerations, there):
         return None  # one that occurs nowhere is not determined
     shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]
     shorter = _with_zeros(shorter, accelerations)

@@ -74,7 +74,8 @@ MASS = Allowed(
 )
 MASS_OF_BODY = Allowed(
     frozenset(),
-    "a rigid body keeps its mass; one that does not turn moves like a particle, whose mass may vary",
+    "a rigid body keeps its mass; one that does not turn moves like a particle, whose mass may vary; where what leaves "
+    "or joins does not change its velocity in a jump, as of a carpet that unrolls, give T - V as `lagrangian:` instead",
     "not-constant",
 )
 POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")

@@ -25,6 +25,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
 from lagrange.core.symbols import Sign
 from lagrange.core.units import has_unit
+from lagrange.expressions.edits import cut
 from lagrange.expressions.latex_layout import equations
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation, read_value
@@ -283,8 +284,10 @@ class AnswerReader:
         for node in nodes:
             scalar = self.diagnostics.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
             if scalar is not None:
+                named = _LETTER_OF_FREQUENCY.match(scalar.text)
+                value = cut(scalar.fragment, named.end(), len(scalar.text)) if named else scalar.fragment
                 try:
-                    self._try(read_value, scalar.fragment)
+                    self._try(read_value, value)
                 except ProblemError as error:
                     raise ProblemError([_of_frequency(d) for d in error.diagnostics]) from None
                 yield scalar.fragment
@@ -420,6 +423,10 @@ def _of_frequency(mistake: Diagnostic) -> Diagnostic:
     return replace(mistake, help=help_) if mistake.code == "not-real" else mistake
 
 
+_LETTER_OF_FREQUENCY = re.compile(
+    r"\s*(?:omega|Omega|[ωΩ]|w|f|nu|ν|T|sigma|σ|delta|δ|tau|τ)(?:_?\w{1,6})?(?:\s*\^\s*2)?\s*=(?!=)"
+)
+"""`omega^2 = `, before the value itself."""
 EXAMPLE_OF_POINTS = "points: {equations: 6, degrees_of_freedom: 1}"
 EXAMPLE = "equations: [\"theta'' + g/l*sin(theta) = 0\"]"
 

@@ -313,6 +313,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "constraints: {floor: y = 0}\nforces: {s: {spring: g, between: [P, x*i], length: l}}\n")),
     "no-inertia": ("Something moves without mass; the equations do not determine its acceleration.", problem(
         "particles: {P: {mass: m, position: x*i}}\n")),
+    "no-cyclic-coordinate": ("Steady motions are those in which a coordinate that the equations do not contain changes at "
+        "a constant rate.", problem(PARTICLE + "forces: {f: {potential: (x^2 + y^2)/2}}\nfind: steady\n")),
     "impossible-inertia": ("No distribution of mass has such a tensor of inertia.", problem(
         "bodies: {B: {mass: m, inertia: [[1, 2, 0], [2, 1, 0], [0, 0, 1]], position: x*i,\n"
         "             orientation: {axes: 313, angles: [y, x, y]}}}\n")),

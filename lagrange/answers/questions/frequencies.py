@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from itertools import combinations
 
 import mpmath
@@ -29,7 +29,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.readings import decimals_in
-from lagrange.answers.references import Reference
+from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.answers.written.reading import tried
@@ -42,10 +42,13 @@ from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Answers
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
-_NONE_KNOWN = "no equilibrium with a characteristic equation for the frequencies is known in closed form"
+_NONE_KNOWN = (
+    "no characteristic equation for the frequencies is known in closed form, at an equilibrium or a steady motion"
+)
 _NOT_ALL_KNOWN = "not right at any equilibrium with known linear equations, but not all equilibria have these"
 _SEVERAL = "no equilibrium has all of them"
 
@@ -55,12 +58,14 @@ class _Place:
     """A point of an equilibrium and its linear equations.
 
     resting  all equilibria of the configuration
+    rates    of a steady motion: constant velocities that are determined
     """
 
     oscillations: SmallOscillations
     resting: Equilibrium
     branch: Branch
     point: Values
+    rates: Values = field(default_factory=dict)
 
     @property
     def characteristic(self) -> sp.Expr:
@@ -70,6 +75,7 @@ class _Place:
 
     def at(self, e: sp.Expr) -> sp.Expr:
         """An expression with the values of the coordinates. Raises NotAlgebraicError."""
+        e = e.xreplace(dict(self.rates))
         coordinates = {*self.resting.configuration.slots.coordinates}
         stated = {r.lhs: r.rhs for r in self.branch.relations if r.lhs in coordinates}
         for _ in stated:
@@ -103,20 +109,28 @@ class _Place:
         return None if same is None else not same
 
 
-def check_oscillations(
-    answers: Answers, linearizations: Sequence[Linearization], reference: Reference
-) -> Iterator[AnswerVerdict]:
+def check_oscillations(answers: Answers, solution: Solution) -> Iterator[AnswerVerdict]:
     """The verdicts on frequencies and on decay rates."""
     if answers.frequencies:
-        yield check_frequencies(answers.frequencies, linearizations, reference)
+        yield check_frequencies(answers.frequencies, solution)
     if answers.decay:
-        yield check_decay(answers.decay, linearizations, reference)
+        linearizations = [f for f, _ in _oscillating(solution)]
+        yield check_decay(answers.decay, linearizations, reference_of_solution(solution))
 
 
-def check_frequencies(
-    stated: Sequence[Sequence[Fragment]], linearizations: Sequence[Linearization], reference: Reference
-) -> AnswerVerdict:
+def _oscillating(solution: Solution) -> list[tuple[Linearization, Values]]:
+    """The linear equations about equilibria, and about steady motions with the rates that these determine."""
+    found: list[tuple[Linearization, Values]] = [
+        (v.linearization, {}) for v in solution.views if v.linearization is not None
+    ]
+    families = (f for v in solution.views if v.steady is not None for f in v.steady.families)
+    return [*found, *((f.about, f.rates) for f in families)]
+
+
+def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) -> AnswerVerdict:
     """The verdict on all lists together."""
+    reference, oscillating = reference_of_solution(solution), _oscillating(solution)
+    linearizations = [f for f, _ in oscillating]
     try:
         stated = [[e for f in fragments for one in _listed(f) for e in with_both_signs(one)] for fragments in stated]
         read = [[(f, value) for f in fragments for value in _values(f, reference)] for fragments in stated]
@@ -125,13 +139,13 @@ def check_frequencies(
     except ProblemError as error:
         why = error.diagnostics[0].message
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
-    places = [p for f in linearizations for p in _places(f)]
+    places = [p for f, rates in oscillating for p in _places(f, rates)]
     damped = [p for f in linearizations for p in _damped(f, reference, rates=False)]
     if damped and not places:
         return _of_exponents(_NAME, stated, [[c**2 for c in claims] for claims in lists], damped, linearizations)
     if not places:
         return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NONE_KNOWN)
-    complete = any(_is_complete(f) for f in linearizations)
+    complete = any(_is_complete(f) for f, rates in oscillating if not rates) or all(map(_is_complete, linearizations))
     values = dict(reference.values)
     texts = [[f.text.strip() for f in fragments] for fragments in stated]
     verdicts = [_of_list(c, t, places, values, complete=complete) for c, t in zip(lists, texts, strict=True)]
@@ -213,11 +227,11 @@ def _of_models(claims: Sequence[sp.Expr], places: Sequence[_Place], reference: R
 _NAME = "frequencies"
 
 
-def _places(f: Linearization) -> Iterator[_Place]:
+def _places(f: Linearization, rates: Values) -> Iterator[_Place]:
     """The points at which the characteristic equation is one for ω."""
     for branch, s in zip(f.branches, f.at, strict=True):
         if s is not None and s.oscillates and s.characteristic is not None:
-            yield from (_Place(s, f.equilibrium, branch, p) for p in branch.points)
+            yield from (_Place(s, f.equilibrium, branch, p, rates) for p in branch.points)
 
 
 def _is_complete(f: Linearization) -> bool:

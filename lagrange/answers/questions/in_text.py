@@ -37,6 +37,10 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     """The verdict on a text; what `judge` says of it if it is about nothing else. Raises ProblemError."""
     if solution.impact is not None and solution.own.motion is None:
         return _impact(answer, solution)
+    if solution.linear_motion is not None:
+        from lagrange.answers.questions.linear_motion import check_linear_motion
+
+        return Judgement(check_linear_motion(answer, solution), problem=solution.problem)
     if any(v.response is not None for v in solution.views):
         return _response(answer, solution, judge)
     if any(v.hamiltonian is not None for v in solution.views):
@@ -44,7 +48,7 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
         if functions:
             return _hamiltonian(functions, [f for f in answer if f not in functions], solution, judge)
     if any(v.steady is not None for v in solution.views):
-        return _steady(answer, solution, judge)
+        return _with_frequencies(answer, solution, lambda rest: _steady(rest, solution, judge))
     if any(v.linearization is not None for v in solution.views) and not solution.asked:
         return _with_frequencies(answer, solution, judge)
     if any(a.answered for a in solution.asked):
@@ -152,8 +156,7 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
 
     stated = stated_frequencies(answer)
     if stated:
-        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        frequencies = check_frequencies([stated], linearizations, reference_of_solution(solution))
+        frequencies = check_frequencies([stated], solution)
         rest = [f for f in answer if f not in stated]
         if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
             judged = _with_frequencies(rest, solution, judge) if rest else _only(frequencies, solution)

@@ -100,8 +100,7 @@ def answers_besides_equations(solution: Solution, answers: Answers) -> Iterator[
     if answers.frequencies or answers.decay:
         from lagrange.answers.questions.frequencies import check_oscillations
 
-        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        yield from check_oscillations(answers, linearizations, reference_of_solution(solution))
+        yield from check_oscillations(answers, solution)
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
     if answers.ask:
@@ -224,6 +223,13 @@ def _about_equilibria(
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
+    if solution.linear_motion is not None:
+        from lagrange.answers.questions.linear_motion import check_linear_motion
+
+        linear = check_linear_motion(answers.equations, solution)
+        if linear.unreadable:
+            raise ProblemError(linear.unreadable)
+        return linear.verdict
     if solution.own.motion is None:
         return Verdict.UNDECIDED
     verdict = check_equations(answers.equations, reference_of_solution(solution))

@@ -11,7 +11,7 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import Unspecified, VectorSymbol, prime, t
+from lagrange.core.symbols import Unspecified, VectorSymbol, base, prime, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.rest.statics import outside_ranges, singular_places
@@ -26,7 +26,7 @@ from lagrange.explain.words import (
 )
 from lagrange.mechanics.equilibrium.damped_modes import DampedMode, DampedModes
 from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA, MOST_OSCILLATING
-from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
+from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms, has_uniform_motion
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 
@@ -142,12 +142,12 @@ def _names(linearization: Linearization) -> Block:
 
 def _is_linear(linearization: Linearization) -> bool:
     """Whether the equations of motion are linear with constant coefficients, without anything being neglected."""
-    slots = linearization.configuration.slots
-    moving = [*slots.coordinates, *slots.velocities, *slots.accelerations]
     expressions = linearization.motion.expressions
+    symbols = {s for e in expressions for s in e.free_symbols}
+    moving = {*linearization.configuration.slots.coordinates, *(s for s in symbols if base(s) != s)}  # cyclic ones, too
     if linearization.configuration.rows or any(e.has(Unspecified, sp.sign, sp.Abs, t) for e in expressions):
         return False
-    return all(not e.diff(x).free_symbols & {*moving} for e in expressions for x in moving)
+    return all(not e.diff(x).free_symbols & moving for e in expressions for x in moving)
 
 
 def explain_about(
@@ -189,7 +189,8 @@ def explain_about(
     yield from _bound(s, linearization)
     yield from _matrices(s)
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
-    named = (f"the {noun} ", place) if is_stated else ("every position of rest",)
+    rest = "every position of rest" if noun == "equilibrium" else f"every such {noun}"
+    named = (f"the {noun} ", place) if is_stated else (rest,)
     yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=_is_linear(linearization))
 
 
@@ -432,6 +433,8 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exac
                 else "; where the sides are equal, the linear equations do not decide."
             )
             yield prose(*subject, f" is {stable} where ", *where, contrary, detail=detail)
+        case StabilityVerdict.UNDECIDED if _stays_displaced(s):
+            yield from _at_a_neighbour(named, s, exact=exact)
         case StabilityVerdict.UNDECIDED if stability.unstable:
             uniform = any(f.square == 0 for f in s.frequencies)
             rest = "The root zero corresponds to a uniform motion: elsewhere" if uniform else "Elsewhere"
@@ -446,6 +449,28 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exac
             yield prose(words, *named, " is stable.", detail=detail)
         case StabilityVerdict.UNDECIDED:
             yield prose("The linear equations do not decide whether ", *named, " is stable.", detail=detail)
+
+
+def _stays_displaced(s: SmallOscillations) -> bool:
+    """Whether a root is zero and belongs to no uniform motion."""
+    return any(f.square == 0 for f in s.frequencies) and has_uniform_motion(s.system) is False
+
+
+def _at_a_neighbour(named: tuple[Part, ...], s: SmallOscillations, *, exact: bool) -> Iterator[Prose]:
+    """The verdict where the root zero is a displacement to another position of rest and no motion."""
+    zero = "The root zero corresponds to a displacement after which nothing moves"
+    others = [f for f in s.frequencies if f.square != 0]
+    bounded = all(f.square is not None and f.square.is_positive and f.multiplicity == 1 for f in others)
+    if exact and bounded and len(others) <= 1:
+        yield prose(f"{zero}. The equations of motion are linear, so a motion that begins nearby stays nearby: ",
+                    *named, " is stable.", detail=Detail.BRIEF)  # fmt: skip
+        return
+    if unstable := s.judgement.stability.unstable:
+        where = sign_conditions(unstable, " or ")
+        elsewhere = ". Elsewhere the linear equations do not decide."
+        yield prose(f"{zero}; ", *named, " is unstable where ", *where, elsewhere, detail=Detail.BRIEF)
+        return
+    yield prose(f"{zero}: the linear equations do not decide whether ", *named, " is stable.", detail=Detail.BRIEF)
 
 
 def _presupposing(stability: Stability) -> tuple[Part, ...]:

@@ -64,18 +64,25 @@ def _branches(found: SteadyMotions) -> Iterator[Block]:
         yield prose(
             "This holds for" if found.complete else "This holds, perhaps besides other solutions not found, for"
         )
+    coordinates = {*found.form.configuration.slots.coordinates}
     for n, (family, b, _) in enumerate(solutions, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]
         if not lines:
             yield prose("all values of the coordinates.")
             continue
         label = label_of(family.about, "at-rest", n)
-        lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b))
+        anywhere = ("in any position",) if family.rates and not b.equations and _without(family, coordinates) else ()
+        lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b) or anywhere)
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
     poles = [r for b in found.general.poles for r in b.equations]
     if poles:
         places = listed((math(r.lhs, r.rhs) for r in poles), " or ")
         yield prose("Where ", *places, ", the coordinates fail.")
+
+
+def _without(family: Family, coordinates: set[sp.Symbol]) -> bool:
+    """Whether the constant rates are the same in all positions."""
+    return not any(e.free_symbols & coordinates for e in family.rates.values())
 
 
 def _at_constant_momenta(found: SteadyMotions) -> Block:

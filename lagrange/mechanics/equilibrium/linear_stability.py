@@ -27,7 +27,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import (
@@ -80,6 +80,20 @@ class LinearSystem:
     symmetric: bool
     roots: Sequence[sp.Expr] | None
     frequencies: tuple[Frequency, ...]
+
+
+def has_uniform_motion(s: LinearSystem) -> bool | None:
+    """Whether ω = 0 belongs to a motion ξ = a t + b, with K a = 0 and K b + D a = 0, and not to displacements alone.
+
+    None where that is undecided.
+
+    A charge at rest in a magnetic field has K = 0, but each of its motions is a circle.
+    """
+    k, d = ([list(row) for row in rows] for rows in (s.stiffness, s.damping))
+    size, surface = len(k), Surface()
+    both = [[*row, *[sp.S.Zero] * size] for row in k] + [[*a, *b] for a, b in zip(d, k, strict=True)]
+    of_both, of_stiffness = surface.rank(both), surface.rank(k)
+    return None if of_both is None or of_stiffness is None else size > of_both - of_stiffness
 
 
 def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:

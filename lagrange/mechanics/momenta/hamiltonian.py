@@ -43,6 +43,7 @@ from lagrange.mechanics.dynamics.energies import Energies, energies
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.mechanics.momenta.integrated_constraints import integrated
+from lagrange.mechanics.momenta.nonlinear_momenta import velocities_by_root
 
 ZERO = sp.S.Zero
 
@@ -77,7 +78,7 @@ class Hamiltonian:
     momenta     shape (n,): the symbols p_k
     velocities  shape (n,): q_k' in terms of q, p, t
     squares     of the kinetic energy
-    rest        V − T0, a function of q and t
+    rest        V − T0, a function of q and t; all of H where the momenta are not linear in the velocities
     applied     shape (n,): Q_k in terms of q, p, t
     is_energy   whether H is T + V; None: undecided
     cyclic      the coordinates whose momenta are constant, by index
@@ -156,7 +157,7 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
     momenta = tuple(sp.Symbol(f"{letter}_{q.name}", real=True) for q in slots.coordinates)
     mass = [[textbook_form(partial(p, v)) for v in slots.velocities] for p in stated.momenta]
     if any(not e.free_symbols.isdisjoint(slots.velocities) for row in mass for e in row):
-        raise NotCoveredError("Hamilton's function where the momenta are not linear in the velocities")
+        return _of_nonlinear_momenta(motion, stated, momenta, known)
     at_rest = dict.fromkeys(slots.velocities, ZERO)
     shifts = [textbook_form(p.xreplace(at_rest)) for p in stated.momenta]
     moved = [textbook_form(p - b) for p, b in zip(momenta, shifts, strict=True)]
@@ -189,6 +190,33 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
         cyclic=cyclic,
         routhian=_routhian(stated, momenta, mass, moved, cyclic) if 0 < len(cyclic) < len(momenta) else None,
         integrated=known,
+    )
+
+
+def _of_nonlinear_momenta(
+    motion: EquationsOfMotion,
+    stated: Energies,
+    momenta: tuple[sp.Symbol, ...],
+    known: Mapping[sp.Symbol, sp.Expr],
+) -> Hamiltonian:
+    """Hamilton's function of a Lagrangian with a root of the velocities, without squares."""
+    slots, states = motion.configuration.slots, motion.configuration.states
+    found = velocities_by_root(stated.lagrangian, stated.momenta, slots.velocities, momenta, states)
+    if found is None:
+        raise NotCoveredError(
+            "Hamilton's function where the momenta are not linear in the velocities",
+            cure="`find: motion` gives the equations of motion; velocities under one square root, as of a fast "
+            "particle, can be solved for",
+        )
+    velocities, function = found
+    in_momenta = dict(zip(slots.velocities, velocities, strict=True))
+    applied = tuple(textbook_form(q.xreplace(in_momenta)) if q != 0 else ZERO for q in stated.applied)
+    cyclic = tuple(k for k, q in enumerate(slots.coordinates) if q not in function.free_symbols and applied[k] == 0)
+    energy = sp.Add(stated.kinetic, stated.potential, stated.moving_energy)
+    by_momenta = dict(zip(momenta, stated.momenta, strict=True))
+    is_energy = states.is_zero(function.xreplace(by_momenta) - energy)
+    return Hamiltonian(
+        motion, stated, momenta, velocities, (), function, applied, is_energy, cyclic, routhian=None, integrated=known
     )
 
 

@@ -1,11 +1,12 @@
 """Equations of motion without the coordinates that constraints on velocities make dependent (Chaplygin).
 
-With catastatic constraints q_D' = B q_I' the equations of the independent displacements, D_I + Bᵀ D_D = 0, become
+With constraints q_D' = B q_I' + b the equations of the independent displacements, D_I + Bᵀ D_D = 0, become
 
-    M q_I'' = f ,        q_D' = B q_I' ,        q_D'' = B q_I'' + B' q_I'
+    M q_I'' = f ,        q_D' = B q_I' + b ,        q_D'' = B q_I'' + B' q_I' + b'
 
 substituted. If M and f contain no q_D, the q_I form a system of their own: a disc that rolls on a table tilts, turns
-and rolls in the same way wherever it is. They are then treated like free coordinates, except that their energy differs.
+and rolls in the same way wherever it is, a ball on a turntable (b = Ω r) however it is oriented. They are then treated
+like free coordinates, except that their energy differs.
 
 Reference: Neimark and Fufaev, Dynamics of Nonholonomic Systems, ch. III.
 """
@@ -31,15 +32,18 @@ ZERO = sp.S.Zero
 def reduced_form(motion: EquationsOfMotion) -> MatrixForm:
     """M and f of the independent coordinates, which are those of the configuration of the result.
 
-    Raises NotCoveredError if the constraints are not catastatic constraints on velocities, or if the independent
+    Raises NotCoveredError if the constraints are not linear constraints on velocities, or if the independent
     coordinates do not move by themselves.
     """
     configuration = motion.configuration
     names = ", ".join(f"`{r.name}`" for r in configuration.rows)
     if any(r.finite is not None for r in configuration.rows):
-        raise NotCoveredError(f"steady motions in coordinates that are not free: {names} still acts on them, so they")
-    if any(r.nonlinear is not None or r.drift != 0 for r in configuration.rows):
-        raise NotCoveredError(f"steady motions under constraints that rest does not satisfy ({names})")
+        raise NotCoveredError(
+            f"steady motions in coordinates that are not free: {names} still acts on them, so they",
+            cure="give independent coordinates under `generalized_coordinates`, which satisfy these constraints",
+        )
+    if any(r.nonlinear is not None for r in configuration.rows):
+        raise NotCoveredError(f"steady motions under constraints that are not linear in the velocities ({names})")
     slots, solved = configuration.slots, independent_first(motion)
     ring, form = motion.principle.ring, motion.principle.textbook.form
     rates = rates_of_dependent(solved, slots)
@@ -56,7 +60,8 @@ def reduced_form(motion: EquationsOfMotion) -> MatrixForm:
     if left:
         where = ", ".join(f"`{q}`" for q in left)
         raise NotCoveredError(
-            f"steady motions where the motion depends on {where}, of which only the velocity is known,"
+            f"steady motions where the motion depends on {where}, of which only the velocity is known,",
+            cure="choose other coordinates: the azimuth of a point, for example, and its distance from the axis",
         )
     return MatrixForm(only(configuration, free), tuple(mass), tuple(force), (), ())
 
@@ -71,7 +76,7 @@ def independent_first(motion: EquationsOfMotion) -> Elimination:
     """The displacements of coordinates that occur through their velocities only in terms of the others."""
     configuration = motion.configuration
     written = [motion.principle.textbook.form(d) for d in motion.principle.coefficients]
-    used = {s for e in (*written, *(a for r in configuration.rows for a in r.coefficients)) for s in e.free_symbols}
+    used = {s for e in (*written, *(a for r in configuration.rows for a in r.form)) for s in e.free_symbols}
     coordinates = configuration.slots.coordinates
     absent = [k for k, q in enumerate(coordinates) if q not in used]
     return eliminate(configuration.rows, len(coordinates), configuration.states, absent)
@@ -80,8 +85,10 @@ def independent_first(motion: EquationsOfMotion) -> Elimination:
 def rates_of_dependent(solved: Elimination, slots: Slots) -> dict[sp.Symbol, sp.Expr]:
     """q_D' and q_D'' in terms of the independent velocities and accelerations."""
     velocities = {
-        slots.velocities[d]: sp.Add(*(b * slots.velocities[k] for b, k in zip(row, solved.independent, strict=True)))
-        for d, row in zip(solved.dependent, solved.solution, strict=True)
+        slots.velocities[d]: sp.Add(
+            drift, *(b * slots.velocities[k] for b, k in zip(row, solved.independent, strict=True))
+        )
+        for d, row, drift in zip(solved.dependent, solved.solution, solved.drift, strict=True)
     }
     accelerations = {
         slots.accelerations[d]: slots.time_derivative(velocities[slots.velocities[d]]).xreplace(velocities)

@@ -20,7 +20,8 @@ then not constant, but their equations integrate to first order in the same way 
 Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved
 for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator
 excludes, φ' = 0, is a family of its own: the disc that rolls straight on. So are positions at which the rate drops out
-of the condition, which hold at any rate: a top in gimbals that sleeps.
+of the condition, which hold at any rate: a top in gimbals that sleeps. A condition that contains no coordinate, such as
+a φ'² = g in a paraboloid, gives one rate for all positions.
 
 Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """
@@ -42,15 +43,17 @@ from lagrange.algebra.exact.real_points import RealPoint
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import partial, variation
+from lagrange.core.symbols import partial, t, variation
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_COMPARED_POINTS,
@@ -79,7 +82,8 @@ ZERO = sp.S.Zero
 class Family:
     """Steady motions in which some of the constant rates are given.
 
-    rates  of cyclic coordinates: 0, or in terms of the other rates and of the coordinates that rest
+    rates  of cyclic coordinates: 0, or in terms of the other rates and of the coordinates that rest; a root is meant
+           with either sign
     about  the conditions, as an equilibrium of the other coordinates, and the linear equations of these at constant
            momenta of the cyclic ones
     """
@@ -89,7 +93,7 @@ class Family:
 
     def relations(self, b: Branch) -> tuple[Relation, ...]:
         """What determines one of its branches."""
-        return (*b.equations, *(Relation(v, value) for v, value in self.rates.items()))
+        return (*b.equations, *(_without_root(v, value) for v, value in self.rates.items()))
 
 
 @record
@@ -117,20 +121,23 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
 
     taken  names that the letters of the linear equations must not use
 
-    Raises NotCoveredError if the coordinates are not free and `reduced_form` cannot help, time occurs, or no coordinate
-    is cyclic.
+    Raises NotCoveredError if the coordinates are not free and `reduced_form` cannot help, or time occurs; ProblemError
+    if no coordinate is cyclic.
     """
     form = reduced_form(motion) if motion.configuration.rows else matrix_form(motion)
     configuration = form.configuration
     slots = configuration.slots
     symbols = {s for e in (*form.force, *(e for row in form.mass for e in row)) for s in e.free_symbols}
     if any(is_time(s, configuration) for s in symbols):
-        raise NotCoveredError("steady motions where the equations of motion contain time")
+        raise NotCoveredError(
+            "steady motions where the equations of motion contain time",
+            cure="let coordinates turn with what is driven; `find: response` has the motion under a harmonic drive",
+        )
     absent = [k for k, q in enumerate(slots.coordinates) if q not in symbols]
     steady = {v: ZERO for k, v in enumerate(slots.velocities) if k not in absent}
     cyclic = [k for k in absent if configuration.states.is_zero(form.force[k].xreplace(steady))]
     if not cyclic:
-        raise NotCoveredError("steady motions of a system without a cyclic coordinate")
+        raise _none_cyclic(configuration, absent)
     others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
     steady = {slots.velocities[k]: ZERO for k in others}
     forces = [form.force[k].xreplace(steady) for k in others]
@@ -159,7 +166,12 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     conditions = [c.expression for c in general.conditions]
     solved = _rate_from(conditions, rates)
     if solved is None or (complete and not _has_several(conditions, rates)):
-        families: tuple[Family, ...] = (family({}, general),)
+        alone = [rate for b in general.branches if (rate := _rate_at_any_position(b, rates))]
+        with_position = _only(general, lambda b: _rate_at_any_position(b, rates) is None)
+        families: tuple[Family, ...] = (
+            *([family({}, with_position)] if with_position.branches or not alone else []),
+            *(family(rate, resting(rate)) for rate in alone),
+        )
     else:
         [(rate, value)] = solved.items()
         denominator = sp.fraction(sp.together(value))[1]
@@ -176,6 +188,30 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     return SteadyMotions(motion, form, turning, general, families, complete)
 
 
+def _none_cyclic(configuration: Configuration, absent: Sequence[int]) -> ProblemError:
+    """Which coordinates were tried, why none is cyclic, and what can be asked instead."""
+    names = [f"`{q.name}`" for q in configuration.slots.coordinates]
+    reasons = []
+    if occurring := [n for k, n in enumerate(names) if k not in absent]:
+        reasons.append(f"the equations of motion contain {', '.join(occurring)}")
+    if pushed := [names[k] for k in absent]:
+        reasons.append(f"the equation of motion of {', '.join(pushed)} does not hold at constant velocities")
+    turning = any(s == t for p in configuration.points for e in p.position.components for s in e.free_symbols)
+    cures = [
+        "`find: linearization` has equilibria relative to what turns, and oscillations about them"
+        if turning
+        else "`find: equilibrium` asks for rest, `find: linearization` for oscillations about it"
+    ]
+    if len(names) > 1:
+        cures.append(
+            "where a system can turn about an axis, the angle about it is cyclic: make that a coordinate, as in "
+            "`frame: {type: polar, coordinates: [r, phi]}`"
+        )
+    where = f" of choice `{configuration.name}`" if configuration.name else ""
+    message = f"a steady motion needs a cyclic coordinate, and none{where} is cyclic: {', and '.join(reasons)}"
+    return ProblemError(Diagnostic("no-cyclic-coordinate", message, help="; ".join(cures)))
+
+
 def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
     """A constant rate from a single condition that is linear in it."""
     if len(conditions) != 1:
@@ -186,6 +222,29 @@ def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dic
         if slope != 0 and rate not in slope.free_symbols:
             return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
     return None
+
+
+def _rate_at_any_position(b: Branch, rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
+    """A constant rate that a branch in which no coordinate occurs determines: a φ'² = g or m φ' = −q B."""
+    if not b.special or b.left or len(b.relations) != 1:
+        return None
+    [relation] = b.relations
+    balance = relation.lhs - relation.rhs
+    for rate in rates:
+        if not balance.is_polynomial(rate):
+            continue
+        match sp.Poly(balance, rate).all_coeffs():
+            case [slope, rest]:
+                return {rate: textbook_form(-rest / slope)}
+            case [slope, middle, rest] if middle == 0 and (square := textbook_form(-rest / slope)).is_positive:
+                return {rate: sp.sqrt(square)}
+    return None
+
+
+def _without_root(v: sp.Symbol, value: sp.Expr) -> Relation:
+    """φ'² = g/a for φ' = √(g/a), whose other sign turns the motion around."""
+    is_root = any(p.exp == sp.S.Half for p in value.atoms(sp.Pow))
+    return Relation(v**2, value**2) if is_root else Relation(v, value)
 
 
 def _has_several(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> bool:
@@ -311,6 +370,12 @@ def reduced_matrices(
     if any(e is None for m in written for row in m for e in row):
         return None
     m, d, k = (tuple(tuple(e for e in row if e is not None) for row in rows) for rows in written)
+    coordinates = {slots.coordinates[k] for k in o}
+    if any(e.free_symbols & coordinates for rows in (m, d, k) for row in rows for e in row):
+        plain = [[[over_one_denominator(e) for e in x.row(n)] for n in range(x.rows)] for x in reduced]
+        lengths = [sum(count_operations(e) for rows in x for row in rows for e in row) for x in (plain, (m, d, k))]
+        if lengths[0] < lengths[1]:  # sin θ stays either way: better with cos θ as it is, too
+            m, d, k = (tuple(map(tuple, rows)) for rows in plain)
     return m, d, k
 
 
@@ -322,18 +387,22 @@ def check_steady(found: SteadyMotions) -> list[Check]:
     """
     slots = found.form.configuration.slots
     left = _lagrange(found.motion)
-    others = [v for q, v in zip(slots.coordinates, slots.velocities, strict=True) if q not in found.cyclic]
-    steady = dict.fromkeys((*others, *slots.accelerations), ZERO)
+    pairs = zip(slots.coordinates, slots.velocities, strict=True)
+    resting = dict.fromkeys((v for q, v in pairs if q not in found.cyclic), ZERO)
+    uniform = dict.fromkeys(slots.accelerations, ZERO)
+    steady = [e.xreplace(resting | uniform) for e in left]
+    slopes = [  # what is zero in any case is left out before differentiating, where it is not what is differentiated by
+        [[partial(e, q) for q in slots.coordinates] for e in steady],
+        [[partial(e, v).xreplace(resting) for v in slots.velocities] for e in (e.xreplace(uniform) for e in left)],
+        [[partial(e, a).xreplace(uniform) for a in slots.accelerations] for e in (e.xreplace(resting) for e in left)],
+    ]
     c = [slots.coordinates.index(q) for q in found.cyclic]
     hold: list[bool] = []
     linear: list[bool] = []
     for family in found.families:
-        given = steady | dict(family.rates)
-        tables = [
-            [[partial(e, s).xreplace(given) for s in symbols] for e in left]
-            for symbols in (slots.coordinates, slots.velocities, slots.accelerations)
-        ]
-        balance = [e.xreplace(given) for e in left]
+        rates = dict(family.rates)
+        tables = [[[e.xreplace(rates) for e in row] for row in rows] for rows in slopes]
+        balance = [e.xreplace(rates) for e in steady]
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             for point in _points(b, family.about.equilibrium):
                 try:

@@ -7,6 +7,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
+from lagrange.mechanics.equilibrium.linear_stability import LinearSystem, has_uniform_motion, kind_of
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
@@ -91,3 +92,17 @@ def test_a_sleeping_top_by_one_condition() -> None:
     for f in s.frequencies:  # without the common factor (A + m l²)²
         assert f.square is not None
         assert f.square.count_ops() < 50
+
+
+def test_a_charge_at_rest_in_a_magnetic_field_does_not_drift() -> None:
+    """All motions are circles: the double root p = 0 has two displacements and no uniform motion, unlike free masses."""
+    at = sp.Matrix.zeros(2, 2)
+    charge = linear_system(mass=sp.eye(2), damping=sp.Matrix([[0, -2], [2, 0]]), stiffness=at)
+    free = linear_system(mass=sp.eye(2), damping=at, stiffness=sp.Matrix([[1, -1], [-1, 1]]))
+    assert not has_uniform_motion(charge)
+    assert has_uniform_motion(free)
+
+
+def linear_system(**matrices: sp.Matrix) -> LinearSystem:
+    tables = {name: tuple(map(tuple, m.tolist())) for name, m in matrices.items()}
+    return LinearSystem(**tables, kind=kind_of(tables["damping"], True), symmetric=True, roots=None, frequencies=())

@@ -16,7 +16,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.explain.rest.steady_motions import explain_steady
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
@@ -181,13 +181,11 @@ def test_a_disc_rolls_in_a_circle_or_straight_on() -> None:
     ("text", "said"),
     [
         ("coordinates: [x, y]\nparameters: [m, Omega]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
-         "constraints: {belt: x' + y' = Omega}\n", "rest does not satisfy"),
+         "constraints: {pace: x'^2 + y'^2 = Omega^2}\n", "not linear"),
         ("coordinates: [x, y]\nparameters: [m]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
          "constraints: {blade: x' = (1 + x^2 + y^2)*y'}\n", "depends on `[xy]`"),
         ("coordinates: [x, y]\nparameters: [m, l]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
          "constraints: {rod: x^2 + y^2 = l^2}\n", "not free"),
-        ("coordinates: [x]\nparameters: [m, k]\nparticles: {P: {mass: m, position: x*i}}\n"
-         "forces: {V: {potential: k*x^2/2}}\n", "cyclic"),
         ("coordinates: [x, y]\nparameters: [m, k, w]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
          "forces: {push: {on: P, vector: k*cos(w*t)*i}}\n", "time"),
     ],
@@ -201,8 +199,39 @@ def test_a_coordinate_along_which_a_force_acts_is_not_cyclic() -> None:
     text = CONICAL.replace("[m, l, g]", "[m, l, g, c]") + 'forces: {drag: {on: P, vector: "-c*phi\'*(0*i)"}}\n'
     assert [q.name for q in found_in(text).cyclic] == ["phi"]
     text = CONICAL + "forces: {push: {on: P, vector: -m*g*sin(phi)*i + m*g*cos(phi)*j}}\n"
-    with pytest.raises(NotCoveredError, match="cyclic"):
+    with pytest.raises(ProblemError, match="`theta`, and the equation of motion of `phi` does not hold"):
         found_in(text)
+
+
+def test_in_a_paraboloid_one_rate_is_steady_at_every_radius() -> None:
+    """z = r²/(2a): φ'² = g/a, and with r² φ' = h the radial equation has (1 + r²/a²) ξ'' + 4 (g/a) ξ = 0."""
+    height = "r^2/(2*a)*k"
+    found = found_in(
+        "coordinates: [r, phi]\nparameters: [m, a, g]\ngravity: -g*k\n"
+        f'particles: {{P: {{mass: m, position: "r*cos(phi)*i + r*sin(phi)*j + {height}"}}}}\n'
+    )
+    [family] = found.families
+    [relation] = family.relations(family.about.branches[0])
+    assert (str(relation.lhs), str(relation.rhs)) == ("phi'**2", "g/a")
+    [frequency] = family.about.at[0].frequencies
+    a, g, r = 2.0, 9.8, 0.7
+    assert number(frequency.square, a=a, g=g, r=r) == pytest.approx(4 * g / a / (1 + r**2 / a**2))
+
+
+def test_a_ball_circles_on_a_turntable() -> None:
+    """Two sevenths of the rate of the table, wherever the centre of the circle is (Milne, Vectorial Mechanics)."""
+    found = found_in("""coordinates: [r, phi, alpha, beta, gamma]
+parameters: [m, R, Omega]
+frame: {type: polar, coordinates: [r, phi]}
+bodies:
+  ball: {mass: m, inertia: [2/5*m*R^2, 2/5*m*R^2, 2/5*m*R^2], position: r*e_r, axes: [i, j, k],
+         angular_velocity: "alpha'*i + beta'*j + gamma'*k"}
+constraints: {rolling: "r_ball' + cross(omega_ball, -R*k) = cross(Omega*k, r*e_r)"}
+""")
+    [family] = found.families
+    omega = sp.Symbol("Omega", positive=True)
+    assert [*family.rates.values()] == [2 * omega / 7]
+    assert [f.square for f in family.about.at[0].frequencies] == [4 * omega**2 / 49]
 
 
 GIMBALS = """coordinates: [phi, theta, psi]

@@ -8,7 +8,9 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.answers.questions import linear_motion as answers_about
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.explain.rest.large_systems import result_of_large_system
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.constraints import constraint_row
@@ -102,6 +104,35 @@ def test_the_published_bicycle() -> None:
             assert row == pytest.approx([scale * e for e in expected], rel=5e-14, abs=1e-13)
     assert not any(c for k in (0, 2) for row in coefficients(block.damping, v, k) for c in row)
     assert not any(c for row in coefficients(block.stiffness, v, 1) for c in row)
+
+
+def published(row: int, damping: float | None = None) -> Fragment:
+    """One row of M q'' + v C1 q' + (g K0 + v² K2) q = 0, as an answer."""
+    c = C1[row][1] if damping is None else damping
+    return Fragment.of(
+        f"{M[row][0]}*phi'' + {M[row][1]}*delta'' + {C1[row][0]}*v*phi' + {c}*v*delta' + 9.81*({K0[row][0]})*phi"
+        f" + (9.81*({K0[row][1]}) + {K2[row][1]}*v^2)*delta = 0"
+    )
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ([published(0), published(1)], Verdict.EQUIVALENT),
+        ([published(1)], Verdict.INCOMPLETE),
+        ([published(0, 33.87), published(1)], Verdict.EQUIVALENT),
+        ([published(0, 33.88), published(1)], Verdict.WRONG),
+        ([Fragment.of("sin(phi) + phi'' = 0")], Verdict.WRONG),
+        ([Fragment.of("psi'' = 0")], Verdict.UNDECIDED),
+    ],
+)
+def test_published_matrices_as_an_answer(
+    answer: list[Fragment], verdict: Verdict, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    problem, _, found = bicycle()
+    reference = SimpleNamespace(scope=problem.scope, declared=problem.scope.names(), values={})
+    monkeypatch.setattr(answers_about, "reference_of_solution", lambda _: reference)
+    assert answers_about.check_linear_motion(answer, SimpleNamespace(linear_motion=found)).verdict is verdict
 
 
 def test_the_published_exponents_at_five_metres_a_second() -> None:

@@ -34,6 +34,7 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.principle import dalembert
 from lagrange.mechanics.equilibrium.driven.drives import Drive
+from lagrange.mechanics.equilibrium.linear_stability import LinearSystem
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
@@ -182,11 +183,12 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     taken  names that the letters of amplitudes and lags must not use
     """
     system = forced.free.system
-    n, w = len(forced.forces), drive.frequency
+    n = len(forced.forces)
+    w, given, meant = _as_letter(drive.frequency, system)
     if n > MOST_FORCED:
         raise NotCoveredError(f"the steady state of more than {MOST_FORCED} coordinates in symbols")
-    c, s = sp.cos(w * t), sp.sin(w * t)
-    parts = [(sp.expand(f).coeff(c), sp.expand(f).coeff(s)) for f in forced.forces]
+    c, s = sp.cos(drive.frequency * t), sp.sin(drive.frequency * t)
+    parts = [(sp.expand(f).coeff(c).xreplace(given), sp.expand(f).coeff(s).xreplace(given)) for f in forced.forces]
     dynamic = sp.Matrix(n, n, lambda i, j: system.stiffness[i][j] - w**2 * system.mass[i][j])
     damping = sp.Matrix(n, n, lambda i, j: w * system.damping[i][j])
     is_damped = any(is_zero(e) is not True for e in damping)
@@ -219,9 +221,27 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
     lag = free_letter("phi", "psi", "delta", "epsilon", taken=taken, of=names)
     letters, lags = (tuple(sp.Symbol(f"{k}_{n}", real=True) for n in names) for k in (amplitude, lag))
-    return Response(
-        forced, drive, tuple(cosines), tuple(sines), found, tuple(phases), resonances, rests, is_damped, letters, lags
-    )
+    cosines, sines, amplitudes = ([e.xreplace(meant) for e in of] for of in (cosines, sines, amplitudes))
+    lagging = tuple(None if e is None else e.xreplace(meant) for e in phases)
+    states = tuple(cosines), tuple(sines), tuple(amplitudes)
+    return Response(forced, drive, *states, lagging, resonances, rests, is_damped, letters, lags)
+
+
+def _as_letter(
+    frequency: sp.Expr, system: LinearSystem
+) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """A letter for a frequency such as 2π v/L, by which v is given, and what the letter means.
+
+    Resonance is then found for the frequency as a whole. A frequency that is one letter, or a number, stays as it is.
+    """
+    fixed = {s for table in (system.mass, system.damping, system.stiffness) for row in table for e in row
+             for s in e.free_symbols}  # fmt: skip
+    for s in sorted(frequency.free_symbols - fixed, key=str) if not frequency.is_Symbol else ():
+        slope = sp.diff(frequency, s)
+        if s not in slope.free_symbols and sp.expand(frequency - slope * s) == 0:
+            letter = sp.Dummy("w", real=True, positive=frequency.is_positive)
+            return letter, {s: letter / slope}, {letter: frequency}
+    return frequency, {}, {}
 
 
 def _over_squares(e: sp.Expr, determinant: sp.Expr) -> sp.Expr:
@@ -386,7 +406,7 @@ def _resonances(
     """ω² at which the amplitude is unbounded or, of one damped coordinate, greatest."""
     if not is_damped:
         return _zeros(determinant, w)
-    if len(amplitudes) != 1 or amplitudes[0] == 0:
+    if not w.is_Symbol or len(amplitudes) != 1 or amplitudes[0] == 0:
         return ()
     return tuple(v for v in _zeros(sp.fraction(sp.together(sp.diff(amplitudes[0] ** 2, w)))[0], w) if v != 0)
 

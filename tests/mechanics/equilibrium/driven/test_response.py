@@ -199,3 +199,26 @@ def test_amplitudes_are_collected_in_powers_of_the_frequency() -> None:
     M, m, c, w = (next(s for s in found.amplitudes[0].free_symbols if s.name == n) for n in ("M", "m", "c", "w"))
     sums = found.amplitudes[0].atoms(sp.Add)
     assert any(s in (c - (M + m) * w**2, (M + m) * w**2 - c) for s in sums)
+
+
+def test_a_car_on_a_wavy_road_resonates_at_a_composed_frequency() -> None:
+    """w = 2π v/L; the amplitude over that of the road is √((c² + b² w²)/((c − m w²)² + b² w²)), greatest at √w²."""
+    found = solve(
+        read(
+            "title: Car\ncoordinates: [y]\nparameters: [m, c, b, a, v, L]\nparticles: {P: {mass: m, position: y*j}}\n"
+            "let: {s: a*sin(2*pi*v*t/L)}\nforces: {spring: {potential: c*(y - s)^2/2}, "
+            "damper: {on: P, vector: \"-b*(y' - s')*j\"}}\nfind: response\n"
+        )
+    ).own.response
+    assert found is not None
+    values = {"m": m, "c": c, "b": b, "a": a, "L": 2.0}
+
+    def amplitude(w: float) -> float:
+        given = values | {"v": w * 2.0 / (2 * np.pi)}
+        [e] = found.amplitudes
+        return float(e.xreplace({s: sp.Float(given[s.name]) for s in e.free_symbols}))
+
+    [square] = found.resonances
+    top = float(sp.sqrt(square.xreplace({s: sp.Float(values[s.name]) for s in square.free_symbols})))
+    assert amplitude(w) == pytest.approx(a * hypot(c, b * w) / hypot(c - m * w**2, b * w))
+    assert amplitude(top) > max(amplitude(0.99 * top), amplitude(1.01 * top))

@@ -1,0 +1,158 @@
+"""Are stated linear equations those of a large system about its steady motion, M ξ'' + D ξ' + K ξ = 0 in numbers?
+
+The coordinates stand for their small changes. An equation c·ξ'' + d·ξ' + k·ξ = 0 is right if it is a combination of
+the derived ones: with α M = c, its other coefficients must be α D and α K, for several values of the parameters without
+values. A decimal stands for all numbers that round to it: every coefficient may differ by what half a unit in the last
+place of each of its decimals makes of it. Blocks without D and K, which only say that a velocity is constant, need not
+be stated.
+
+Published matrices are compared in this form, a row of M, D, K written as one equation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import mpmath
+import sympy as sp
+
+from lagrange.answers.readings import decimals_in
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written
+from lagrange.answers.written.reading import tried
+from lagrange.answers.written.statements import statement
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.symbols import base, prime
+from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import read_value
+from lagrange.mechanics.nearby.linear_motion import LinearMotion
+from lagrange.mechanics.results import Solution
+
+VALUES = (mpmath.mpf("0.7321"), mpmath.mpf("1.6180"), mpmath.mpf("3.1973"), mpmath.mpf("5.4321"))
+"""Of a parameter without a value: more than the degree of any coefficient needs."""
+ROUNDED = 1e-9
+"""What the derived numbers may differ by, relative to the largest coefficient."""
+_NONLINEAR = "it is not linear in the small changes: of a system of this size only the linear equations are compared"
+
+
+class _Tables:
+    """M, D, K of all blocks together, coordinate by coordinate."""
+
+    def __init__(self, found: LinearMotion) -> None:
+        self.letters = found.letters
+        self.coordinates = tuple(q for b in found.blocks for q in b.coordinates)
+        self.required = sum(
+            len(b.coordinates)
+            for b in found.blocks
+            if any(e != 0 for t in (b.damping, b.stiffness) for r in t for e in r)
+        )
+        self.all = [
+            sp.diag(*(sp.Matrix(table) for table in tables))
+            for tables in zip(*((b.mass, b.damping, b.stiffness) for b in found.blocks), strict=True)
+        ]
+
+    @property
+    def slots(self) -> list[sp.Symbol]:
+        """ξ'', then ξ', then ξ."""
+        return [prime(q, order) if order else q for order in (2, 1, 0) for q in self.coordinates]
+
+    def at(self, values: dict[sp.Symbol, sp.Expr]) -> list[mpmath.matrix]:
+        """M, D, K at values of the letters."""
+        return [mpmath.matrix(m.xreplace(values).evalf(30).tolist()) for m in self.all]
+
+
+def check_linear_motion(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
+    """The verdict on equations together."""
+    assert solution.linear_motion is not None
+    tables, reference = _Tables(solution.linear_motion), reference_of_solution(solution)
+    parts: list[EquationVerdict] = []
+    unreadable: list[Diagnostic] = []
+    right: list[sp.Expr] = []
+    for fragment in stated:
+        text = fragment.text.strip()
+        try:
+            e = _balance(fragment, reference).xreplace(reference.values)
+        except ProblemError as error:
+            unreadable += error.diagnostics
+            parts.append(EquationVerdict.of(text, Verdict.UNREADABLE, error.diagnostics[0].message))
+            continue
+        verdict, why = _judged(e, tables)
+        right += [e] if verdict is Verdict.EQUIVALENT else []
+        parts.append(EquationVerdict.of(text, verdict, why))
+    order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+    verdict = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    missing = 0
+    if verdict is Verdict.EQUIVALENT:
+        missing = max(0, tables.required - _independent(right, tables))
+        verdict = Verdict.INCOMPLETE if missing and right else Verdict.TRIVIAL if not right else verdict
+    return AnswerVerdict(verdict, tuple(parts), missing, unreadable=tuple(unreadable))
+
+
+def _balance(fragment: Fragment, reference: Reference) -> sp.Expr:
+    """Left side minus right side. Raises ProblemError."""
+    read = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
+    sides = [tried(side, read.scope, lambda f: read_value(f, read.scope, [], latex=True)) for side in read.sides]
+    scalars = [s for s in sides if not isinstance(s, Vector)]
+    if len(sides) != 2 or len(scalars) != 2:
+        code = "no-equals-sign" if len(sides) < 2 else "several-equals-signs"
+        help_ = "write each equation in a line of its own: `m*x'' + k*x = 0`"
+        raise ProblemError(Diagnostic(code, "an equation between two numbers is expected", fragment.whole, help=help_))
+    return sp.expand(scalars[0] - scalars[1])
+
+
+def _judged(e: sp.Expr, tables: _Tables) -> tuple[Verdict, str]:
+    slots = tables.slots
+    others = {base(s) for s in e.free_symbols} - {*tables.coordinates, *tables.letters}
+    if strangers := sorted(s.name for s in others if s not in decimals_in([e])):
+        names = ", ".join(f"`{q.name}`" for q in tables.coordinates)
+        return Verdict.UNDECIDED, f"`{strangers[0]}` is not among {names}, in which the linear equations are compared"
+    coefficients = [e.diff(s) for s in slots]
+    rest = e.xreplace(dict.fromkeys(slots, sp.S.Zero))
+    if as_written(rest) != 0 or any(c.free_symbols & {*slots} for c in coefficients):
+        return Verdict.WRONG, _NONLINEAR
+    if all(as_written(c) == 0 for c in coefficients):
+        return Verdict.TRIVIAL, "it holds for every motion"
+    for value in VALUES[: 1 if not tables.letters else None]:
+        at = {v: sp.Float(str(value * (n + 1)), 30) for n, v in enumerate(tables.letters)}
+        wrong = _first_that_differs(coefficients, at, tables)
+        if wrong is not None:
+            return Verdict.WRONG, f"with these coefficients of the accelerations, that of `{wrong}` is another"
+    return Verdict.EQUIVALENT, ""
+
+
+def _first_that_differs(
+    coefficients: Sequence[sp.Expr], at: dict[sp.Symbol, sp.Expr], tables: _Tables
+) -> sp.Symbol | None:
+    """The first slot whose coefficient does not follow from those of the accelerations, at values of the letters."""
+    size = len(tables.coordinates)
+    stated = [mpmath.mpf(str(as_written(c).xreplace(at).evalf(30))) for c in coefficients]
+    slack = [mpmath.mpf(str(_slack(c, at))) for c in coefficients]
+    mass, *others = tables.at(at)
+    inverse = mass**-1
+    combination = mpmath.matrix([stated[:size]]) * inverse
+    largest = max(abs(x) for x in stated)
+    for k, table in enumerate(others, start=1):
+        share = inverse * table
+        expected = combination * table
+        for j in range(size):
+            spread = slack[k * size + j] + sum(slack[i] * abs(share[i, j]) for i in range(size))
+            if abs(stated[k * size + j] - expected[j]) > spread + ROUNDED * largest:
+                return tables.slots[k * size + j]
+    return None
+
+
+def _slack(coefficient: sp.Expr, at: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """By how much a coefficient may differ because of its decimals."""
+    return sp.Add(
+        *(abs(as_written(coefficient.diff(d)).xreplace(at)) * d.half_width for d in decimals_in([coefficient]))
+    ).evalf(30)
+
+
+def _independent(right: Sequence[sp.Expr], tables: _Tables) -> int:
+    """How many of the equations are independent, apart from those of coordinates that move uniformly."""
+    accelerations = [prime(q, 2) for q in tables.coordinates]
+    rows = [[as_written(e.diff(a)).xreplace(dict.fromkeys(tables.letters, sp.Rational(7, 5))) for a in accelerations]
+            for e in right]  # fmt: skip
+    return int(sp.Matrix(rows).rank(iszerofunc=lambda x: abs(x) < sp.Float("1e-9"))) if rows else 0

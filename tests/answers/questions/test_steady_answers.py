@@ -1,0 +1,68 @@
+"""Stated steady motions, and the frequencies about them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+import sympy as sp
+
+from lagrange.answers.questions.asked_quantities import _parted_logarithms
+from lagrange.answers.questions.own_answers import compared_answers
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
+from tests.support.problem_texts import read
+
+HOLE = """title: Two particles on a string through a hole
+coordinates: [r, phi]
+parameters: [m, M, g]
+particles: {P: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j"}, Q: {mass: M, position: r*k}}
+gravity: -g*k
+find: steady
+"""
+SPRING = """title: A dumbbell with a spring
+coordinates: [r, phi]
+parameters: [m, c, a]
+particles: {P: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j"}}
+forces: {spring: {spring: c, between: [0*i, P], length: a}}
+find: steady
+"""
+
+
+@cache
+def solved(text: str) -> Solution:
+    return solve(read(text))
+
+
+def verdicts(text: str, answers: str) -> list[str]:
+    stated = read(f"{text}answers: {answers}\n")
+    return [v.verdict.value for v in compared_answers(replace(solved(text), problem=stated))]
+
+
+@pytest.mark.parametrize(
+    ("frequency", "verdict"),
+    [
+        ("phi'*sqrt(3*m/(M + m))", "equivalent"),
+        ("sqrt(3*M*g/((M + m)*r))", "equivalent"),
+        ("omega^2 = 3*M*g/((M + m)*r)", "equivalent"),
+        ("sqrt(3*m/M)*phi'", "wrong"),
+        ("sqrt(M*g/((M + m)*r))", "wrong"),
+    ],
+)
+def test_frequencies_about_a_steady_motion(frequency: str, verdict: str) -> None:
+    """(M + m) ξ'' + 3 m φ'² ξ = 0 about m r φ'² = M g, the angular momentum being kept."""
+    assert verdicts(HOLE, f'{{frequencies: ["{frequency}"]}}') == [verdict]
+
+
+def test_a_radius_is_positive() -> None:
+    """r φ'² m = c (r − a) at r > 0; the coordinates have the same circles once more with r < 0."""
+    assert verdicts(SPRING, "{steady: [m*r*phi'^2 = c*(r - a)]}") == ["equivalent"]
+    assert verdicts(SPRING, "{steady: [m*r*phi'^2 = c*r]}") == ["wrong"]
+
+
+def test_logarithms_of_a_factor_of_unknown_sign() -> None:
+    m, q, t = sp.symbols("m q t", positive=True)
+    same = (m / q - t) * sp.log(1 - q * t / m) + (m / q - t) * sp.log(m / (m - q * t))
+    assert _parted_logarithms(same) == 0
+    assert _parted_logarithms(sp.log(q * t / m - 1) - sp.log(m - q * t) + sp.log(m)) != 0
