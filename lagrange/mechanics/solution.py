@@ -558,7 +558,7 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
     """
     from lagrange.mechanics.equilibrium.checks import check_impending
     from lagrange.mechanics.equilibrium.equilibrium import virtual_work
-    from lagrange.mechanics.equilibrium.friction.friction_at_rest import at_rest
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import rest_within
     from lagrange.mechanics.equilibrium.friction.impending_motion import impending_motions
 
     problem, own = blank.problem, blank.own
@@ -567,21 +567,21 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
     checks = [*solution.checks] if solution.works else [*solution.checks, *check_workless(works, own.configuration)]
     work = virtual_work(own.configuration)
     in_choices = any(not c.signs for c in solution.choices)
-    views = []
+    views, given_up = [], solution.given_up
     for view, before in zip(solution.views, blank.views, strict=True):
         if not (view.signs or (in_choices and view.is_own)):
             on_stage(_stage("friction at rest", view))
-            if Find.EQUILIBRIUM in problem.find:
-                resting = at_rest(problem, law.newton, own.configuration, before.configuration, work)
-                name = "the forces at rest satisfy Lagrange's equations"
-                if resting.verified is not None:
-                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
-                view = replace(view, at_rest=resting)
-            if Find.IMPENDING in problem.find:
+            if Find.IMPENDING in problem.find:  # first, as it takes less work
                 file = (own.configuration, own.elimination, work)
                 motions = impending_motions(problem, law.newton, file, before.configuration, before.elimination)
                 checks += check_impending([m.equilibrium for m in motions])
                 view = replace(view, impending=motions)
+            if Find.EQUILIBRIUM in problem.find and not given_up:
+                resting, given_up = rest_within(problem, law.newton, own.configuration, before.configuration, work)
+                view = replace(view, at_rest=resting)
+                if resting is not None and resting.verified is not None:
+                    name = "the forces at rest satisfy Lagrange's equations"
+                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
         views.append(view)
     return replace(
         solution,
@@ -591,4 +591,5 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
         own=views[0],
         choices=tuple(views[1:]),
         checks=tuple(checks),
+        given_up=given_up,
     )

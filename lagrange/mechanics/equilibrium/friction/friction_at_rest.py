@@ -28,7 +28,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import GaveUpError, NotCoveredError
+from lagrange.core.effort import allowed_for
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -59,6 +60,8 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
 )
 from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
 from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.limits import UNITS_OF_REST
+from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
 
 
@@ -291,6 +294,24 @@ def at_rest(
             )
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def rest_within(
+    problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
+) -> tuple[AtRest | None, str]:
+    """`at_rest` with an allowance of its own, and why nothing was found, empty otherwise.
+
+    Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
+    """
+    try:
+        with allowed_for("friction at rest", UNITS_OF_REST):
+            return at_rest(problem, newton, original, configuration, work), ""
+    except GaveUpError as stop:
+        return None, stop.place
+    except NotCoveredError:
+        if Find.IMPENDING not in problem.find:
+            raise
+        return None, "friction at rest, statically indeterminate contacts whose forces have no known signs"
 
 
 def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:
