@@ -204,7 +204,8 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
             words = ("that is ", math(symbol, degrees, relation=relation), " for an acute angle")
         elif found.holds is not None:
             words = ("which holds" if found.holds else "which does not hold",)
-        return Equation((shown, found.bound.shown(digits)), relation=found.relation, condition=words)
+        low = () if found.low is None else (found.low.shown(digits),)
+        return Equation((*low, shown, found.bound.shown(digits)), relation=found.relation, condition=words)
     except NotRealError:
         return None
 

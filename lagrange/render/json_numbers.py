@@ -161,10 +161,12 @@ def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | N
             return {"condition": f"{write(c.left)} <= {write(c.right)}"}
         left = found.left.formula_shown(JSON_DIGITS) if isinstance(found.left, Quantity) else found.left
         right = found.bound.formula_shown(JSON_DIGITS)
-        said: dict[str, Any] = {"condition": f"{write(left)} {signs[found.relation]} {write(right)}"}
+        low = "" if found.low is None else f"{write(found.low.formula_shown(JSON_DIGITS))} <= "
+        said: dict[str, Any] = {"condition": f"{low}{write(left)} {signs[found.relation]} {write(right)}"}
         if found.holds is not None:
             return said | {"holds": found.holds}
-        return said | (_measured(found.bound) if found.bound.is_number else {})
+        least = {} if found.low is None else {"low": float(found.low.number)}
+        return said | least | (_measured(found.bound) if found.bound.is_number else {})
 
     rows = [[entry(c) for c in case] for case in cases]
     return {"in_numbers": rows[0] if len(rows) == 1 else rows}
