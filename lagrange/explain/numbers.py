@@ -215,7 +215,9 @@ def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
     own = dimension(left, values.units) if left.free_symbols else None
     if own is None:
         return "" if is_bare else right.unit
-    return right.unit if right.unit and own == dimension_of_unit(right.unit) else values.unit_of(left)
+    named = values.unit_of(left)  # of an angular velocity rad/s, where the right side says s⁻¹
+    same = right.unit and own == dimension_of_unit(right.unit) and not named.startswith("rad")
+    return right.unit if same else named
 
 
 def measured(quantity: Quantity, digits: int) -> Math:

@@ -28,7 +28,7 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.problem.values import values_of
+from lagrange.mechanics.valued import values_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
@@ -305,7 +305,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     """The short answers to a question, with what they are in degrees."""
     from lagrange.explain.questions import angle_of
 
-    values = values_of(solution.problem)
+    values = values_in(solution)
     branches: Sequence[AnswerBranch] = asked.branches
     if values is not None:
         from lagrange.mechanics.questions.in_numbers import branches_with
