@@ -2,8 +2,8 @@
 
 The integral is taken from a table (`algebra.forms.antiderivatives`), by parts of a product and of a power of one sum;
 it is verified by differentiation. In the field of a centre, q'² is a quotient of polynomials and the integral that of a
-polynomial over the root of a quadratic, as in Kepler's equation. A motion that begins at rest has a root in the denominator, whose integral has a
-limit there. None means not in the table.
+polynomial over the root of a quadratic, as in Kepler's equation. A motion that begins at rest has a root in the
+denominator, whose integral has a limit there. None means not in the table.
 """
 
 from __future__ import annotations
@@ -96,12 +96,10 @@ def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.E
     return None
 
 
-def _over_root_of_quadratic(
-    q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, sp.Expr], way: int
-) -> sp.Expr | None:
+def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, sp.Expr], way: int) -> sp.Expr | None:
     """q'² = k N/D: with N D = S² T and D/S = a q + b, T = ρ² − (q − c)², the time is
 
-        ∫ (D/S) dq/√(k T) = [−a √T − (a c + b) acos((q − c)/ρ)]/√k .
+    ∫ (D/S) dq/√(k T) = [−a √T − (a c + b) acos((q − c)/ρ)]/√k .
     """
     over, under = (sp.factor_list(e, q) for e in sp.fraction(sp.cancel(sp.together(square))))
     k, odd, rest = sp.cancel(over[0] / under[0]), sp.S.One, sp.S.One

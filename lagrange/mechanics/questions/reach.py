@@ -14,7 +14,7 @@ Undecided stays open: the answer then holds provided that the motion gets there.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from enum import Enum
 from functools import lru_cache
 
@@ -70,6 +70,8 @@ class Path:
     def to(self, end: sp.Expr) -> Reach:
         """Whether the motion gets to q_1; to q_0 itself on its way back."""
         way = self._sign(end - self.start)
+        if way is None and self.rest:
+            return self._either_way(end)
         far = self._is_periodic and self.start.is_number and abs(self.start) > 2 * sp.pi
         if (
             (self.direction is None and not self.rest)
@@ -92,6 +94,18 @@ class Path:
             return Reach(Reached.YES, conditions)
         passed = self._passes(end, way)
         return Reach(passed.verdict, (*conditions, *passed.conditions))
+
+    def _either_way(self, end: sp.Expr) -> Reach:
+        """From rest, where letters leave open which of the two places is the larger: both orders must agree."""
+        found = []
+        for relation in (">", "<"):
+            order = SignCondition(end - self.start, relation, sp.S.Zero)
+            path = replace(self, known=(*self.known, order))
+            way = path._sign(self._value(self.square.diff(self.q), self.start))
+            if path._sign(end - self.start) is None:
+                return Reach(Reached.OPEN)
+            found.append(replace(path, direction=way).to(end))
+        return found[0] if found[0] == found[1] else Reach(Reached.OPEN)
 
     def _is_next_turn(self, end: sp.Expr, way: int) -> bool:
         """Whether q_1 is a turning point, and no other lies before it."""
