@@ -183,6 +183,8 @@ class _BranchSearch:
             return None
         for e in state.equations:
             changed = resolved(e, state.values) if state.values else e
+            if changed.has(sp.zoo, sp.nan):
+                return None
             parts = numerator(changed)
             if parts is None:
                 state = replace(state, stuck=(*state.stuck, changed))
@@ -212,6 +214,8 @@ class _BranchSearch:
         if parts is None:
             return False
         reduced = self.letters.reduced(parts[0])
+        if reduced.has(sp.zoo, sp.nan):
+            return True  # values that were tried make what it contains infinite
         return bool(reduced == 0 or (not self.letters.unknowns_in(reduced) and is_zero(self.letters.write(reduced))))
 
     def _with_roots(self, state: _State) -> _State:
