@@ -101,7 +101,10 @@ def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, 
 
     ∫ (D/S) dq/√(k T) = [−a √T − (a c + b) acos((q − c)/ρ)]/√k .
     """
-    over, under = (sp.factor_list(e, q) for e in sp.fraction(sp.cancel(sp.together(square))))
+    quotient = sp.fraction(sp.together(square))
+    if not all(e.is_polynomial(q) for e in quotient):
+        return None
+    over, under = (sp.factor_list(e, q) for e in sp.fraction(sp.cancel(quotient[0] / quotient[1])))
     k, odd, rest = sp.cancel(over[0] / under[0]), sp.S.One, sp.S.One
     for factor, power in (*over[1], *((f, -n) for f, n in under[1])):
         if q not in factor.free_symbols:

@@ -28,9 +28,10 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.core.diagnostics import GaveUpError, NotCoveredError
-from lagrange.core.effort import allowed_for
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.effort import GivenUpError, allowed, reason
 from lagrange.core.operations import count_operations
+from lagrange.core.ranges import without_known_magnitudes
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.core.verdicts import all_hold
@@ -242,7 +243,8 @@ def _tangents(
     if friction.toward is not None:
         return (against,)
     along = normal.cross(flat[-1])
-    return ((along / sp.sqrt(shortest(along.dot(along)))).map(shortest),)
+    length = without_known_magnitudes(sp.sqrt(shortest(along.dot(along))))
+    return ((along / length).map(shortest),)
 
 
 def _vanishes(e: sp.Expr, configuration: Configuration) -> bool:
@@ -303,15 +305,17 @@ def rest_within(
 
     Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
     """
-    try:
-        with allowed_for("friction at rest", UNITS_OF_REST):
+    with allowed(UNITS_OF_REST) as allowance:
+        try:
             return at_rest(problem, newton, original, configuration, work), ""
-    except GaveUpError as stop:
-        return None, stop.place
-    except NotCoveredError:
-        if Find.IMPENDING not in problem.find:
-            raise
-        return None, "friction at rest, statically indeterminate contacts whose forces have no known signs"
+        except GivenUpError as stop:
+            if allowance.left >= 0:
+                raise  # the time is over, and not this allowance used up
+            return None, f"friction at rest, {reason(stop)}"
+        except NotCoveredError:
+            if Find.IMPENDING not in problem.find:
+                raise
+    return None, "friction at rest, statically indeterminate contacts whose forces have no known signs"
 
 
 def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:
