@@ -129,12 +129,13 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
 
 
 def _asks_at_rest(problem: Problem) -> bool:
-    """Whether the questions of a file are about a system at rest without dry friction."""
-    if {*problem.find} & {Find.MOTION, Find.IMPENDING} or Find.EQUILIBRIUM not in problem.find or not problem.questions:
+    """Whether the questions of a file are about a system at rest, with dry friction at its limit."""
+    if Find.MOTION in problem.find or not {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} or not problem.questions:
         return False
     from lagrange.mechanics.questions.rest.at_rest import are_about_rest
 
-    return are_about_rest(problem) and not any(isinstance(f, Friction | Belt) for f in problem.forces)
+    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
+    return are_about_rest(problem) and (not rough or Find.IMPENDING in problem.find)
 
 
 def _stages(
@@ -539,11 +540,11 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
 def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to questions about positions of equilibrium."""
-    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest
+    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest, position_of_rest
 
     on_stage("questions")
-    resting, problem = solution.own.equilibrium, solution.problem
-    assert resting is not None
+    problem = solution.problem
+    resting = position_of_rest(solution)
     newton = solution.law.newton if solution.law else None
     asked = answers_at_rest(problem, resting, newton)
     checks = check_answers_at_rest(asked, problem, resting, newton)

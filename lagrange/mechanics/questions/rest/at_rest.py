@@ -27,6 +27,7 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.results import Asked, How, Route, Substituted
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Problem, Question
 
 _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
@@ -39,6 +40,26 @@ def are_about_rest(problem: Problem) -> bool:
         s for q in problem.questions for e in (q.quantity, *(c.function for c in q.when)) for s in e.free_symbols
     }
     return not problem.initial and t not in symbols and all(base(s) == s for s in symbols)
+
+
+def position_of_rest(solution: Solution) -> Equilibrium:
+    """The equilibrium in the file's coordinates, with friction the one at its limit.
+
+    Raises ProblemError where friction may act in several senses, or impending motion was found in other coordinates.
+    """
+    own = solution.own
+    if own.equilibrium is not None:
+        return own.equilibrium
+    if own.impending is not None and len(own.impending) == 1:
+        return own.impending[0].equilibrium
+    first = solution.problem.questions[0]
+    if own.impending:
+        message = f"the question `{first.name}` has several answers: nothing says which way things are about to slip"
+        help_ = "give `slip` to each friction, a vector: `slip: -i`"
+    else:
+        message = f"the question `{first.name}` is about rest with friction, in the file's own coordinates"
+        help_ = "leave `generalized_coordinates` out, or the question"
+    raise ProblemError(Diagnostic("not-determined", message, first.span, help=help_))
 
 
 def answers_at_rest(problem: Problem, resting: Equilibrium, newton: Newton | None) -> tuple[Asked, ...]:
