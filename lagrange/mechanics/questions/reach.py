@@ -24,9 +24,11 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.mechanics.questions.branches import sign_of_value
+from lagrange.core.symbols import prime
+from lagrange.mechanics.questions.branches import Beginning, outright, sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
+from lagrange.mechanics.questions.setting import Setting
 
 
 class Reached(Enum):
@@ -116,6 +118,10 @@ class Path:
         """All q with f = 0, of an angle over some turns; None where they are not found."""
         zeros = self._zeros(self.square)
         return None if zeros is None else [p for p, _ in zeros]
+
+    def lies_ahead(self, place: sp.Expr) -> bool:
+        """Whether a place lies in the direction of the start."""
+        return self._sign(place - self.start) == self.direction
 
     def _turns(self) -> Reach:
         """Whether a turning point lies ahead."""
@@ -236,3 +242,20 @@ def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondit
     if not found.solved or found.free or found.verified is not True:
         return None
     return tuple((v, b.conditions) for b in found.branches for v in b.values)
+
+
+def place_stated(when: sp.Expr, setting: Setting, beginning: Beginning) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The coordinate of which a condition states the place, and that place; of q' = 0 the turning point ahead."""
+    coordinates = setting.place.configuration.slots.coordinates
+    reached = outright([when], coordinates)
+    if len(reached) == 1:
+        [q] = reached
+        return q, when.xreplace({q: sp.S.Zero}) / -when.diff(q)
+    for q in coordinates:
+        rate, square = when.diff(prime(q)), setting.square_of(q)
+        if when != rate * prime(q) or not rate.is_number or rate == 0 or square is None or q not in setting.initial:
+            continue
+        path = Path(q, square, setting.initial[q], beginning.direction(q), values=setting.values)
+        ahead = [p for p in path.turning_places() or () if path.direction and path.lies_ahead(p)]
+        return (q, ahead[0]) if len(ahead) == 1 else None
+    return None
