@@ -118,7 +118,7 @@ ask:
 
 
 def test_the_order_of_two_lengths_may_stay_open(problem: Read) -> None:
-    m, k, l, a = sp.symbols("m k l a", positive=True)  # noqa: E741
+    m, k, l, a = sp.symbols("m k l a", positive=True)
     speed, end = solve(problem(SPRING)).asked
     [branch] = speed.branches
     assert sp.simplify(branch.rhs - (l - a) * sp.sqrt(k / m)) == 0

@@ -269,7 +269,8 @@ def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs
 def _without_minus(e: sp.Expr) -> sp.Expr:
     """−W A/(B − C) as W A/(C − B)."""
     above, below = sp.fraction(e)
-    return -above / -below if below.is_Add and above.as_coeff_Mul()[0].is_negative else e
+    of_both_signs = below.is_Add and any(term.could_extract_minus_sign() for term in below.args)
+    return -above / -below if of_both_signs and above.as_coeff_Mul()[0].is_negative else e
 
 
 def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:
