@@ -219,9 +219,10 @@ class Path:
         return e.xreplace({self.q: place})
 
     def _sign(self, e: sp.Expr) -> int | None:
-        sign = sign_of_value(e, self.known)
-        number = self._number(e) if sign is None else None
-        return sign if number is None or abs(number) < SMALLEST_DIFFERENCE else 1 if number > 0 else -1
+        number = self._number(e)  # first: signs of long expressions in letters take seconds
+        if number is not None and abs(number) >= SMALLEST_DIFFERENCE:
+            return 1 if number > 0 else -1
+        return sign_of_value(e, self.known)
 
     def _number(self, e: sp.Expr) -> sp.Expr | None:
         """An expression with the values of the parameters; None where one is missing, or it is not real."""
