@@ -116,8 +116,9 @@ def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, 
         return None
     root, linear = sp.Poly(odd, q), sp.Poly(rest, q)
     leading = root.LC()
-    sign = {sign_of(e) for x in ends for e in [linear.eval(x)]} - {0}
-    if root.degree() != 2 or linear.degree() > 1 or sign_of(-k * leading) != 1 or len(sign) != 1 or None in sign:
+    signs = {sign_of(linear.eval(x)) for x in ends} - {0}
+    sign = signs.pop() if len(signs) == 1 else None
+    if root.degree() != 2 or linear.degree() > 1 or sign_of(-k * leading) != 1 or sign is None:
         return None
     k, center = -k * leading, sp.cancel(-root.coeff_monomial(q) / (2 * leading))
     radius = sp.sqrt(sp.factor(center**2 - root.coeff_monomial(1) / leading))
@@ -127,7 +128,7 @@ def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, 
         height = sp.sqrt(sp.factor(-root.eval(x) / leading))
         return -a * height - (a * center + b) * sp.acos(sp.cancel((x - center) / radius))
 
-    return shortest_form(way * sign.pop() * (at(ends[1]) - at(ends[0])) / sp.sqrt(sp.factor(k)))
+    return shortest_form(way * sign * (at(ends[1]) - at(ends[0])) / sp.sqrt(sp.factor(k)))
 
 
 def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
