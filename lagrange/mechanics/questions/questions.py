@@ -537,7 +537,7 @@ class _Search:
                 more = self._at(root, value, rest, motion, called)
                 branches = None if more is None or branches is None else [*branches, *more]
             return branches
-        return None
+        return [] if any(e.is_nonzero for e in when if t not in e.free_symbols) else None  # it never holds
 
     def _at(
         self, root: TimeRoot, value: sp.Expr, rest: Sequence[sp.Expr], motion: ClosedMotion, called: sp.Expr
