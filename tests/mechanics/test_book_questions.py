@@ -165,3 +165,49 @@ ask:
 def test_angular_velocities_are_in_radians_per_second_and_named_forces_in_newtons(problem: Read) -> None:
     found = {a["name"]: (a["number"], a["unit"]) for a in as_object(report(problem(RATES)))["asked"]}
     assert found == {"force": (pytest.approx(4 / 3 * 2 * 9.81), "N"), "rate": (pytest.approx(math.pi), "rad/s")}
+
+
+STRINGS = """
+title: A weight on two strings
+axes: {i: right, j: down}
+parameters: {W: {value: 100 N}, a: {value: 5 m}, b: {value: 3 m}, c: {value: 4 m}}
+coordinates: {x: {range: [0, 5]}, y: {range: [1, 10]}}
+particles: {P: {position: x*i + y*j}}
+constraints:
+  left: {equation: x^2 + y^2 <= b^2, reaction: T_1}
+  right: {equation: (x - a)^2 + y^2 <= c^2, reaction: T_2}
+forces: {weight: {on: P, vector: W*j}}
+find: equilibrium
+"""
+
+
+def test_a_position_that_strings_determine_is_found_with_their_tensions(problem: Read) -> None:
+    """Lengths 3, 4 and 5 m: the strings are at right angles."""
+    solved = report(problem(STRINGS))
+    page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
+    assert "1.800 m │ 2.400 m" in page
+    assert "T₁ ≈ 80.00 N" in page
+    assert "T₂ ≈ 60.00 N" in page
+
+
+def test_a_time_found_in_numbers_has_its_unit(problem: Read) -> None:
+    text = """
+title: Pendulum
+axes: {i: right, j: down}
+parameters: {l: {value: 1 m}, g: {value: 9.81 m/s^2}, m: {value: 1 kg}}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
+gravity: g*j
+initial: {theta: 60 deg, theta': 0}
+ask: {quarter: {quantity: t, when: theta = 0}}
+"""
+    solved = report(problem(text))
+    page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
+    assert f"t ≈ {float(sp.elliptic_k(sp.Rational(1, 4)) / sp.sqrt(9.81)):.4g} s" in page
+
+
+def test_a_system_that_stays_at_rest_never_gets_anywhere(problem: Read) -> None:
+    text = SPRING.partition("forces:")[0] + "initial: {x: 0, x': 0}\nask: {it: {quantity: t, when: x = a}}\n"
+    with pytest.raises(ProblemError) as error:
+        solve(problem(text))
+    assert [d.code for d in error.value.diagnostics] == ["never-holds"]
