@@ -29,7 +29,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.effort import GivenUpError, allowed, reason
+from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import without_known_magnitudes
 from lagrange.core.records import record
@@ -308,10 +308,10 @@ def rest_within(
     with allowed(UNITS_OF_REST) as allowance:
         try:
             return at_rest(problem, newton, original, configuration, work), ""
-        except GivenUpError as stop:
+        except GivenUpError:
             if allowance.left >= 0:
                 raise  # the time is over, and not this allowance used up
-            return None, f"friction at rest, {reason(stop)}"
+            return None, "friction at rest, the work allowed for it is used up"
         except NotCoveredError:
             if Find.IMPENDING not in problem.find:
                 raise
