@@ -544,7 +544,7 @@ def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
 
     on_stage("questions")
     problem = solution.problem
-    resting = position_of_rest(solution)
+    resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
     newton = solution.law.newton if solution.law else None
     asked = answers_at_rest(problem, resting, newton)
     checks = check_answers_at_rest(asked, problem, resting, newton)

@@ -116,7 +116,7 @@ def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, 
         return None
     root, linear = sp.Poly(odd, q), sp.Poly(rest, q)
     leading = root.LC()
-    signs = {sign_of(linear.eval(x)) for x in ends} - {0}
+    signs = {sign_of(rest.xreplace({q: x})) for x in ends} - {0}
     sign = signs.pop() if len(signs) == 1 else None
     if root.degree() != 2 or linear.degree() > 1 or sign_of(-k * leading) != 1 or sign is None:
         return None
@@ -125,7 +125,7 @@ def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, 
     a, b = linear.coeff_monomial(q), linear.coeff_monomial(1)
 
     def at(x: sp.Expr) -> sp.Expr:
-        height = sp.sqrt(sp.factor(-root.eval(x) / leading))
+        height = sp.sqrt(sp.factor(-odd.xreplace({q: x}) / leading))
         return -a * height - (a * center + b) * sp.acos(sp.cancel((x - center) / radius))
 
     return shortest_form(way * sign * (at(ends[1]) - at(ends[0])) / sp.sqrt(sp.factor(k)))

@@ -59,9 +59,8 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS, UNITS_OF_REST
 from lagrange.mechanics.equilibrium.loads import loads
-from lagrange.mechanics.limits import UNITS_OF_REST
 from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
 

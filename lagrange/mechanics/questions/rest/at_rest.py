@@ -23,11 +23,11 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.results import Asked, How, Route, Substituted
-from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Problem, Question
 
 _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
@@ -42,18 +42,19 @@ def are_about_rest(problem: Problem) -> bool:
     return not problem.initial and t not in symbols and all(base(s) == s for s in symbols)
 
 
-def position_of_rest(solution: Solution) -> Equilibrium:
+def position_of_rest(
+    found: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
+) -> Equilibrium:
     """The equilibrium in the file's coordinates, with friction the one at its limit.
 
-    Raises ProblemError where friction may act in several senses, or impending motion was found in other coordinates.
+    first  the question to be named where friction may act in several senses, or the limit was found in other
+           coordinates: a ProblemError
     """
-    own = solution.own
-    if own.equilibrium is not None:
-        return own.equilibrium
-    if own.impending is not None and len(own.impending) == 1:
-        return own.impending[0].equilibrium
-    first = solution.problem.questions[0]
-    if own.impending:
+    if found is not None:
+        return found
+    if impending is not None and len(impending) == 1:
+        return impending[0].equilibrium
+    if impending:
         message = f"the question `{first.name}` has several answers: nothing says which way things are about to slip"
         help_ = "give `slip` to each friction, a vector: `slip: -i`"
     else:
