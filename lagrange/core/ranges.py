@@ -45,6 +45,12 @@ def sign_in_range(f: sp.Expr) -> int | None:
     return -1 if ends.high < 0 or (ends.high == 0 and ends.strict[1]) else None
 
 
+def without_known_magnitudes(e: sp.Expr) -> sp.Expr:
+    """|cos α| as cos α for an acute angle α."""
+    signs = {a: sign_in_range(a.args[0]) for a in e.atoms(sp.Abs)}
+    return e.xreplace({a: sign * a.args[0] for a, sign in signs.items() if sign is not None})
+
+
 def ends_of(e: sp.Expr) -> Ends | None:
     """The range of a linear expression in parameters that have one; None for any other."""
     low = high = sp.S.Zero

@@ -171,8 +171,10 @@ def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
     where = "" if unit else ", in the direction in which the left side less the right side increases"
     if reaction.constraint.side is not None:
         where = ", to the permitted side"
+    lengths = [math(e, ZERO, relation=">") for e in single.presumed if e.is_Add]
+    taken: tuple[Part, ...] = (", with ", *listed(lengths)) if lengths else ()
     end = f", and the opposite force acts on {the(single.opposite)}." if single.opposite else "."
-    return prose(words, *along, where, end)
+    return prose(words, *along, *taken, where, end)
 
 
 def _not_a_force(reaction: Reaction) -> list[Part]:

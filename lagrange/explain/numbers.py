@@ -62,7 +62,31 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif view is not None and not _determines_forces(view):
             yield step
         else:
-            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare, angles)))
+            there = _at_positions_found(step, solution, values, digits) if step.rule is Rule.SOLVED_REACTIONS else ()
+            yield replace(step, body=(*_blocks(step, values, digits, excluded, bare, angles), *there))
+
+
+def _at_positions_found(step: Step, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
+    """The reactions at rest where the equilibria were found in numbers, and the reactions depend on the position."""
+    found = solution.own.in_numbers
+    if found is None or found.numerical is None or solution.own.dynamics is not None:
+        return
+    lines = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations if e.relation == "="]
+    for n, p in enumerate(found.positions, start=1):
+        place = {q: x.formula for q, x in p.coordinates.items()}
+        shown = []
+        for e in lines:
+            name, value = e.sides[0], e.sides[-1]
+            if not isinstance(value, sp.Expr) or not isinstance(name, sp.Expr) or not value.free_symbols & {*place}:
+                continue
+            quantity = values.quantity(value.xreplace(place))
+            if quantity is not None and quantity.is_number:
+                size = replace(quantity, unit=values.unit_of(value) or values.unit_of(name))
+                shown.append(Equation((name, size.shown(digits)), relation="≈"))
+        if shown:
+            which = "the position" if len(found.positions) == 1 else f"position {n}"
+            yield prose(f"In {which} found in numbers:", detail=Detail.BRIEF)
+            yield display(*shown, detail=Detail.BRIEF)
 
 
 def _start(values: Values) -> str:
@@ -166,7 +190,10 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
     if equation.relation != "=":
         return _bound(equation, values, digits) if equation.relation == "≤" and len(sides) == 2 else None
-    if len(sides) != len(equation.sides) or not any(s.free_symbols & values.parameters for s in sides):
+    found_in_numbers = bool(sides) and isinstance(sides[-1], sp.Float) and bool(values.units)
+    if len(sides) != len(equation.sides):
+        return None
+    if not found_in_numbers and not any(s.free_symbols & values.parameters for s in sides):
         return None
     right = values.quantity(sides[-1])
     if right is None:
@@ -204,7 +231,8 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
             words = ("that is ", math(symbol, degrees, relation=relation), " for an acute angle")
         elif found.holds is not None:
             words = ("which holds" if found.holds else "which does not hold",)
-        return Equation((shown, found.bound.shown(digits)), relation=found.relation, condition=words)
+        low = () if found.low is None else (found.low.shown(digits),)
+        return Equation((*low, shown, found.bound.shown(digits)), relation=found.relation, condition=words)
     except NotRealError:
         return None
 
@@ -214,7 +242,9 @@ def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
     own = dimension(left, values.units) if left.free_symbols else None
     if own is None:
         return "" if is_bare else right.unit
-    return right.unit if right.unit and own == dimension_of_unit(right.unit) else values.unit_of(left)
+    named = values.unit_of(left)  # of an angular velocity rad/s, where the right side says s⁻¹
+    same = right.unit and own == dimension_of_unit(right.unit) and not named.startswith("rad")
+    return right.unit if same else named
 
 
 def measured(quantity: Quantity, digits: int) -> Math:

@@ -52,8 +52,9 @@ from lagrange.mechanics.energy_symbols import (
 )
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
+from lagrange.mechanics.valued import values_in
 from lagrange.problem.model import Find, Friction, Problem
-from lagrange.problem.values import no_values, values_of
+from lagrange.problem.values import no_values
 
 if TYPE_CHECKING:
     from lagrange.explain.energy.energies import LagrangeExposition
@@ -149,7 +150,7 @@ def _explained(
 ) -> Report:
     on_stage("explanations and pictures")
     notation = notation_of(solution)
-    problem, values = solution.problem, values_of(solution.problem)
+    problem, values = solution.problem, values_in(solution)
 
     def finished(steps: Iterable[Step]) -> Iterator[Step]:
         if values is not None or any(v.in_numbers is not None for v in solution.views):

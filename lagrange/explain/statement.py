@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import VectorSymbol
+from lagrange.core.symbols import VectorSymbol, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
@@ -46,7 +46,7 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     body += triads_of_bodies(problem, configuration)
     body += _abbreviations(problem)
     body += _positions(problem, configuration)
-    body += _forces(configuration, [f for f in problem.forces if isinstance(f, Friction)], with_potential)
+    body += _forces(configuration, problem, with_potential)
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
 
@@ -201,9 +201,9 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     return [*blocks, *explain_exchanged_mass(configuration)]
 
 
-def _forces(configuration: Configuration, frictions: Sequence[Friction], with_potential: bool) -> list[Block]:
+def _forces(configuration: Configuration, problem: Problem, with_potential: bool) -> list[Block]:
     blocks: list[Block] = []
-    rough = {f.name: f.constraints for f in frictions}
+    rough = {f.name: f.constraints for f in problem.forces if isinstance(f, Friction)}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
@@ -219,8 +219,7 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction], with_po
         ]
         unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
         if unknown:
-            whose = constraints_called(unknown)
-            blocks.append(prose(f"The friction contains the multiplier of the reaction of {whose}, found below."))
+            blocks.append(prose("The friction contains ", *_pressing(total, unknown, problem), ", found below."))
     for f in configuration.loads:
         if f.elsewhere:
             lines = (
@@ -264,6 +263,18 @@ def _beside_energies(configuration: Configuration) -> list[Block]:
 def given_force(coordinate: sp.Symbol) -> sp.Symbol:
     """Q_x, a generalized force that is given, or comes from a potential that depends on velocities."""
     return sp.Symbol(f"Q_{coordinate.name}", real=True)
+
+
+def _pressing(total: Vector, constraints: Iterable[str], problem: Problem) -> Iterator[Part]:
+    """The reactions in a friction force: by the names that the file gives them, otherwise as multipliers."""
+    slots, called = problem.slots, constraints_called(constraints)
+    known = {*slots.coordinates, *slots.velocities, *(p.symbol for p in problem.parameters), *problem.unknowns, t}
+    inside = {s for c in total.components for s in c.free_symbols} - known
+    named = sorted((s for s in inside if not s.name.startswith("lambda_")), key=str)
+    if named and named == sorted(inside, key=str):
+        yield from (plural(len(named), "the reaction ", "the reactions "), *listed(map(math, named)), f" of {called}")
+    else:
+        yield f"the multiplier of the reaction of {called}"
 
 
 def _force_called(name: str, rough: bool, alone: bool) -> str:

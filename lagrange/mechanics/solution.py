@@ -129,12 +129,13 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
 
 
 def _asks_at_rest(problem: Problem) -> bool:
-    """Whether the questions of a file are about a system at rest without dry friction."""
-    if {*problem.find} & {Find.MOTION, Find.IMPENDING} or Find.EQUILIBRIUM not in problem.find or not problem.questions:
+    """Whether the questions of a file are about a system at rest, with dry friction at its limit."""
+    if Find.MOTION in problem.find or not {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} or not problem.questions:
         return False
     from lagrange.mechanics.questions.rest.at_rest import are_about_rest
 
-    return are_about_rest(problem) and not any(isinstance(f, Friction | Belt) for f in problem.forces)
+    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
+    return are_about_rest(problem) and (not rough or Find.IMPENDING in problem.find)
 
 
 def _stages(
@@ -539,11 +540,11 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
 def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to questions about positions of equilibrium."""
-    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest
+    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest, position_of_rest
 
     on_stage("questions")
-    resting, problem = solution.own.equilibrium, solution.problem
-    assert resting is not None
+    problem = solution.problem
+    resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
     newton = solution.law.newton if solution.law else None
     asked = answers_at_rest(problem, resting, newton)
     checks = check_answers_at_rest(asked, problem, resting, newton)
@@ -558,7 +559,7 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
     """
     from lagrange.mechanics.equilibrium.checks import check_impending
     from lagrange.mechanics.equilibrium.equilibrium import virtual_work
-    from lagrange.mechanics.equilibrium.friction.friction_at_rest import at_rest
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import rest_within
     from lagrange.mechanics.equilibrium.friction.impending_motion import impending_motions
 
     problem, own = blank.problem, blank.own
@@ -567,21 +568,21 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
     checks = [*solution.checks] if solution.works else [*solution.checks, *check_workless(works, own.configuration)]
     work = virtual_work(own.configuration)
     in_choices = any(not c.signs for c in solution.choices)
-    views = []
+    views, given_up = [], solution.given_up
     for view, before in zip(solution.views, blank.views, strict=True):
         if not (view.signs or (in_choices and view.is_own)):
             on_stage(_stage("friction at rest", view))
-            if Find.EQUILIBRIUM in problem.find:
-                resting = at_rest(problem, law.newton, own.configuration, before.configuration, work)
-                name = "the forces at rest satisfy Lagrange's equations"
-                if resting.verified is not None:
-                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
-                view = replace(view, at_rest=resting)
-            if Find.IMPENDING in problem.find:
+            if Find.IMPENDING in problem.find:  # first, as it takes less work
                 file = (own.configuration, own.elimination, work)
                 motions = impending_motions(problem, law.newton, file, before.configuration, before.elimination)
                 checks += check_impending([m.equilibrium for m in motions])
                 view = replace(view, impending=motions)
+            if Find.EQUILIBRIUM in problem.find and not given_up:
+                resting, given_up = rest_within(problem, law.newton, own.configuration, before.configuration, work)
+                view = replace(view, at_rest=resting)
+                if resting is not None and resting.verified is not None:
+                    name = "the forces at rest satisfy Lagrange's equations"
+                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
         views.append(view)
     return replace(
         solution,
@@ -591,4 +592,5 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
         own=views[0],
         choices=tuple(views[1:]),
         checks=tuple(checks),
+        given_up=given_up,
     )

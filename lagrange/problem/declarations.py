@@ -21,10 +21,11 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, nearest
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign, Slots, Unspecified
-from lagrange.expressions.reader import FunctionDeclaration, Scope
+from lagrange.core.units import has_unit
+from lagrange.expressions.reader import RESERVED, FunctionDeclaration, Scope
 from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
-from lagrange.problem.model import Coordinate, Parameter, Problem
+from lagrange.problem.model import Coordinate, Parameter, Problem, Range
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 from lagrange.problem.values import bounded_symbol, read_number_with_unit, read_range
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
@@ -126,7 +127,7 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     known = attempt(lambda: _assumption(scalar_of(assumed, "`assume`"))) if assumed else Assumption.POSITIVE
     assume = known or Assumption.POSITIVE
     unit, limits = section.text("unit"), section.get("range")
-    within = attempt(lambda: read_range(limits, name, unit, Scope())) if limits else None
+    within = attempt(lambda: _range_in_numbers(limits, name, unit)) if limits else None
     if within is not None and limits is not None:
         assume = known if assumed and known else Assumption.REAL
         symbol = attempt(lambda: bounded_symbol(name, within, assume, limits.span)) or parameter_symbol(name, assume)
@@ -156,6 +157,18 @@ def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
             return Sign(name)
         case Assumption.ACUTE:
             return Bounded(name, sp.S.Zero, sp.pi / 2, (True, True))
+
+
+def _range_in_numbers(node: Node, name: str, unit: str) -> Range:
+    """The range of a parameter. Raises ProblemError, also where an end contains another parameter."""
+    ends = node.items if isinstance(node, ListNode) else ()
+    for text in (e.text for e in ends if isinstance(e, Scalar) and not has_unit(e.text)):
+        others = [n for n in names_in(text) if n not in RESERVED]
+        if others:
+            message = f"the range of the parameter `{name}` contains `{others[0]}`"
+            help_ = "its ends are numbers, `range: [0, 60 deg]`; only those of a coordinate may contain parameters"
+            raise ProblemError(Diagnostic("bad-range", message, node.span, help=help_))
+    return read_range(node, name, unit, Scope())
 
 
 def _assumption(scalar: Scalar) -> Assumption:

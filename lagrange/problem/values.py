@@ -213,8 +213,9 @@ def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
 
     known = _all_known(problem)
     coordinates = {*problem.slots.coordinates}.union(*(c.coordinates for c in problem.choices))
-    angles = frozenset(q for q in coordinates if known.get(q) == NO_DIMENSION)
-    return Values(numbers, frozenset(p.symbol for p in problem.parameters), known, angles)
+    angles = {q for q in coordinates if known.get(q) == NO_DIMENSION}
+    angles |= {p.symbol for p in problem.parameters if (unit := unit_of(p.unit)) is not None and unit.is_angle}
+    return Values(numbers, frozenset(p.symbol for p in problem.parameters), known, frozenset(angles))
 
 
 # -- the command line --------------------------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ from lagrange.render.json_numbers import (
     critical,
     damped_modes,
     equations_in_numbers,
+    impending_in_numbers,
     position,
     quantity,
     rest_in_numbers,
@@ -144,15 +145,14 @@ def _with_friction(solution: Solution, values: Values | None, write: Write) -> d
     if resting is not None:
         found["rest"] = _rest(resting, write) | rest_in_numbers(resting.cases, values, write)
     if motions is not None:
-        branches = [b for m in motions for b in m.equilibrium.branches]
-        found["equilibrium"] = [_relations(b, write) for b in branches]
+        found["equilibrium"] = [_relations(b, write) for m in motions for b in m.equilibrium.branches]
         found["impending"] = [
             {
                 "slip": {c.name: write(shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
                 "equilibrium": [_relations(b, write) for b in m.equilibrium.branches],
                 "conditions": [_sign_conditions(b, write) for b in m.equilibrium.branches],
-            }
+            } | impending_in_numbers(m, values, write)
             for m in motions
         ]  # fmt: skip
     return found

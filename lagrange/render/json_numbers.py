@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.damped_modes import DampedModes
     from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
+    from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.in_numbers import Decay, EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
     from lagrange.mechanics.questions.results import Asked
@@ -161,13 +162,26 @@ def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | N
             return {"condition": f"{write(c.left)} <= {write(c.right)}"}
         left = found.left.formula_shown(JSON_DIGITS) if isinstance(found.left, Quantity) else found.left
         right = found.bound.formula_shown(JSON_DIGITS)
-        said: dict[str, Any] = {"condition": f"{write(left)} {signs[found.relation]} {write(right)}"}
+        low = "" if found.low is None else f"{write(found.low.formula_shown(JSON_DIGITS))} <= "
+        said: dict[str, Any] = {"condition": f"{low}{write(left)} {signs[found.relation]} {write(right)}"}
         if found.holds is not None:
             return said | {"holds": found.holds}
-        return said | (_measured(found.bound) if found.bound.is_number else {})
+        least = {} if found.low is None else {"low": float(found.low.number)}
+        return said | least | (_measured(found.bound) if found.bound.is_number else {})
 
     rows = [[entry(c) for c in case] for case in cases]
     return {"in_numbers": rows[0] if len(rows) == 1 else rows}
+
+
+def impending_in_numbers(motion: ImpendingMotion, values: Values | None, write: Write) -> dict[str, Any]:
+    """`in_numbers`: of each equilibrium the quantities that have a number, and `reactions_in_numbers`."""
+    found = [
+        {write(r.lhs): number for r in b.equations if (number := quantity(r.rhs, values, write))}
+        for b in motion.equilibrium.branches
+    ]
+    pressed = {name: number for name, force in motion.pressed.items() if (number := quantity(force, values, write))}
+    numbers: dict[str, Any] = {"in_numbers": found} if any(found) else {}
+    return numbers | ({"reactions_in_numbers": pressed} if pressed else {})
 
 
 def add_oscillations(entries: list[dict[str, Any]], in_numbers: EquilibriaInNumbers) -> None:

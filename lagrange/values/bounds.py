@@ -2,10 +2,13 @@
 
 An inequality in which one symbol is left, or one sine, cosine, tangent or exponential of it, is solved for that, if it
 is linear there. For an acute angle a bound of its sine or tangent is one of the angle in the same sense, and of its
-cosine in the opposite one. If nothing is left, the inequality holds or it does not.
+cosine in the opposite one. A magnitude bounds on both sides: |k s − m g sin α| ≤ μ m g cos α is 47 mm ≤ s ≤ 149 mm. A
+denominator is multiplied out where it is positive. If nothing is left, the inequality holds or it does not.
 """
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import sympy as sp
 
@@ -22,6 +25,7 @@ class Bound:
 
     left     a symbol, or a function of one, tan θ; with nothing left to be bounded, the left side in numbers
     bound    a number, or the right side in numbers
+    low      where `relation` is ≤, a lower bound beside it
     angle    the bound of θ itself, as symbol, relation and value in rad, if θ is acute
     holds    whether it holds, where nothing is left in it; otherwise None
     """
@@ -31,6 +35,7 @@ class Bound:
     bound: Quantity
     angle: tuple[sp.Symbol, str, sp.Expr] | None = None
     holds: bool | None = None
+    low: Quantity | None = None
 
 
 def bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
@@ -46,12 +51,47 @@ def bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
         if not in_numbers.free_symbols:
             holds = bool(real_value(in_numbers) >= 0)
             return None if below is None or above is None else Bound(below, "≤", above, holds=holds)
-        solved = _solved(difference, in_numbers, values)
+        solved = _without_magnitude(difference, values)
     except NotRealError:
         return None
     if solved is not None or below is None or above is None:
         return solved
     return Bound(below, "≤", above)
+
+
+def _without_magnitude(difference: sp.Expr, values: Values) -> Bound | None:
+    """difference ≥ 0, in which a |L| with a negative factor stands for both L and −L, solved."""
+    difference = _over_positive(difference, values)
+    sizes = [f for f in difference.atoms(sp.Abs) if values.put_in(f).free_symbols]
+    if not sizes:
+        return _solved(difference, values.put_in(difference), values)
+    letter = sp.Dummy(real=True)
+    slope = sp.expand(values.put_in(difference).subs(values.put_in(sizes[0]), letter)).coeff(letter, 1)
+    if len(sizes) > 1 or not slope.is_number or real_value(slope) >= 0:
+        return None
+    inside = sizes[0].args[0]
+    cases = [difference.xreplace({sizes[0]: side * inside}) for side in (1, -1)]
+    found = [_solved(e, values.put_in(e), values) for e in cases]
+    below, above = ([b for b in found if b is not None and b.relation == r] for r in "≥≤")
+    if len(below) != 1 or len(above) != 1 or below[0].left != above[0].left:
+        return None
+    if below[0].angle is not None or real_value(below[0].bound.formula) > real_value(above[0].bound.formula):
+        return None
+    return replace(above[0], low=below[0].bound)
+
+
+def _over_positive(difference: sp.Expr, values: Values) -> sp.Expr:
+    """The numerator of an expression whose denominator is positive with the values; otherwise the expression."""
+    over, under = sp.fraction(sp.together(difference))
+    in_numbers = values.put_in(under)
+    letters = in_numbers.free_symbols
+    if in_numbers == 0 or not all(s.is_positive for s in letters) or not in_numbers.is_polynomial(*letters):
+        return difference
+    rates = sp.Poly(in_numbers, *letters).coeffs() if letters else [in_numbers]
+    if not all(r.is_number for r in rates):
+        return difference
+    signs = {real_value(r) > 0 for r in rates}
+    return difference if len(signs) > 1 else over if signs.pop() else -over
 
 
 def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound | None:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from itertools import product
+from itertools import combinations, product
 from typing import Any
 
 import mpmath
@@ -99,12 +99,40 @@ def real_roots(
 
 def sign_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: Root) -> int | None:
     """The sign of an expression at a root; None where the enclosure contains 0."""
+    return _sign(_value_at(e, unknowns, root))
+
+
+def signs_of_minors(
+    matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: Root
+) -> dict[tuple[int, ...], int | None]:
+    """The signs of all principal minors of a symmetric matrix at a root, by their rows, likewise."""
+    entries = [[_value_at(x, unknowns, root) for x in row] for row in matrix]
+    known = all(x is not None for row in entries for x in row)
+    size = range(len(matrix))
+    every = (rows for n in size for rows in combinations(size, n + 1))
+    return {rows: _sign(_determinant(entries, rows)) if known else None for rows in every}
+
+
+def _determinant(entries: Sequence[Sequence[Any]], rows: Sequence[int], columns: Sequence[int] | None = None) -> Any:
+    """By expansion: the entries are enclosed tightly, and rows are few."""
+    columns = rows if columns is None else columns
+    if not rows:
+        return iv.mpf(1)
+    minors = (_determinant(entries, rows[1:], [*columns[:n], *columns[n + 1 :]]) for n in range(len(columns)))
+    terms = ((-1) ** n * entries[rows[0]][k] * minor for (n, k), minor in zip(enumerate(columns), minors, strict=True))
+    return sum(terms, iv.mpf(0))
+
+
+def _value_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: Root) -> Any | None:
     tight = [iv.mpf([v - abs(v) * 1e-12 - 1e-14, v + abs(v) * 1e-12 + 1e-14]) for v in map(float, root.values)]
     try:
-        value = _enclosure(e, dict(zip(unknowns, tight, strict=True)), {})
+        return _enclosure(e, dict(zip(unknowns, tight, strict=True)), {})
     except _NoValueError:
         return None
-    return 1 if value.a > 0 else -1 if value.b < 0 else None
+
+
+def _sign(value: Any | None) -> int | None:
+    return None if value is None else 1 if value.a > 0 else -1 if value.b < 0 else None
 
 
 def _width(x: Any) -> float:

@@ -62,3 +62,24 @@ def test_an_inequality_in_two_quantities_keeps_its_sides() -> None:
     assert isinstance(found.left, Quantity)
     assert (found.relation, found.bound.formula) == ("≤", 100 * sp.cos(theta))
     assert bound_with(P, 2 * P * sp.cos(theta), VALUES) is None  # no value occurs
+
+
+def test_a_magnitude_bounds_on_both_sides() -> None:
+    found = bound_with(sp.Abs(P - W * sp.sin(alpha)) / (W * sp.cos(alpha)), mu, VALUES)
+    assert found is not None
+    assert found.low is not None
+    tilt = math.radians(20)
+    limits = [100 * (math.sin(tilt) + side * 0.3 * math.cos(tilt)) for side in (-1, 1)]
+    assert [found.low.number, found.bound.number] == pytest.approx(limits)
+    assert (found.relation, found.bound.unit) == ("≤", "N")
+    assert bound_with(mu, sp.Abs(P - W), VALUES).low is None  # type: ignore[union-attr]
+
+
+def test_a_positive_denominator_is_multiplied_out() -> None:
+    found = bound_with((W - P) / (W + P), mu, VALUES)
+    assert found is not None
+    assert (found.left, found.relation) == (P, "≥")
+    assert found.bound.number == pytest.approx(100 * 0.7 / 1.3)
+    unsure = bound_with((W + P) / (W - P), mu, VALUES)
+    assert unsure is not None
+    assert isinstance(unsure.left, Quantity)

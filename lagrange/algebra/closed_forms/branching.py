@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
-from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
+from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS, UNITS_OF_SOLUTIONS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
@@ -47,6 +47,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
@@ -91,14 +92,29 @@ def solutions(
     Raises NotAlgebraicError where a given angle has no letters.
     """
     letters = TrigLetters((*equations, *origin, *beside, *(sp.cos(u) for u in known or ())), unknowns)
+    with allowed(UNITS_OF_SOLUTIONS) as allowance:
+        try:
+            return _solutions(equations, unknowns, first, known or {}, origin, letters)
+        except (_TooLongError, GivenUpError) as stop:
+            if isinstance(stop, GivenUpError) and allowance.left >= 0:
+                raise  # the time is over, and not this allowance used up
+    unsolved = (Branch((), left=tuple(equations)),)
+    return SolutionSet(tuple(equations), tuple(unknowns), letters, unsolved, None)
+
+
+def _solutions(
+    equations: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    first: Sequence[sp.Symbol],
+    known: Mapping[sp.Symbol, sp.Expr],
+    origin: Sequence[sp.Expr],
+    letters: TrigLetters,
+) -> SolutionSet:
+    """`solutions`. Raises _TooLongError, GivenUpError."""
     readable, strange = _read(equations, letters)
     divisors = denominators((*readable, *_read(origin, letters)[0]))
     search = _BranchSearch(letters, first)
-    try:
-        branches = list(search.branches(_given(known or {}, tuple(readable), letters)))
-    except _TooLongError:
-        branches = [Branch((), left=tuple(equations))]
-        return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(branches), None)
+    branches = list(search.branches(_given(known, tuple(readable), letters)))
     branches = [replace(b, left=(*b.left, *strange)) for b in real_branches(branches, letters)]
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
@@ -183,6 +199,8 @@ class _BranchSearch:
             return None
         for e in state.equations:
             changed = resolved(e, state.values) if state.values else e
+            if changed.has(sp.zoo, sp.nan):
+                return None
             parts = numerator(changed)
             if parts is None:
                 state = replace(state, stuck=(*state.stuck, changed))
@@ -212,6 +230,8 @@ class _BranchSearch:
         if parts is None:
             return False
         reduced = self.letters.reduced(parts[0])
+        if reduced.has(sp.zoo, sp.nan):
+            return True  # values that were tried make what it contains infinite
         return bool(reduced == 0 or (not self.letters.unknowns_in(reduced) and is_zero(self.letters.write(reduced))))
 
     def _with_roots(self, state: _State) -> _State:

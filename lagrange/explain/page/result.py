@@ -23,7 +23,7 @@ from lagrange.explain.words import constraints_called, in_words, sign_conditions
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.problem.values import values_of
+from lagrange.mechanics.valued import values_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -205,7 +205,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     """The short answers to a question, with what they are in degrees."""
     from lagrange.explain.questions import angle_of
 
-    values = values_of(solution.problem)
+    values = values_in(solution)
     branches: Sequence[AnswerBranch] = asked.branches
     if values is not None:
         from lagrange.mechanics.questions.in_numbers import branches_with

@@ -24,7 +24,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range
+from lagrange.core.ranges import sign_in_range, without_known_magnitudes
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
@@ -392,11 +392,13 @@ def _is_placed_freely(point: MassPoint) -> bool:
 def normal_size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
     """|g|; for a distance constraint |factor|, if that contains no coordinates: 2R for x² + y² = R²."""
     if reaction.rough is not None:
-        size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
+        size = without_known_magnitudes(
+            textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
+        )
         if size.free_symbols.isdisjoint(configuration.slots.coordinates):
             return size
     square = textbook_form(direction.dot(direction))
-    return textbook_form(sp.sqrt(where_it_holds(square, reaction.row, configuration)))
+    return without_known_magnitudes(textbook_form(sp.sqrt(where_it_holds(square, reaction.row, configuration))))
 
 
 def _slip(

@@ -26,7 +26,7 @@ these are positive.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
 
@@ -125,8 +125,11 @@ def _along_unit_vector(
         return None
     direction = acts.forces[ends[0]]
     root = _root_of_square(direction, row, configuration)
-    size = side * _without_signs(root)
-    presumed = tuple(a.args[0] for a in sorted(root.atoms(sp.Abs), key=str) if not _without_signs(root).has(a))
+    written = _differences(row, configuration)
+    plain = _without_signs(root, written)
+    size = side * plain
+    sizes = (a for a in sorted(root.atoms(sp.Abs), key=str) if not plain.has(a))
+    presumed = tuple(written.get(a.args[0], a.args[0]) for a in sizes)
     unit = direction.map(lambda c: textbook_form(c / size))
     return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
 
@@ -171,8 +174,25 @@ def _root_of_square(direction: Vector, row: Row, configuration: Configuration) -
     return textbook_form(sp.sqrt(where_it_holds(square, row, configuration)))
 
 
-def _without_signs(root: sp.Expr) -> sp.Expr:
-    return root.replace(lambda e: isinstance(e, sp.Abs) and _has_a_sign(e.args[0]), lambda e: e.args[0])
+def _without_signs(root: sp.Expr, written: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    return root.replace(
+        lambda e: isinstance(e, sp.Abs) and (e.args[0] in written or _has_a_sign(e.args[0])),
+        lambda e: written.get(e.args[0], e.args[0]),
+    )
+
+
+def _differences(row: Row, configuration: Configuration) -> dict[sp.Expr, sp.Expr]:
+    """Differences of lengths, R − r, as the constraint and the substitution write them, by ±(R − r): positive, as
+    (R − r) sin φ is the way to the centre of a body within another.
+    """
+    places = [row.finite or sp.S.Zero, *configuration.substitution.values()]
+    found: dict[sp.Expr, sp.Expr] = {}
+    for e in (a for place in places for a in place.atoms(sp.Add)):
+        if e.is_positive is None and all(s.is_positive for s in e.free_symbols) and len(e.free_symbols) > 1:
+            if e in found and found[e] != e:
+                return {}
+            found |= {e: e, -e: e}
+    return found
 
 
 def _has_a_sign(e: sp.Expr) -> bool:

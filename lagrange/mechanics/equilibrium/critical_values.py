@@ -72,7 +72,7 @@ def _solved(c: SignCondition, p: sp.Symbol, values: Values) -> CriticalValue | N
     if slope.is_zero or (p.is_positive and bound <= 0):
         return None
     root = ratio ** sp.Rational(1, n)
-    quantity = values.quantity(root)
+    quantity = values.quantity(root, is_angle=p in values.angles)
     if quantity is None:
         return None
     return CriticalValue(c, p, c.relation if slope > 0 else REVERSED[c.relation], quantity)

@@ -93,7 +93,8 @@ class EquilibriaInNumbers:
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
     """The equilibria in numbers; None where a parameter of theirs has no value, or only forces are to be found."""
-    if e.given or not e.conditions or not values.covers(*e.expressions):
+    held = not e.conditions and not any(b.left for b in e.branches)  # by constraints, at places that are known
+    if e.given or held or not values.covers(*e.expressions):
         return None
     verdicts = second.verdicts if second is not None else (None,) * len(e.branches)
     positions: list[Position] = []

@@ -52,3 +52,6 @@ MOST_ORDERS = 6
 LONGEST_SLACK = 400
 # Static friction entries of a problem: each open sense doubles the cases of impending motion.
 MOST_ROUGH_CONTACTS = 6
+# Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is
+# found.
+UNITS_OF_REST = 15_000

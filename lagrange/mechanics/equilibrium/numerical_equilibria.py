@@ -23,7 +23,7 @@ from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
-from lagrange.values.numerical_roots import Root, real_roots, sign_at
+from lagrange.values.numerical_roots import Root, real_roots, sign_at, signs_of_minors
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 MOST_UNKNOWNS = 4
@@ -235,13 +235,8 @@ def _verdict(matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol],
     """From the principal minors of the second variation; None where there is none."""
     if not matrix:
         return None
-    size = len(matrix)
-    leading = []
-    for n in range(1, size + 1):
-        for rows in combinations(range(size), n):
-            minor = sp.Matrix([[matrix[i][j] for j in rows] for i in rows]).det(method="berkowitz")
-            sign = sign_at(minor, unknowns, root)
-            if sign == -1:
-                return StabilityVerdict.UNSTABLE
-            leading += [sign] if rows == tuple(range(n)) else []
+    signs = signs_of_minors(matrix, unknowns, root)
+    if -1 in signs.values():
+        return StabilityVerdict.UNSTABLE
+    leading = [signs[tuple(range(n))] for n in range(1, len(matrix) + 1)]
     return StabilityVerdict.STABLE if all(s == 1 for s in leading) else StabilityVerdict.UNDECIDED

@@ -242,10 +242,12 @@ def _is_ruled_out(
 
 
 def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
-    """Whether q has the wrong sense for its first arrival."""
+    """Whether q has the wrong sense for its first arrival: q' (q_1 − q_0) is negative, whichever is the larger."""
     way, speed = _way(state, q, beginning, conditions), state.get(prime(q))
-    if way is None or speed is None:
+    if speed is None or q not in state or q not in beginning.initial:
         return False
+    if way is None:
+        return beginning.sign(factored_quotient(speed * (state[q] - beginning.initial[q])), conditions) == -1
     sign = beginning.sign(speed, conditions)
     if way == 0:  # it comes back, from the side to which it went
         start = beginning.direction(q)

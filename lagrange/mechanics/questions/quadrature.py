@@ -1,8 +1,9 @@
 """The time between two places, t = ∫ dq/q', where q' is a known function of q.
 
 The integral is taken from a table (`algebra.forms.antiderivatives`), by parts of a product and of a power of one sum;
-it is verified by differentiation. A motion that begins at rest has a root in the denominator, whose integral has a
-limit there. None means not in the table.
+it is verified by differentiation. In the field of a centre, q'² is a quotient of polynomials and the integral that of a
+polynomial over the root of a quadratic, as in Kepler's equation. A motion that begins at rest has a root in the
+denominator, whose integral has a limit there. None means not in the table.
 """
 
 from __future__ import annotations
@@ -42,7 +43,8 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
                 return shortest_form(factored_quotient(values[0] - values[1]))
         except DivisionByZeroError:
             continue
-    return _through_half_angle(q, speed**2, start, end)
+    found = _through_half_angle(q, speed**2, start, end)
+    return _over_root_of_quadratic(q, speed**2, (start, end), way) if found is None else found
 
 
 def number_between(
@@ -92,6 +94,41 @@ def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.E
             continue  # from rest, so that S = S_0 cos(√B t), whatever the sign of S_0
         return shortest_form(sp.acos(sp.cancel(places[1] / places[0])) / sp.sqrt(stiffness))
     return None
+
+
+def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, sp.Expr], way: int) -> sp.Expr | None:
+    """q'² = k N/D: with N D = S² T and D/S = a q + b, T = ρ² − (q − c)², the time is
+
+    ∫ (D/S) dq/√(k T) = [−a √T − (a c + b) acos((q − c)/ρ)]/√k .
+    """
+    quotient = sp.fraction(sp.together(square))
+    if not all(e.is_polynomial(q) for e in quotient):
+        return None
+    over, under = (sp.factor_list(e, q) for e in sp.fraction(sp.cancel(quotient[0] / quotient[1])))
+    k, odd, rest = sp.cancel(over[0] / under[0]), sp.S.One, sp.S.One
+    for factor, power in (*over[1], *((f, -n) for f, n in under[1])):
+        if q not in factor.free_symbols:
+            k *= factor**power
+            continue
+        odd *= factor ** (power % 2)
+        rest *= factor ** ((power % 2 - power) // 2)  # D/S
+    if not odd.is_polynomial(q) or not rest.is_polynomial(q):
+        return None
+    root, linear = sp.Poly(odd, q), sp.Poly(rest, q)
+    leading = root.LC()
+    signs = {sign_of(rest.xreplace({q: x})) for x in ends} - {0}
+    sign = signs.pop() if len(signs) == 1 else None
+    if root.degree() != 2 or linear.degree() > 1 or sign_of(-k * leading) != 1 or sign is None:
+        return None
+    k, center = -k * leading, sp.cancel(-root.coeff_monomial(q) / (2 * leading))
+    radius = sp.sqrt(sp.factor(center**2 - root.coeff_monomial(1) / leading))
+    a, b = linear.coeff_monomial(q), linear.coeff_monomial(1)
+
+    def at(x: sp.Expr) -> sp.Expr:
+        height = sp.sqrt(sp.factor(-odd.xreplace({q: x}) / leading))
+        return -a * height - (a * center + b) * sp.acos(sp.cancel((x - center) / radius))
+
+    return shortest_form(way * sign * (at(ends[1]) - at(ends[0])) / sp.sqrt(sp.factor(k)))
 
 
 def _forms(e: sp.Expr) -> Iterator[sp.Expr]:

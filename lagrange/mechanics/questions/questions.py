@@ -36,7 +36,7 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_below
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import number_between, time_between
-from lagrange.mechanics.questions.reach import Path
+from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
@@ -537,7 +537,7 @@ class _Search:
                 more = self._at(root, value, rest, motion, called)
                 branches = None if more is None or branches is None else [*branches, *more]
             return branches
-        return None
+        return [] if any(e.is_nonzero for e in when if t not in e.free_symbols) else None  # it never holds
 
     def _at(
         self, root: TimeRoot, value: sp.Expr, rest: Sequence[sp.Expr], motion: ClosedMotion, called: sp.Expr
@@ -565,11 +565,12 @@ class _Search:
 
     def _by_quadrature(self) -> Asked | None:
         """t = ∫ dq/q' from q_0 to q_1, where one coordinate moves and an integral gives q'; None if it is not found."""
-        reached = outright(self.when, self.slots.coordinates)
-        if self.question.quantity != t or len(reached) != 1 or len(self.when) != 1 or self._beginning.free != 1:
+        if self.question.quantity != t or len(self.when) != 1 or self._beginning.free != 1:
             return None
-        [q], initial = reached, self.setting.initial
-        end = self.when[0].xreplace({q: sp.S.Zero}) / -self.when[0].diff(q)
+        place = place_stated(self.when[0], self.setting, self._beginning)
+        if place is None:
+            return None
+        (q, end), initial = place, self.setting.initial
         if q not in initial or end.free_symbols & {*self.place.moving}:
             return None
         used = [i for i in self.setting.integrals if prime(q) in i.expression.free_symbols]

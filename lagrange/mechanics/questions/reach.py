@@ -14,7 +14,7 @@ Undecided stays open: the answer then holds provided that the motion gets there.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from enum import Enum
 from functools import lru_cache
 
@@ -24,9 +24,11 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.mechanics.questions.branches import sign_of_value
+from lagrange.core.symbols import prime
+from lagrange.mechanics.questions.branches import Beginning, outright, sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
+from lagrange.mechanics.questions.setting import Setting
 
 
 class Reached(Enum):
@@ -70,6 +72,8 @@ class Path:
     def to(self, end: sp.Expr) -> Reach:
         """Whether the motion gets to q_1; to q_0 itself on its way back."""
         way = self._sign(end - self.start)
+        if way is None and self.rest:
+            return self._either_way(end)
         far = self._is_periodic and self.start.is_number and abs(self.start) > 2 * sp.pi
         if (
             (self.direction is None and not self.rest)
@@ -93,6 +97,18 @@ class Path:
         passed = self._passes(end, way)
         return Reach(passed.verdict, (*conditions, *passed.conditions))
 
+    def _either_way(self, end: sp.Expr) -> Reach:
+        """From rest, where letters leave open which of the two places is the larger: both orders must agree."""
+        found = []
+        for relation in (">", "<"):
+            order = SignCondition(end - self.start, relation, sp.S.Zero)
+            path = replace(self, known=(*self.known, order))
+            way = path._sign(self._value(self.square.diff(self.q), self.start))
+            if path._sign(end - self.start) is None:
+                return Reach(Reached.OPEN)
+            found.append(replace(path, direction=way).to(end))
+        return found[0] if found[0] == found[1] else Reach(Reached.OPEN)
+
     def _is_next_turn(self, end: sp.Expr, way: int) -> bool:
         """Whether q_1 is a turning point, and no other lies before it."""
         zeros = self.turning_places() if self._sign(self._at(end)) == 0 else None
@@ -102,6 +118,10 @@ class Path:
         """All q with f = 0, of an angle over some turns; None where they are not found."""
         zeros = self._zeros(self.square)
         return None if zeros is None else [p for p, _ in zeros]
+
+    def lies_ahead(self, place: sp.Expr) -> bool:
+        """Whether a place lies in the direction of the start."""
+        return self._sign(place - self.start) == self.direction
 
     def _turns(self) -> Reach:
         """Whether a turning point lies ahead."""
@@ -199,9 +219,10 @@ class Path:
         return e.xreplace({self.q: place})
 
     def _sign(self, e: sp.Expr) -> int | None:
-        sign = sign_of_value(e, self.known)
-        number = self._number(e) if sign is None else None
-        return sign if number is None or abs(number) < SMALLEST_DIFFERENCE else 1 if number > 0 else -1
+        number = self._number(e)  # first: signs of long expressions in letters take seconds
+        if number is not None and abs(number) >= SMALLEST_DIFFERENCE:
+            return 1 if number > 0 else -1
+        return sign_of_value(e, self.known)
 
     def _number(self, e: sp.Expr) -> sp.Expr | None:
         """An expression with the values of the parameters; None where one is missing, or it is not real."""
@@ -222,3 +243,20 @@ def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondit
     if not found.solved or found.free or found.verified is not True:
         return None
     return tuple((v, b.conditions) for b in found.branches for v in b.values)
+
+
+def place_stated(when: sp.Expr, setting: Setting, beginning: Beginning) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The coordinate of which a condition states the place, and that place; of q' = 0 the turning point ahead."""
+    coordinates = setting.place.configuration.slots.coordinates
+    reached = outright([when], coordinates)
+    if len(reached) == 1:
+        [q] = reached
+        return q, when.xreplace({q: sp.S.Zero}) / -when.diff(q)
+    for q in coordinates:
+        rate, square = when.diff(prime(q)), setting.square_of(q)
+        if when != rate * prime(q) or not rate.is_number or rate == 0 or square is None or q not in setting.initial:
+            continue
+        path = Path(q, square, setting.initial[q], beginning.direction(q), values=setting.values)
+        ahead = [p for p in path.turning_places() or () if path.direction and path.lies_ahead(p)]
+        return (q, ahead[0]) if len(ahead) == 1 else None
+    return None

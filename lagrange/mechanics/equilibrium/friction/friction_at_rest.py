@@ -29,7 +29,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
+from lagrange.core.ranges import without_known_magnitudes
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.core.verdicts import all_hold
@@ -57,8 +59,9 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS, UNITS_OF_REST
 from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
 
 
@@ -239,7 +242,8 @@ def _tangents(
     if friction.toward is not None:
         return (against,)
     along = normal.cross(flat[-1])
-    return ((along / sp.sqrt(shortest(along.dot(along)))).map(shortest),)
+    length = without_known_magnitudes(sp.sqrt(shortest(along.dot(along))))
+    return ((along / length).map(shortest),)
 
 
 def _vanishes(e: sp.Expr, configuration: Configuration) -> bool:
@@ -291,6 +295,26 @@ def at_rest(
             )
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def rest_within(
+    problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
+) -> tuple[AtRest | None, str]:
+    """`at_rest` with an allowance of its own, and why nothing was found, empty otherwise.
+
+    Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
+    """
+    with allowed(UNITS_OF_REST) as allowance:
+        try:
+            return at_rest(problem, newton, original, configuration, work), ""
+        except GivenUpError:
+            if allowance.left >= 0:
+                raise  # the time is over, and not this allowance used up
+            return None, "friction at rest, the work allowed for it is used up"
+        except NotCoveredError:
+            if Find.IMPENDING not in problem.find:
+                raise
+    return None, "friction at rest, statically indeterminate contacts whose forces have no known signs"
 
 
 def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:

@@ -256,7 +256,7 @@ def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs
     """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
     b = _coefficients_solved(b, resting)
     if not b.special:
-        return b
+        return replace(b, relations=tuple(replace(r, rhs=_without_minus(r.rhs)) for r in b.relations))
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
@@ -264,6 +264,13 @@ def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs
             written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
     return replace(b, relations=tuple(relations))
+
+
+def _without_minus(e: sp.Expr) -> sp.Expr:
+    """−W A/(B − C) as W A/(C − B)."""
+    above, below = sp.fraction(e)
+    of_both_signs = below.is_Add and any(term.could_extract_minus_sign() for term in below.args)
+    return -above / -below if of_both_signs and above.as_coeff_Mul()[0].is_negative else e
 
 
 def _coefficients_solved(b: Branch, resting: Equilibrium) -> Branch:

@@ -23,6 +23,7 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.rest.ranges import in_ranges
@@ -39,6 +40,27 @@ def are_about_rest(problem: Problem) -> bool:
         s for q in problem.questions for e in (q.quantity, *(c.function for c in q.when)) for s in e.free_symbols
     }
     return not problem.initial and t not in symbols and all(base(s) == s for s in symbols)
+
+
+def position_of_rest(
+    found: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
+) -> Equilibrium:
+    """The equilibrium in the file's coordinates, with friction the one at its limit.
+
+    first  the question to be named where friction may act in several senses, or the limit was found in other
+           coordinates: a ProblemError
+    """
+    if found is not None:
+        return found
+    if impending is not None and len(impending) == 1:
+        return impending[0].equilibrium
+    if impending:
+        message = f"the question `{first.name}` has several answers: nothing says which way things are about to slip"
+        help_ = "give `slip` to each friction, a vector: `slip: -i`"
+    else:
+        message = f"the question `{first.name}` is about rest with friction, in the file's own coordinates"
+        help_ = "leave `generalized_coordinates` out, or the question"
+    raise ProblemError(Diagnostic("not-determined", message, first.span, help=help_))
 
 
 def answers_at_rest(problem: Problem, resting: Equilibrium, newton: Newton | None) -> tuple[Asked, ...]:

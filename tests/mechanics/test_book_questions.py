@@ -1,0 +1,213 @@
+"""What textbooks ask of statics and of motions in letters, against values worked out by hand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.explain.report import report
+from lagrange.mechanics.equilibrium.friction import friction_at_rest
+from lagrange.mechanics.questions.results import How
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
+from lagrange.render import terminal
+from lagrange.render.json import as_object
+
+Read = Callable[[str], Problem]
+
+INCLINE = """
+title: A block held on a rough slope
+axes: {i: up the slope, j: away from it}
+parameters: {m: {value: 10 kg}, g: {value: 9.81 m/s^2}, mu: {value: 0.3}, alpha: {assume: acute, value: 30 deg}}
+unknowns: [P]
+coordinates: [x, y]
+particles: {B: {mass: m, position: x*i + y*j}}
+constraints: {plane: {equation: y >= 0, reaction: N}}
+gravity: -g*sin(alpha)*i - g*cos(alpha)*j
+forces:
+  push: {on: B, vector: P*i}
+  rub: {friction: mu, static: mu, constraint: plane, on: B, slip: i}
+find: [equilibrium, impending]
+ask: {force: {quantity: P, when: x = 0}}
+"""
+UP, PRESSED = 98.1 * (math.sin(math.pi / 6) + 0.3 * math.cos(math.pi / 6)), 98.1 * math.cos(math.pi / 6)
+
+
+def test_a_question_about_rest_is_answered_with_friction_at_its_limit(problem: Read) -> None:
+    solved = report(problem(INCLINE))
+    found = as_object(solved)
+    assert found["asked"][0]["number"] == pytest.approx(UP)
+    [motion] = found["impending"]
+    assert motion["in_numbers"] == [{"P": {"number": pytest.approx(UP), "unit": "N"}}]
+    assert motion["reactions_in_numbers"] == {"plane": {"number": pytest.approx(PRESSED), "unit": "N"}}
+    with pytest.raises(ProblemError) as error:
+        solve(problem(INCLINE.replace(", slip: i", "")))
+    assert [d.code for d in error.value.diagnostics] == ["not-determined"]
+
+
+def test_impending_motion_is_kept_where_rest_is_given_up(problem: Read, monkeypatch: pytest.MonkeyPatch) -> None:
+    def undecided(*_: object) -> None:
+        raise NotCoveredError("friction at rest")
+
+    monkeypatch.setattr(friction_at_rest, "at_rest", undecided)
+    text = INCLINE.partition("ask:")[0]
+    solution = solve(problem(text))
+    assert solution.given_up.startswith("friction at rest")
+    assert solution.own.at_rest is None
+    assert solution.own.impending
+    with pytest.raises(NotCoveredError):
+        solve(problem(text.replace(", impending", "")))
+
+
+ROLLER = """
+title: A cylinder slides in a pipe
+axes: {i: right, j: down}
+parameters: [m, g, R, r]
+coordinates: [x, y]
+particles: {c: {mass: m, position: x*i + y*j}}
+constraints: {wall: {equation: x^2 + y^2 <= (R - r)^2, reaction: N, by: surface}}
+gravity: g*j
+generalized_coordinates:
+  a: {coordinates: [phi], substitute: {x: (R - r)*sin(phi), y: (R - r)*cos(phi)}}
+"""
+
+
+def test_a_difference_of_radii_is_positive_in_the_sense_of_the_file(problem: Read) -> None:
+    solved = report(problem(ROLLER))
+    page = terminal.text(solved.derivation, solved.notation, 120)
+    assert "N = m (R − r) (ẋ² + ẏ² + g y)/(x² + y²) = m (R − r) φ̇² + m g cos φ" in page
+    assert "|R − r|" not in page
+    assert "with R − r > 0" in page
+
+
+ROUGH = """
+title: A block on a rough slope
+parameters: {m: positive, g: positive, mu: positive, alpha: acute}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {slope: {equation: y = -x*tan(alpha), reaction: N}}
+gravity: -g*j
+forces: {rub: {friction: mu, constraint: slope, on: P, slip: cos(alpha)*i - sin(alpha)*j}}
+generalized_coordinates: {down: {coordinates: [s], substitute: {x: s*cos(alpha), y: -s*sin(alpha)}}}
+"""
+
+
+def test_an_acute_slope_leaves_no_magnitudes_and_friction_names_its_force(problem: Read) -> None:
+    solved = report(problem(ROUGH))
+    page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
+    assert "s̈ − g sin α + μ g cos α = 0" in page
+    assert "|cos α|" not in page
+    assert "The friction contains the reaction N of the slope constraint, found below." in page
+
+
+SPRING = """
+title: A spring released at any length
+parameters: {m: positive, k: positive, l: positive, a: positive}
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {one: {spring: k, between: [0*i, P], length: l, sense: positive}}
+initial: {x: a, x': 0}
+ask:
+  speed: {quantity: "x'", when: x = l}
+  other_end: {quantity: x, when: x' = 0}
+"""
+
+
+def test_the_order_of_two_lengths_may_stay_open(problem: Read) -> None:
+    m, k, l, a = sp.symbols("m k l a", positive=True)
+    speed, end = solve(problem(SPRING)).asked
+    [branch] = speed.branches
+    assert sp.simplify(branch.rhs - (l - a) * sp.sqrt(k / m)) == 0
+    assert not branch.provided
+    assert [b.rhs for b in end.branches] == [2 * l - a]
+
+
+CENTRE = """
+title: Straight up
+parameters: [m, a, K]
+coordinates: [r]
+particles: {P: {mass: m, position: r*i}}
+forces: {attraction: {potential: -m*K/r}}
+initial: {r: a, r': sqrt(K/a)}
+ask: {time: {quantity: t, when: r' = 0}}
+"""
+
+
+def test_the_time_to_a_turning_point_that_the_energy_gives(problem: Read) -> None:
+    [time] = solve(problem(CENTRE)).asked
+    assert time.how is How.EXACT
+    value = time.branches[0].rhs
+    assert float(value.xreplace(dict.fromkeys(value.free_symbols, sp.S.One))) == pytest.approx(1 + math.pi / 2)
+
+
+RATES = """
+title: Units of rates and forces
+axes: {j: up, k: up}
+parameters: {m: {value: 2 kg}, l: {value: 1 m}, g: {value: 9.81 m/s^2}}
+coordinates: [a, b, theta]
+particles:
+  A: {mass: m, position: -a*k}
+  B: {mass: 2*m, position: i - b*k}
+  C: {mass: m, position: l*cos(theta)*i + l*sin(theta)*j}
+constraints: {rope: {equation: a + b = 4*l, reaction: T, by: string}}
+gravity: -g*k
+initial: {a: 0, a': 0, theta: 0, theta': 30 rpm}
+ask:
+  force: {quantity: T, when: "a = -1 m"}
+  rate: {quantity: "theta'", when: "a = -1 m"}
+"""
+
+
+def test_angular_velocities_are_in_radians_per_second_and_named_forces_in_newtons(problem: Read) -> None:
+    found = {a["name"]: (a["number"], a["unit"]) for a in as_object(report(problem(RATES)))["asked"]}
+    assert found == {"force": (pytest.approx(4 / 3 * 2 * 9.81), "N"), "rate": (pytest.approx(math.pi), "rad/s")}
+
+
+STRINGS = """
+title: A weight on two strings
+axes: {i: right, j: down}
+parameters: {W: {value: 100 N}, a: {value: 5 m}, b: {value: 3 m}, c: {value: 4 m}}
+coordinates: {x: {range: [0, 5]}, y: {range: [1, 10]}}
+particles: {P: {position: x*i + y*j}}
+constraints:
+  left: {equation: x^2 + y^2 <= b^2, reaction: T_1}
+  right: {equation: (x - a)^2 + y^2 <= c^2, reaction: T_2}
+forces: {weight: {on: P, vector: W*j}}
+find: equilibrium
+"""
+
+
+def test_a_position_that_strings_determine_is_found_with_their_tensions(problem: Read) -> None:
+    """Lengths 3, 4 and 5 m: the strings are at right angles."""
+    solved = report(problem(STRINGS))
+    page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
+    assert "1.800 m │ 2.400 m" in page
+    assert "T₁ ≈ 80.00 N" in page
+    assert "T₂ ≈ 60.00 N" in page
+
+
+def test_a_time_found_in_numbers_has_its_unit(problem: Read) -> None:
+    text = """
+title: Pendulum
+axes: {i: right, j: down}
+parameters: {l: {value: 1 m}, g: {value: 9.81 m/s^2}, m: {value: 1 kg}}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
+gravity: g*j
+initial: {theta: 60 deg, theta': 0}
+ask: {quarter: {quantity: t, when: theta = 0}}
+"""
+    solved = report(problem(text))
+    page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
+    assert f"t ≈ {float(sp.elliptic_k(sp.Rational(1, 4)) / sp.sqrt(9.81)):.4g} s" in page
+
+
+def test_a_system_that_stays_at_rest_never_gets_anywhere(problem: Read) -> None:
+    text = SPRING.partition("forces:")[0] + "initial: {x: 0, x': 0}\nask: {it: {quantity: t, when: x = a}}\n"
+    with pytest.raises(ProblemError) as error:
+        solve(problem(text))
+    assert [d.code for d in error.value.diagnostics] == ["never-holds"]
