@@ -33,6 +33,7 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.directions import in_directions
 from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
@@ -87,7 +88,7 @@ from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
 from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
-from lagrange.explain.reactions import explain_reactions, title_of_reactions
+from lagrange.explain.reactions import ONLY_PUSHES, explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
@@ -121,6 +122,7 @@ def page(
     """
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
+    arranged = in_directions(solution, arranged)
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -439,7 +441,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
     for block in body:
         first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-        if not certain or not str(first).endswith("can only push stays in contact as long as "):
+        if not certain or first != ONLY_PUSHES:
             yield block
 
 

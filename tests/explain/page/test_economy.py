@@ -109,7 +109,7 @@ def test_a_given_lagrangian_is_displayed_once() -> None:
         ("ex07-constant-coefficients", "One degree of freedom; holonomic and rheonomic:"),
         ("ex14-two-particles", "(𝐫_P₁ − 𝐫_P₂)·(δ𝐫_P₁ − δ𝐫_P₂) = 0"),
         ("south-pointing-chariot", "θ + ψ = const"),
-        ("snakeboard", "of the 2 forms those with dη = 0 in any two admissible displacements are 1 and of these in turn none"),
+        ("snakeboard", "vanish for any two admissible displacements leaves 1 independent combination η of the 2 forms; repeated with it, it leaves none"),
     ],
 )  # fmt: skip
 def test_a_page_has_the_short_form(name: str, said: str) -> None:

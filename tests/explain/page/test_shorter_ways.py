@@ -104,7 +104,7 @@ def test_a_page_says(name: str, said: str) -> None:
         ("ex16-rod-on-two-planes", "λ"),
         ("cycloidal-pendulum", "λ = 0 │"),
         ("bead-slowed-on-a-ring", "r θ̈ + 2ṙ θ̇ + μ r θ̇² = 0"),
-        ("mass-on-belt", "can only push stays in contact"),
+        ("mass-on-belt", "can only push, contact lasts"),
     ],
 )
 def test_a_page_does_not_say(name: str, unsaid: str) -> None:
