@@ -114,8 +114,8 @@ class _Article(Emitter[str]):
                 number += 1
                 yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
             yield from block_lines(step.body, self)
-        for choice in self.content.folded:
-            yield f"% another choice of coordinates: --choice {printable(choice)}"
+        for choice in dict.fromkeys(self.content.folded.values()):
+            yield f"% more on request: --choice {printable(choice) or 'all'}"
 
     # Words
 

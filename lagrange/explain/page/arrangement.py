@@ -47,6 +47,7 @@ from lagrange.explain.page.economy import (
     without_momenta,
     without_unused,
 )
+from lagrange.explain.page.folding import without_test
 from lagrange.explain.page.kinematic import (
     explain_short_displacements,
     explain_short_forms,
@@ -82,7 +83,12 @@ from lagrange.explain.page.motion import (
     without_multipliers,
 )
 from lagrange.explain.page.named import in_names
-from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
+from lagrange.explain.page.quasi_velocities import (
+    ends_with_speeds,
+    in_speeds_only,
+    reaction_as_a_whole,
+    short_in_speeds,
+)
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
@@ -122,7 +128,7 @@ def page(
     """
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
-    arranged = in_directions(solution, arranged)
+    arranged = in_directions(solution, short_in_speeds(solution, arranged))
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -160,6 +166,9 @@ def _arranged(
             folded.append(replace(step, folded=(step.title,)))
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
+    if not every_choice:
+        open_, tested = without_test(solution, open_)
+        folded += tested
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)

@@ -57,8 +57,9 @@ def _side(side: Mathematics, units: Directions) -> Mathematics:
     if not isinstance(side, Vector) or sum(c != 0 for c in side.components) < 2 or _length(side) > LONGEST:
         return side
     left, terms = side.fixed(), sp.S.Zero
-    for name, unit in units.items():
-        factor, rest = min(_splits(left, unit), key=lambda split: count_operations(split[0]) + _length(split[1]))
+    for _ in range(2):
+        found = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
+        factor, name, rest = min(found, key=lambda split: count_operations(split[0]) + _length(split[2]))
         if factor != 0:
             left, terms = rest, terms + factor * VectorSymbol(name)
     return terms + left.as_sum() if terms != 0 and count_operations(terms) + _length(left) < _length(side) else side
@@ -72,6 +73,13 @@ def _splits(vector: Vector, unit: Vector) -> Iterator[tuple[sp.Expr, Vector]]:
     """Pairs c, w of a vector c n + w, where w lacks a component: c = v_k/n_k; and none, c = 0."""
     yield sp.S.Zero, vector
     pairs = [(v, n) for v, n in zip(vector.components, unit.components, strict=True) if v != 0 and n != 0]
-    for factor in dict.fromkeys([*(sp.cancel(v / n) for v, n in pairs), textbook_form(vector.dot(unit))]):
+    factors = [*(sp.cancel(v / n) for v, n in pairs), *(_share(v, n) for v, n in pairs)]
+    for factor in dict.fromkeys([*factors, textbook_form(vector.dot(unit))]):
         rest = (vector - unit * factor).map(lambda c: sp.S.Zero if is_zero(c) is True else textbook_form(c))
         yield factor, rest
+
+
+def _share(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
+    """The coefficient of sin θ in x − b sin θ, over the sign that sin θ has in the unit vector."""
+    sign, core = part.as_coeff_Mul()
+    return sp.expand(whole).coeff(core) / sign

@@ -2,6 +2,8 @@
 
 D'Alembert's principle is stated in vectors and written out once, in the quasi-velocities. Multipliers of constraints
 that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.
+Energies and reactions are written in the quasi-velocities where that is shorter: what the constraints make zero is
+gone then, and (M + 2m) (y'' cos θ − x'' sin θ) is (M + 2m) v ω.
 """
 
 from __future__ import annotations
@@ -11,14 +13,16 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import DotProduct, VectorSymbol
+from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Math, Mathematics, Part, Prose, Ref, Rule, Step
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.words import the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
+from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
 from lagrange.mechanics.results import Solution
 
 LONGEST = 60
@@ -47,6 +51,48 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield replace(step, body=tuple(_without_rates(solution, b) for b in step.body))
         else:
             yield step
+
+
+_AFTER_MOTION = (Rule.RESULT, Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.MEANING)
+
+
+def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps with energies and reactions in the quasi-velocities and their rates, where that is shorter."""
+    form = solution.own.in_speeds
+    rule = {} if form is None or not ends_with_speeds(solution) else _rates(solution, form)
+
+    def side(value: Mathematics) -> Mathematics:
+        if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST:
+            return value
+        if isinstance(value, TimeDerivative):
+            return TimeDerivative(side(value.args[0]))
+        shorter = textbook_form(value.xreplace(rule))
+        return shorter if count_operations(shorter) < count_operations(value) else value
+
+    def block(b: Block) -> Block:
+        if isinstance(b, Display):
+            return replace(b, equations=tuple(replace(e, sides=tuple(map(side, e.sides))) for e in b.equations))
+        if isinstance(b, Prose):
+            parts = (replace(p, sides=tuple(map(side, p.sides))) if isinstance(p, Math) else p for p in b.parts)
+            return replace(b, parts=tuple(parts))
+        return b
+
+    for step in steps:
+        after = rule and step.rule in _AFTER_MOTION and not step.folded
+        yield replace(step, body=tuple(map(block, step.body))) if after else step
+
+
+def _rates(solution: Solution, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
+    """The velocities by the quasi-velocities, q' = B u + b, and the accelerations by their derivatives."""
+    slots, kinematic = solution.problem.slots, form.velocities.kinematic
+    speeds = form.velocities.symbols
+    rule: dict[sp.Expr, sp.Expr] = dict(kinematic)
+    for velocity, acceleration in zip(slots.velocities, slots.accelerations, strict=True):
+        if velocity in kinematic:
+            e = kinematic[velocity]
+            moved = [e.diff(c) * kinematic.get(v, v) for c, v in zip(slots.coordinates, slots.velocities, strict=True)]
+            rule[acceleration] = sp.Add(*moved, *(e.diff(u) * prime(u) for u in speeds), e.diff(t))
+    return rule
 
 
 def _are_long(solution: Solution) -> bool:
