@@ -83,6 +83,7 @@ from lagrange.explain.page.motion import (
     without_multipliers,
 )
 from lagrange.explain.page.named import in_names
+from lagrange.explain.page.normals import reaction_along_normal, without_idle
 from lagrange.explain.page.quasi_velocities import (
     ends_with_speeds,
     in_speeds_only,
@@ -156,6 +157,7 @@ def _arranged(
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
+    shortened = without_idle(solution, shortened)
     arranged = list(freedom_in_one(_without_bodies(solution, shortened)))
     if not every_choice:
         arranged = without_detour(solution, arranged, lambda step: _is_detour(solution, step))
@@ -410,6 +412,9 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         yield step
         return
     if _needs_no_force(view, newton):
+        normal = reaction_along_normal(solution)
+        last = view is (solution.choices or (solution.own,))[0]
+        yield from [] if normal is None or not last else [normal]
         return
     first = solution.choices[0] if solution.choices else None
     follows = first is not None and first.dynamics is not None and first.dynamics.reactions is not None

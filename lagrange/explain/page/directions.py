@@ -75,6 +75,8 @@ def _splits(vector: Vector, unit: Vector) -> Iterator[tuple[sp.Expr, Vector]]:
     pairs = [(v, n) for v, n in zip(vector.components, unit.components, strict=True) if v != 0 and n != 0]
     factors = [*(sp.cancel(v / n) for v, n in pairs), *(_share(v, n) for v, n in pairs)]
     for factor in dict.fromkeys([*factors, textbook_form(vector.dot(unit))]):
+        if not all(s.is_positive for s in sp.fraction(sp.together(factor))[1].free_symbols):
+            continue
         rest = (vector - unit * factor).map(lambda c: sp.S.Zero if is_zero(c) is True else textbook_form(c))
         yield factor, rest
 

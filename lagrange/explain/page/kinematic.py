@@ -27,6 +27,7 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.meaning import square_of
 from lagrange.mechanics.results import Solution
 
 
@@ -263,7 +264,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
     """A step with v² for x'² + y'² where a constraint that is not linear in the velocities says so."""
     rows = [r for r in solution.own.configuration.rows if r.nonlinear is not None]
     slots = solution.problem.slots
-    rules = [rule for r in rows if (rule := _square(r, slots)) is not None]
+    rules = [rule for r in rows if (rule := square_of(r, slots)) is not None]
     if not rules:
         return step
 
@@ -283,16 +284,3 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
 
     blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
-
-
-def _square(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
-    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
-    if row.nonlinear is None:
-        return None
-    for v in slots.velocities:
-        dummy = sp.Dummy()
-        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
-        factor = form.diff(dummy)
-        if not form.has(v) and factor.is_number and factor != 0:
-            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
-    return None

@@ -189,9 +189,13 @@ def _accelerations(meaning: Meaning) -> Iterator[Block]:
     """The accelerations, where they are constant."""
     if not meaning.constant:
         return
+    whole = len(meaning.constant) == len(meaning.view.configuration.slots.accelerations)
+    if whole and not any(meaning.constant.values()):
+        yield prose(Emphasis("Accelerations"), ": none; every coordinate changes uniformly.")
+        return
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
-    yield prose(Emphasis("Accelerations"), ", all of them constant:")
+    yield prose(Emphasis("Accelerations"), ", all of them constant:" if whole else " that are constant:")
     yield from with_named_denominators(step, names).body
 
 
