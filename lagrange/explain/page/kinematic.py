@@ -30,6 +30,9 @@ from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.meaning import square_of
 from lagrange.mechanics.results import Solution
 
+LONGEST_SOLUTION = 40
+"""The most operations of the dependent displacements together that are written by the free ones."""
+
 
 def with_short_forms(classification: Classification) -> Classification | None:
     """The classification with the geometric forms without common factors.
@@ -141,7 +144,8 @@ def explain_short_displacements(solution: Solution) -> Step:
     step = explain_displacements(configuration, own.elimination, solution.transport_rates, known)
     zero = {variation(q): sp.S.Zero for r in rows if _is_one_coordinate(r) for q in _only(r, solution.problem.slots)}
     body = [_with(zero, b) if isinstance(b, Display) else b for b in step.body]
-    long = [n for n, b in enumerate(body) if isinstance(b, Display) and b.detail is Detail.FULL]
+    pairs = [(n, body[n - 1], b) for n, b in enumerate(body) if n and isinstance(b, Display)]
+    long = [n for n, before, b in pairs if b.detail is Detail.FULL or (_is_solution(before) and _is_long(b))]
     for n in long:
         free = listed(math(variation(solution.problem.slots.coordinates[k])) for k in own.elimination.independent)
         many = in_words(len(own.elimination.independent), "").split()[0].capitalize()
@@ -169,6 +173,11 @@ def _is_one_coordinate(row: Row) -> bool:
 
 def _only(row: Row, slots: Slots) -> list[sp.Symbol]:
     return [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
+
+
+def _is_long(block: Display) -> bool:
+    sides = [s for e in block.equations for s in e.sides if isinstance(s, sp.Expr)]
+    return sum(map(count_operations, sides)) > LONGEST_SOLUTION
 
 
 def without_solution(solution: Solution, step: Step) -> Step:
