@@ -19,7 +19,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Block, Display, Equation, Math, Mathematics, Part, Prose, Step
 from lagrange.mechanics.results import Solution
 
-LONGEST = 60
+LONGEST = 120
 """The most operations of a vector that is looked at."""
 
 Directions = Mapping[str, Vector]
