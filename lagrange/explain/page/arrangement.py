@@ -54,6 +54,7 @@ from lagrange.explain.page.kinematic import (
     explain_short_integrability,
     in_chosen_coordinates,
     on_nonlinear_constraint,
+    with_only_coordinate,
     with_short_forms,
     without_division,
     without_solution,
@@ -212,7 +213,7 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> 
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
-    step = explain_meaning(said, conserved, stated, shown)
+    step = explain_meaning(said, conserved, stated, shown, solution.problem)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -272,7 +273,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield replace(made, body=tuple(tabulated))
         elif short is not None and step.rule is Rule.INTEGRABILITY:
             made = in_chosen_coordinates(solution, explain_short_integrability(solution, short))
-            yield _integrability_shortly(solution, made)
+            yield with_only_coordinate(solution, _integrability_shortly(solution, made))
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
             yield without_division(solution, displacements_shortly(explain_short_displacements(solution)))
         elif step.rule is Rule.CONSTRAINT:
@@ -330,7 +331,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
             yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
-            yield _integrability_shortly(solution, step)
+            yield with_only_coordinate(solution, _integrability_shortly(solution, step))
         elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:
             yield lagrangian_once(step)
         elif step.rule is Rule.RESPONSE:

@@ -293,3 +293,21 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
 
     blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
+
+
+def with_only_coordinate(solution: Solution, step: Step) -> Step:
+    """Integrability, with x = v t − v/κ + C exp(−κ t) where one constraint determines the only coordinate."""
+    found, coordinates = solution.classification, solution.problem.slots.coordinates
+    if len(coordinates) != 1 or len(found.integrals) != 1 or found.degrees_of_freedom != 0:
+        return step
+    [q], [(_, function)] = coordinates, found.integrals
+    factor = function.diff(q)
+    if factor == 0 or factor.has(q) or function.is_Symbol:
+        return step
+    constant = sp.Symbol(free_letter("C", "K", "c", taken={*solution.problem.scope.names()}), real=True)
+    rest = sp.expand(-function.xreplace({q: sp.S.Zero}) / factor)
+    size, moving = factor.as_independent(t, as_Add=False)
+    value = rest + constant / moving if size.free_symbols else rest + constant / factor
+    words = prose("Solved for ", math(q), ", with a constant ", math(constant), ", it is")
+    line = display(Equation((q, sp.powsimp(value)), label=f"only-{q.name}"), boxed=True)
+    return replace(step, body=(*step.body, words, line))

@@ -65,6 +65,7 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
     """A text in which declared symbols are symbols."""
     symbols = {q.name: q for q in (*problem.slots.coordinates, *problem.slots.prescribed, *problem.unknowns)}
     symbols |= {p.symbol.name: p.symbol for p in problem.parameters}
+    symbols |= {c.reaction.name: c.reaction for c in problem.constraints if not c.reaction.name.startswith("lambda_")}
     units = {name: unit for name, unit in UNITS.items() if name not in symbols}
     end = 0
     for match in _SYMBOL.finditer(text):
