@@ -73,3 +73,11 @@ def test_friction_at_rest_acts_where_the_body_touches() -> None:
     assert above.vector == pytest.approx((0, 1, 0))
     assert acting["N_A"].offset == pytest.approx(below.offset)  # both at the foot
     assert below.offset[1] < 0 < above.offset[1]
+
+
+@pytest.mark.parametrize("name", ["motion/conical-pendulum", "motion/coupled-pendulums"])
+def test_no_free_body_without_the_forces_that_the_coordinates_hide(name: str) -> None:
+    """The rods pull, though no constraint stands for them: a body with its weight alone would be wrong."""
+    assert system_of(name).configuration.has_forces_built_in
+    assert free_body_scene(system_of(name), reported(name).notation) is None
+    assert not system_of("chapter6/ex11-ideal-pendulum").configuration.has_forces_built_in

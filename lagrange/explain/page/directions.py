@@ -62,6 +62,9 @@ def _side(side: Mathematics, units: Directions) -> Mathematics:
         factor, name, rest = min(found, key=lambda split: count_operations(split[0]) + _length(split[2]))
         if factor != 0:
             left, terms = rest, terms + factor * VectorSymbol(name)
+    beside = [c for c in left.components if c != 0]
+    if len(beside) > 1 and any(c.has(sp.sin, sp.cos) for c in beside):
+        return side  # in two kinds of directions that turn it would be no clearer
     return terms + left.as_sum() if terms != 0 and count_operations(terms) + _length(left) < _length(side) else side
 
 
