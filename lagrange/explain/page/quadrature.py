@@ -26,7 +26,9 @@ LONGEST = 40
 
 def by_quadrature(problem: Problem, form: QuasiVelocityForm | None) -> Iterator[Block]:
     """`Motion: v̇ contains the time only, so v = v₀ + ..., and from ẋ = v cos Ωt`, with the coordinates."""
-    if form is None or form.equations is None or len(form.velocities.definitions) != 1:
+    if form is None or form.equations is None or form.velocities.completing:
+        return
+    if len(form.velocities.definitions) != 1 or len(form.equations.expressions) != 1:
         return
     slots = problem.slots
     letter = free_letter("C", "K", "c", taken={*problem.scope.names()})

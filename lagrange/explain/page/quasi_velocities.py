@@ -61,13 +61,16 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
     form = solution.own.in_speeds
     rule = {} if form is None or not ends_with_speeds(solution) else _rates(solution, form)
 
+    known: set[str] = set()  # of the head, which comes before the quasi-velocities are defined
+
     def side(value: Mathematics) -> Mathematics:
         if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST:
             return value
         if isinstance(value, TimeDerivative):
             return TimeDerivative(side(value.args[0]))
         shorter = textbook_form(value.xreplace(rule))
-        return shorter if count_operations(shorter) < count_operations(value) else value
+        new = {s.name.rstrip("'") for s in shorter.free_symbols - value.free_symbols}
+        return shorter if count_operations(shorter) < count_operations(value) and not new - known else value
 
     def block(b: Block) -> Block:
         if isinstance(b, Display):
@@ -78,8 +81,17 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
         return b
 
     for step in steps:
+        known |= (
+            _names(step) if step.rule is Rule.RESULT else {u.name for u in form.velocities.symbols} if form else set()
+        )
         after = rule and step.rule in _AFTER_MOTION and not step.folded
         yield replace(step, body=tuple(map(block, step.body))) if after else step
+
+
+def _names(step: Step) -> set[str]:
+    """The letters in the equations of a step, of u' that of u."""
+    sides = [s for b in step.body if isinstance(b, Display) for e in b.equations for s in e.sides]
+    return {s.name.rstrip("'") for side in sides if isinstance(side, sp.Expr) for s in side.free_symbols}
 
 
 def _rates(solution: Solution, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
