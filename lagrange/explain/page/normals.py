@@ -50,7 +50,7 @@ def reaction_along_normal(solution: Solution) -> Step | None:
     [point] = configuration.points
     slots = configuration.slots
     position = point.position.fixed()
-    displacements = [position.map(lambda c, q=q: c.diff(q)) for q in slots.coordinates]
+    displacements = [position.map(lambda c, q=q: c.diff(q)) for q in slots.coordinates]  # type: ignore[misc]
     force = sum((f.vector.fixed() for f in configuration.loads), Vector.zero())
     for name, vector in solution.problem.abbreviations.items():
         unit = vector.fixed() if isinstance(vector, Vector) else Vector.zero()

@@ -80,10 +80,9 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
             return replace(b, parts=tuple(parts))
         return b
 
+    speeds = set() if form is None else {u.name for u in form.velocities.symbols}
     for step in steps:
-        known |= (
-            _names(step) if step.rule is Rule.RESULT else {u.name for u in form.velocities.symbols} if form else set()
-        )
+        known |= _names(step) if step.rule is Rule.RESULT else speeds
         after = rule and step.rule in _AFTER_MOTION and not step.folded
         yield replace(step, body=tuple(map(block, step.body))) if after else step
 
