@@ -287,13 +287,12 @@ def together_shortly(classification: Classification, block: Block) -> Block:
         return prose()  # the only form that is not integrable has been tested where the others hold
     letter, rate = (p for p in block.parts if isinstance(p, Math))
     first, *rest = flag.ranks
-    many = "none" if rest[0] == 0 else counted(rest[0], "independent combination")
-    course = f"leaves {many} " if rest[0] else "leaves none of the combinations "
-    course = (course, letter, f" of the {first} forms")
+    left = f"leaves {counted(rest[0], 'independent combination')} " if rest[0] else "leaves none of the combinations "
+    course: tuple[Part, ...] = (left, letter, f" of the {first} forms")
     last = len(rest) - 1
     for n, rank in enumerate(rest[1:], start=1):
-        these, left = plural(rest[n - 1], "it", "these"), "none" if rank == 0 else str(rank)
-        course = (*course, f"; repeated with {these}, it leaves {left}" if n == 1 else f", and then {left}")
+        these, many = plural(rest[n - 1], "it", "these"), "none" if rank == 0 else str(rank)
+        course = (*course, f"; repeated with {these}, it leaves {many}" if n == 1 else f", and then {many}")
     passes = plural(rest[last], ", which passes again", ", which pass again") if rest[last] else ""
     return prose(
         f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)}, by Frobenius' "

@@ -135,7 +135,7 @@ def test_a_page_does_not_say(name: str, unsaid: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "lines"), [("two-wheeled-carriage", 175), ("disc-that-rolls-steadily", 180), ("governor", 150)]
+    ("name", "lines"), [("two-wheeled-carriage", 175), ("disc-that-rolls-steadily", 185), ("governor", 150)]
 )
 def test_no_page_is_longer_than_its_reader_is_patient(name: str, lines: int) -> None:
     assert len(page(name).splitlines()) <= lines
