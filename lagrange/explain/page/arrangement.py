@@ -66,7 +66,9 @@ from lagrange.explain.page.laws import (
     explain_work,
     has_vector_laws,
     in_forces,
+    reaction_along_normal,
     shares_shortly,
+    without_idle,
     work_by_forms,
 )
 from lagrange.explain.page.meaning import Stated, explain_meaning
@@ -84,7 +86,6 @@ from lagrange.explain.page.motion import (
     without_multipliers,
 )
 from lagrange.explain.page.named import in_names
-from lagrange.explain.page.normals import reaction_along_normal, without_idle
 from lagrange.explain.page.quasi_velocities import (
     ends_with_speeds,
     in_speeds_only,

@@ -15,7 +15,7 @@ from lagrange.document.derivation import Block, Display, Emphasis, Equation, Par
 from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.quadrature import by_quadrature
+from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
 from lagrange.mechanics.meaning import Limit, Meaning

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.explain.page.quadrature import _integral
+from lagrange.explain.page.quasi_velocities import _integral
 
 C, g, w = sp.Symbol("C", real=True), *sp.symbols("g omega", positive=True)
 
