@@ -10,3 +10,5 @@ LONG_MATHML = 12
 """Letters of a denominator that is too long to stay in one piece: about half of what a phone shows on a line."""
 LONGEST_RATE = 8
 """Characters below which a quantity is written dp_θ/dt, and from which on d/dt (...)."""
+SHORT_MATHML = 20
+"""The most characters of a numerator that stays above its line in a formula that is cut."""

@@ -17,7 +17,7 @@ from lagrange.document.names import BREAK, END, START, Piece, Precedence, Writte
 from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 _SLOPE = re.compile(r"\\frac\{(\\partial (?:[^{}]|\{\w+\})+)\}\{(\\partial (?:[^{}]|\{\w+\})+)\}")
-_SET_OFF = (r"\mathrm{d}", r"\delta ", r"\mathbf{e}", r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}")
+_SET_OFF = (r"\mathrm{d}", r"\delta ", r"\mathbf{")
 
 
 class Latex(Unicode):

@@ -14,7 +14,7 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.document.limits import LONG_MATHML
+from lagrange.document.limits import LONG_MATHML, SHORT_MATHML
 from lagrange.document.names import BREAK, END, GREEK, START, Piece, Precedence, WrittenName, plain
 from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
@@ -32,6 +32,11 @@ _SET_OFF = (
     '<mover><mi class="v"',
     '<msub><mover><mi class="v"',
 )
+_WITH_INDEX = re.compile(
+    r"<msub>(?P<letter><mi[^>]*>[^<]+</mi>|<mover><mi[^>]*>[^<]+</mi><mo[^>]*>[^<]+</mo></mover>)"
+    r"(?P<index><(mn|mi|mtext)>[^<]+</\3>|<mrow>(?:(?!</?mrow>).)*</mrow>)</msub>"
+)
+"""x_1, with dots or without, in its parts."""
 _WORD = re.compile(r"(?:<msup>|<msub>|<mrow>)*<mi>\w\w+</mi>")
 _MIXED = re.compile(r"\d+[a-z]\Z")  # a_1t
 
@@ -118,8 +123,13 @@ class MathML(Unicode):
     def power(self, base: str, exponent: Piece) -> Piece:
         """A power; the base has its brackets already."""
         below = row(base)
-        if below.startswith("<mover>"):  # or the dots would lift the exponent
-            below = f'<mpadded height="0.7em">{below}</mpadded>'
+        named = _WITH_INDEX.fullmatch(below)
+        if named is not None:  # index and exponent one above the other
+            letter = _without_height(named["letter"])
+            return Piece(
+                f"<msubsup>{letter}{named['index']}{row(exponent.code)}</msubsup>", Precedence.POWER, tight=True
+            )
+        below = _without_height(below)
         return Piece(f"<msup>{below}{row(exponent.code)}</msup>", Precedence.POWER, tight=True)
 
     def exponential(self, exponent: Piece) -> Piece:
@@ -207,6 +217,9 @@ class WideMathML(MathML):
         if not {BREAK} & {*numerator.code, *denominator.code}:
             return super().fraction(numerator, denominator)
         if BREAK not in denominator.code:
+            whole = plain(numerator.code)
+            if len(_TAGS.sub("", whole)) <= SHORT_MATHML:
+                return super().fraction(Piece(whole, numerator.level), denominator)
             reciprocal = super().fraction(Piece("<mn>1</mn>"), denominator).code
             inner = numerator.code if numerator.level > Precedence.DIVISION else self.bracketed(numerator.code)
             return Piece(f"{reciprocal}{inner}", Precedence.PRODUCT)
@@ -237,6 +250,11 @@ class WideMathML(MathML):
         left, right = (f'<mo stretchy="false">{b}</mo>' for b in _brackets(inner.code))
         half = "<mrow><mn>1</mn><mo>/</mo><mn>2</mn></mrow>"
         return Piece(f"{left}{inner.code}<msup>{right}{half}</msup>", Precedence.POWER)
+
+
+def _without_height(code: str) -> str:
+    """A letter with dots, which would lift an exponent."""
+    return f'<mpadded height="0.7em">{code}</mpadded>' if code.startswith("<mover>") else code
 
 
 def is_tall(code: str) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 
 import sympy as sp
 
@@ -11,7 +11,7 @@ from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Matrices, Part
-from lagrange.explain.words import plural, spoken, suffix_of, the
+from lagrange.explain.words import friction_called, plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -136,8 +136,8 @@ def _turns(body: Body) -> tuple[Part, ...]:
     return ("It is turned ", *steps, ".")
 
 
-def moments_on(configuration: Configuration) -> list[Block]:
-    """The applied moment on each body, about its mass centre."""
+def moments_on(configuration: Configuration, rough: Collection[str] = ()) -> list[Block]:
+    """The applied moment on each body, about its mass centre; `rough`: the names of the friction forces."""
     blocks: list[Block] = []
     for r in configuration.rotations:
         moments = configuration.moments_on(r.name)
@@ -148,7 +148,8 @@ def moments_on(configuration: Configuration) -> list[Block]:
         if beside:
             verb = plural(len(beside), " acts at", " act at")
             lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
-            blocks += [prose("Of these, ", *listed(spoken(f.name) for f in beside), verb), display(*lines)]
+            names = (friction_called(f.name, rough) if f.name in rough else spoken(f.name) for f in beside)
+            blocks += [prose("Of these, ", *listed(names), verb), display(*lines)]
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
@@ -78,10 +79,35 @@ def _spot(solution: Solution) -> list[Block]:
     if view is None or view.spot is None:
         return []
     spot = view.spot
+    values = _without_turns(view, {s: e for s, e in spot.values.items() if _matters(view, s)})
     results = [math(a, *_formula(view, a), value) for a, value in spot.accelerations.items()]
-    long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
-    words: list[Part] = ["Try it: ", *_assignments(spot.values), plural(len(spot.values), " gives ", " give ")]
+    long = len(values) + len(spot.accelerations) > LONGEST_SPOT
+    words: list[Part] = ["Try it: ", *_assignments(values), plural(len(values), " gives ", " give ")]
     return [prose(*words, *listed(results), ".", detail=Detail.FULL if long else Detail.STEPS)]
+
+
+def _equations(view: InCoordinates) -> list[sp.Expr]:
+    """What the accelerations follow from."""
+    rows = view.configuration.rows
+    equations = [] if view.motion is None else [e.expression for e in view.motion.equations]
+    equations += [e for r in rows for e in (*r.coefficients, r.drift, *([r.finite] if r.finite is not None else []))]
+    return [*equations, *(r.nonlinear for r in rows if r.nonlinear is not None)]
+
+
+def _matters(view: InCoordinates, symbol: sp.Symbol) -> bool:
+    """Whether a coordinate occurs in the equations; anything else does."""
+    return symbol not in view.configuration.slots.coordinates or any(e.has(symbol) for e in _equations(view))
+
+
+def _without_turns(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """The values with angles between −π and π, where a coordinate occurs in sines and cosines only."""
+    plain = [e.replace(lambda x: isinstance(x, TrigonometricFunction), lambda _: sp.Dummy()) for e in _equations(view)]
+    coordinates = {*view.configuration.slots.coordinates}
+    turns = {
+        s: sp.floor((e + sp.pi) / (2 * sp.pi)) for s, e in values.items()
+        if s in coordinates and e.is_number and not any(p.has(s) for p in plain)
+    }  # fmt: skip
+    return {s: sp.N(e - 2 * sp.pi * turns[s], 6) if turns.get(s) else e for s, e in values.items()}
 
 
 def _formula(view: InCoordinates, acceleration: sp.Symbol) -> list[sp.Expr]:

@@ -70,8 +70,9 @@ def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Bloc
         listed(math(variation(q), size * a) for q, a in zip(slots.coordinates, direction, strict=True) if a != 0)
         for direction, size in ((found.first, epsilon), (found.second, epsilon), (found.left_over, epsilon**2))
     )
-    return [prose("One can still get there: ", *first, ", then ", *second, ", then both back in the same order leave, "
-                  "to second order, ", *left, ", a displacement that the constraint forbids.")]  # fmt: skip
+    return [prose("Yet the system can get where no single step leads: the steps ", *first, ", then ", *second, ", then "
+                  "both back in the same order add up, to second order, to ", *left,
+                  ", a displacement that the constraint forbids.")]  # fmt: skip
 
 
 def explain_hidden(classification: Classification, slots: Slots, letter: str) -> list[Block]:

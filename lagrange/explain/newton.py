@@ -11,7 +11,16 @@ from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, 
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.words import capital, constraints_called, counted, joined, load_called, plural, spoken, the
+from lagrange.explain.words import (
+    capital,
+    constraints_called,
+    counted,
+    friction_called,
+    joined,
+    load_called,
+    plural,
+    the,
+)
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
@@ -203,8 +212,16 @@ def field_called(configuration: Configuration) -> str:
 def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Block]:
     """All forces that act on one particle."""
     name, called = body.particle.name, the(body.particle.name)
-    kinds = {n: "friction" if n in rough else "force" for n in body.loads}
-    acting = ["its weight" if n == "weight" else load_called(n, kinds[n]) if n else of_field for n in body.loads]
+    acting = [
+        "its weight"
+        if n == "weight"
+        else friction_called(n, rough)
+        if n in rough
+        else load_called(n)
+        if n
+        else of_field
+        for n in body.loads
+    ]
     if body.bound:
         acting.append(f"the {plural(len(body.bound), 'reaction', 'reactions')} of "
                       + constraints_called(r.name for r in body.bound))  # fmt: skip
@@ -235,13 +252,14 @@ def _unknowns(reactions: Sequence[Reaction]) -> str:
 def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
     """The magnitude of the friction, its direction, and when the law holds."""
     blocks: list[Block] = []
+    names = {r.friction.name for r in friction_forces}
     for n, r in enumerate(friction_forces):
         first_of = next((f for f in friction_forces[:n] if _are_opposite(f, r)), None)
         if first_of is not None:
-            words = f"The friction {spoken(r.friction.name)} on {the(r.friction.on)} is the opposite of this force."
-            blocks.append(prose(words))
+            called = capital(friction_called(r.friction.name, names))
+            blocks.append(prose(f"{called} on {the(r.friction.on)} is the opposite of this force."))
             continue
-        begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
+        begin = f"While {the(r.friction.on)} slides, {friction_called(r.friction.name, names)} is "
         of_what = "resultant of these reactions" if r.also else "reaction"
         first: tuple[Part, ...] = (begin, math(r.coefficient), f" times the magnitude of the {of_what}")
         while_: tuple[Part, ...] = ("the slip is not zero",)

@@ -14,7 +14,8 @@ from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.named_forces import SURFACES
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Keeper
 
@@ -135,15 +136,20 @@ def _signs(motion: Motion) -> list[Block]:
 
 CORDS = ("rope", "string", "cord", "thread", "chain")
 """What can only pull, by the names of constraints."""
-BY_SURFACE, BY_CURVE = "A surface that", "What"
-"""What keeps a particle or body on one of its sides, in space and in a plane."""
+ONLY_PUSHES = "Where the support can only push, contact lasts as long as "
+BOTH_SIDES = ("wire", "hoop", "ring", "rail", "slot", "tube", "track")
+"""What holds a particle from both sides, by the names of constraints."""
+
+
+def _holds(reaction: Reaction) -> bool:
+    return any(word in reaction.name for word in BOTH_SIDES)
 
 
 def explain_bounds(newton: Newton) -> list[Block]:
     """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
     blocks: list[Block] = []
     open_ = [r for r in newton.reactions if r.constraint.side is None]
-    pulling = [r for r in open_ if r.tension is not None and r.constraint.by is not Keeper.ROD]
+    pulling = [r for r in open_ if r.tension is not None and r.constraint.by not in (Keeper.ROD, *SURFACES)]
     strings = [r for r in pulling if r.constraint.by is Keeper.STRING or r.rod is None]
     rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings and not r.on_body]
     taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
@@ -179,17 +185,11 @@ def explain_bounds(newton: Newton) -> list[Block]:
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE]
+    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE and not _holds(r)]
     if normal:
         forces = listed(math(r.force) for r in normal)
-        keep = plural(len(normal), " keeps its sign", " keep their signs")
-        held = {the(name) if r.on_body else "the particle" for r in normal for name in r.acts_on}
-        curve = any(len(r.row.coefficients) == 2 and r.constraint.by is None for r in normal)
-        where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
-        blocks.append(
-            prose(f"{BY_CURVE if curve else BY_SURFACE} can only push stays in contact as long as ", *forces, keep,
-                  f": the reaction must point to the side {where}.")
-        )  # fmt: skip
+        keep = plural(len(normal), " keeps its sign.", " keep their signs.")
+        blocks.append(prose(ONLY_PUSHES, *forces, keep))
     return blocks
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import VectorSymbol, t
+from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
@@ -22,7 +22,7 @@ from lagrange.explain.bodies import (
     unit_vectors,
 )
 from lagrange.explain.page.texts import set_text
-from lagrange.explain.words import are, capital, constraints_called, load_called, plural, spoken, the
+from lagrange.explain.words import are, capital, constraints_called, friction_called, load_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
@@ -46,7 +46,7 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     body += triads_of_bodies(problem, configuration)
     body += _abbreviations(problem)
     body += _positions(problem, configuration)
-    body += _forces(configuration, problem, with_potential)
+    body += _forces(problem, configuration, with_potential)
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
 
@@ -201,14 +201,17 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     return [*blocks, *explain_exchanged_mass(configuration)]
 
 
-def _forces(configuration: Configuration, problem: Problem, with_potential: bool) -> list[Block]:
+def _forces(problem: Problem, configuration: Configuration, with_potential: bool) -> list[Block]:
     blocks: list[Block] = []
     rough = {f.name: f.constraints for f in problem.forces if isinstance(f, Friction)}
+    reactions = {c.name: c.reaction for c in problem.constraints}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
-        names = [_force_called(f.name, f.name in rough, len(loads) == 1) for f in loads]
+        names = [
+            friction_called(f.name, rough) if f.name in rough else _force_called(f.name, len(loads) == 1) for f in loads
+        ]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
         sides = (VectorSymbol(f"F_{p.name}"), total, shown) if shown != total else (VectorSymbol(f"F_{p.name}"), total)
@@ -219,7 +222,11 @@ def _forces(configuration: Configuration, problem: Problem, with_potential: bool
         ]
         unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
         if unknown:
-            blocks.append(prose("The friction contains ", *_pressing(total, unknown, problem), ", found below."))
+            inside = {s for component in total.fixed().components for s in component.free_symbols}
+            named = [math(reactions[c]) for c in unknown if reactions.get(c) in inside]
+            what = plural(len(unknown), "the reaction of ", "the reactions of ") + constraints_called(unknown)
+            with_names = (*listed(named), ", ") if len(named) == len(unknown) else ()
+            blocks.append(prose("The friction contains ", *with_names, f"{what}, found below."))
     for f in configuration.loads:
         if f.elsewhere:
             lines = (
@@ -228,7 +235,7 @@ def _forces(configuration: Configuration, problem: Problem, with_potential: bool
             )
             force = "weight" if f.name == "weight" else f"force {spoken(f.name)}"
             blocks += [prose(f"The {force} on {the(f.on)} and its point of application are"), display(*lines)]
-    blocks += moments_on(configuration)
+    blocks += moments_on(configuration, rough)
     blocks += explain_links(configuration)
     blocks += _beside_energies(configuration)
     if configuration.potential != 0 and with_potential and not configuration.is_outright:
@@ -265,22 +272,10 @@ def given_force(coordinate: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(f"Q_{coordinate.name}", real=True)
 
 
-def _pressing(total: Vector, constraints: Iterable[str], problem: Problem) -> Iterator[Part]:
-    """The reactions in a friction force: by the names that the file gives them, otherwise as multipliers."""
-    slots, called = problem.slots, constraints_called(constraints)
-    known = {*slots.coordinates, *slots.velocities, *(p.symbol for p in problem.parameters), *problem.unknowns, t}
-    inside = {s for c in total.components for s in c.free_symbols} - known
-    named = sorted((s for s in inside if not s.name.startswith("lambda_")), key=str)
-    if named and named == sorted(inside, key=str):
-        yield from (plural(len(named), "the reaction ", "the reactions "), *listed(map(math, named)), f" of {called}")
-    else:
-        yield f"the multiplier of the reaction of {called}"
-
-
-def _force_called(name: str, rough: bool, alone: bool) -> str:
-    """`its weight`, `the friction rub`, `the force push`; only `push` where it is the only force."""
+def _force_called(name: str, alone: bool) -> str:
+    """`its weight`, `the force push`; only `push` where it is the only force."""
     if name == "weight":
         return "its weight"
     if name == REACTIVE:
         return load_called(name)
-    return f"the friction {spoken(name)}" if rough else spoken(name) if alone else f"the force {spoken(name)}"
+    return spoken(name) if alone else f"the force {spoken(name)}"

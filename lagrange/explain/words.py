@@ -42,6 +42,11 @@ def load_called(name: str, kind: str = "force") -> str:
     )
 
 
+def friction_called(name: str, among: Collection[str]) -> str:
+    """A friction force with its article: `the friction` where there is no other, or else `the friction below`."""
+    return "the friction" if len(among) == 1 else f"the friction {spoken(name)}"
+
+
 def constraints_called(names: Iterable[str]) -> str:
     """`the rod constraint`, `the upper-rod and no-slip 1 constraints`."""
     called = [re.sub(r" (?=\D)", "-", spoken(n)) for n in names]

@@ -26,8 +26,9 @@ from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, prime, t
+from lagrange.core.symbols import Slots, Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
@@ -79,7 +80,7 @@ class Meaning:
 
     small  rest and small motion of one degree of freedom
     terms  two terms of the first equation of motion, and the unit that all of its terms have
-    constant  the accelerations, where all of them are constant
+    constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
     """
 
@@ -314,6 +315,11 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     assert motion is not None
     slots = view.configuration.slots
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *(prime(u) for u in slots.prescribed), t}
+    nonlinear = [r for r in view.configuration.rows if r.nonlinear is not None]
+    if nonlinear and view.dynamics is not None:
+        rules = [rule for r in nonlinear if (rule := square_of(r, slots)) is not None]
+        values = {a: _reduced(e, rules) for a, e in view.dynamics.accelerations.items()}
+        return {a: e for a, e in values.items() if not e.free_symbols & moving and not e.atoms(Unspecified)}
     equations = [e.expression for e in motion.final]
     equations += view.configuration.constrained.accelerated_constraints
     if len(equations) != len(slots.accelerations) or len(equations) < 2:
@@ -328,6 +334,25 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     pairs = zip(slots.accelerations, found, strict=True)
     solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
     return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
+
+
+def square_of(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
+    if row.nonlinear is None:
+        return None
+    for v in slots.velocities:
+        dummy = sp.Dummy()
+        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
+        factor = form.diff(dummy)
+        if not form.has(v) and factor.is_number and factor != 0:
+            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
+    return None
+
+
+def _reduced(e: sp.Expr, rules: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """An acceleration under the constraints: above and below, x'^2 by the other velocities."""
+    above, below = (sp.expand(part).xreplace({v**2: s for v, s in rules}) for part in sp.fraction(sp.together(e)))
+    return e if below == 0 else sp.factor(sp.cancel(above / below))
 
 
 def _in_one_fraction(x: sp.Expr) -> sp.Expr:

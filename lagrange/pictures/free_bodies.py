@@ -38,8 +38,8 @@ _NEAR = math.cos(math.radians(20))
 def free_body_scene(system: SystemPicture, notation: Notation) -> Scene | None:
     """The diagrams side by side; None if one of them cannot be drawn."""
     bodies = system.newton.bodies
-    if not bodies or len(bodies) > MOST_BODIES:
-        return None
+    if not bodies or len(bodies) > MOST_BODIES or system.configuration.has_forces_built_in:
+        return None  # a pendulum's free body without its tension is none
     try:
         panels = [_panel(system, body, notation) for body in bodies]
     except NoValueError:

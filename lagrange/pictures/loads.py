@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified
+from lagrange.core.symbols import Unspecified, VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import Box, PagePoint, StrokeKind
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -138,7 +138,9 @@ def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
         if load.on != name:
             continue
         if any(c.has(Unspecified) for c in load.vector.components):
-            yield Acting(name, as_words(load.name), _SOMEWHERE[not system.view.planar], StrokeKind.FORCE)
+            alone = sum(other.on == name for other in system.configuration.loads) == 1
+            label = VectorSymbol(f"F_{name}") if alone else as_words(load.name)
+            yield Acting(name, label, _SOMEWHERE[not system.view.planar], StrokeKind.FORCE)
             continue
         pose = _posed(system, load.vector, load.point - centre)
         vector = pose.at(load.vector)
@@ -206,6 +208,8 @@ def _rest(system: SystemPicture, body: FreeBody) -> list[Acting]:
     field = sp.expand(system.configuration.potential - sp.Add(*springs)) != 0
     if not others and not field:
         return []
+    if system.configuration.is_outright:
+        raise NoValueError("a Lagrangian is given, and no force")
     if len(others) + field != 1:
         raise NoValueError("several forces that cannot be distinguished")
     vector = body.applied
@@ -219,7 +223,7 @@ def _rest(system: SystemPicture, body: FreeBody) -> list[Acting]:
     direction = _posed(system, vector).at(vector)
     if math.hypot(*direction) < 1e-9:
         return []
-    return [Acting(body.name, as_words(others[0]) if others else "field", direction, StrokeKind.FORCE)]
+    return [Acting(body.name, "friction" if others else "−∇V", direction, StrokeKind.FORCE)]
 
 
 def _friction_at_rest(system: SystemPicture, name: str) -> Iterator[Acting]:

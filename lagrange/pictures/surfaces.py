@@ -204,7 +204,8 @@ def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
             vector = unit(place(load.vector, dict.fromkeys(symbols, 1.0)))
         end = surface.page(plus(here, vector, 1.2))
         sketch.arrow(at, end, StrokeKind.FORCE)
-        sketch.label(load.name.replace("_", " "), end, toward(at, end), optional=True)
+        called = UnitVector(f"F_{point.name}") if len(loads) == 1 else load.name.replace("_", " ")
+        sketch.label(called, end, toward(at, end), optional=True)
     if any(isinstance(f, Friction) for f in solution.problem.forces):
         back, ahead = surface.page(plus(here, way, -1.1)), surface.page(plus(here, way, 0.9))
         sketch.arrow(at, back, StrokeKind.FORCE)

@@ -73,7 +73,8 @@ mover > mo { font-size: 1.15em; }
 .display { margin: .7rem 0; display: grid; grid-template-columns: 1fr auto; column-gap: 1rem; row-gap: .35rem;
   align-items: baseline; break-inside: avoid; }
 .display.long { break-inside: auto; }
-.display.aligned { grid-template-columns: auto 1fr auto; }
+.display.aligned { grid-template-columns: auto 1fr auto; column-gap: .25rem; }
+.display.aligned > .number { padding-left: .75rem; }
 .display > .equation { padding-left: 3.2rem; text-indent: -1.6rem; min-width: 0; overflow-x: auto;
   overflow-y: hidden; padding-block: .12rem; }
 .display.aligned > .left { padding-left: 1.6rem; text-align: right; }
@@ -148,6 +149,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
 CLOSING = re.compile(r"[).,:;]+")
+OPENING = ("(", "[")
 
 
 def render(
@@ -279,11 +281,19 @@ class _Article(Emitter[str]):
         code = ""
         for part in parts:
             # A browser may break a line between </math> and a comma, so the last formula and the comma share a box.
-            if isinstance(part, str) and code.endswith("</math>") and (closing := CLOSING.match(part)):
-                start = code.rindex("<math")
-                code = f'{code[:start]}<span class="together">{code[start:]}{escape(closing[0])}</span>'
-                part = part[closing.end() :]
-            code += self.part(part)
+            if isinstance(part, str) and (closing := CLOSING.match(part)):
+                if code.endswith("</math>"):
+                    start = code.rindex("<math")
+                    code = f'{code[:start]}<span class="together">{code[start:]}{escape(closing[0])}</span>'
+                    part = part[closing.end() :]
+                elif code.endswith("</math></span>"):
+                    code = f"{code.removesuffix('</span>')}{escape(closing[0])}</span>"
+                    part = part[closing.end() :]
+            written = self.part(part)
+            if code.endswith(OPENING) and written.startswith("<math"):
+                first, end, rest = written.partition("</math>")
+                code, written = code[:-1], f'<span class="together">{code[-1]}{first}{end}</span>{rest}'
+            code += written
         return code
 
     def part(self, part: Part) -> str:
@@ -322,7 +332,14 @@ class _Article(Emitter[str]):
         yield "</div>"
 
     def condition(self, equation: Equation) -> str:
-        return f' <span class="condition">{self.prose(equation.condition)}</span>' if equation.condition else ""
+        if not equation.condition:
+            return ""
+        parts = [self.content.resolved(part) for part in equation.condition]
+        shown = (
+            self.formulas.equation(p.sides, p.relation, displayed=True) if isinstance(p, Math) else self.prose((p,))
+            for p in parts
+        )
+        return f' <span class="condition">{"".join(shown)}</span>'
 
     def anchor(self, equation: Equation) -> str:
         return f' id="{self.id(equation.label)}"' if equation.label else ""

@@ -114,8 +114,8 @@ class _Article(Emitter[str]):
                 number += 1
                 yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
             yield from block_lines(step.body, self)
-        for choice in self.content.folded:
-            yield f"% another choice of coordinates: --choice {printable(choice)}"
+        for choice in dict.fromkeys(self.content.folded.values()):
+            yield f"% more on request: --choice {printable(choice) or 'all'}"
 
     # Words
 
@@ -179,7 +179,8 @@ class _Article(Emitter[str]):
             note = row.anchor or (r"\notag" if not star else "")
             lines.append(f"  {code} {note}".rstrip())
         spread = any(len(system) > 1 for system in systems)
-        ends = [r" \\[1ex]" if spread and row is system[-1] else r" \\" for system in systems for row in system]
+        after = r" \\[1ex]" if spread else r" \\"  # within an equation no page ends
+        ends = [after if row is system[-1] else r" \\*" for system in systems for row in system]
         yield rf"\begin{{align{star}}}"
         yield from (line + end for line, end in zip(lines[:-1], ends[:-1], strict=True))
         yield lines[-1]
@@ -196,10 +197,10 @@ class _Article(Emitter[str]):
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
         if scene is not None:
-            yield r"\begin{center}"
+            yield r"\begin{center}\begin{minipage}{\linewidth}\centering"  # no page break parts it from its caption
             yield from picture(scene, self.typesetter.writer.plain)
             yield rf"\\[1.5ex] {{\small {self.prose(block.caption)}}}"
-            yield r"\end{center}"
+            yield r"\end{minipage}\end{center}"
 
     def task(self, block: Task) -> Iterator[str]:
         yield r"\begin{minipage}{\linewidth}"  # no page break parts a task from its room

@@ -158,13 +158,13 @@ class ShownSteps:
     steps    with the blocks that are shown
     numbers  of the equations, by label
     sources  the lists of steps in which an equation is looked up that is referred to and not shown, the best last
-    folded   the choices of coordinates whose steps are not shown, each with what stands in their place
+    folded   what stands in the place of steps that are not shown, with the choice of coordinates that they belong to
     """
 
     steps: tuple[Step, ...]
     numbers: dict[str, int]
     sources: tuple[Sequence[Step], ...]
-    folded: Mapping[str, tuple[Part, ...]] = field(default_factory=dict)
+    folded: Mapping[tuple[Part, ...], str] = field(default_factory=dict)
 
     @cached_property
     def _labelled(self) -> dict[str | None, Equation]:
@@ -211,7 +211,7 @@ def shown(
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}
     steps = [replace(s, body=tuple(_condensed(b, numbers) for b in s.body)) for s in steps]
-    left_folded = {} if folded else {s.choice: s.folded for s in derivation.at(detail) if s.folded}
+    left_folded = {} if folded else {s.folded: s.choice for s in derivation.at(detail) if s.folded}
     return ShownSteps(tuple(steps), numbers, (derivation.steps, derivation.at(detail)), left_folded)
 
 

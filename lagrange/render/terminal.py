@@ -113,7 +113,7 @@ class _Page(Emitter[Text]):
             yield from self.step(number, step)
         if self.content.folded:
             yield Text()
-        for choice, words in self.content.folded.items():
+        for words, choice in self.content.folded.items():
             yield from fill(self.words(("▸ ", *words, f"  (--choice {choice or 'all'})")), self.width)
 
     def heading(self, title: str, source: str) -> Iterator[Text]:

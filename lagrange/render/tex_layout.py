@@ -127,6 +127,9 @@ def _width(token: str) -> float:
 _GROUP = r"(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})"
 _SLOPE = re.compile(rf"\\frac\{{(\\partial {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
 """∂f/∂x, which is too small in running text as a fraction."""
+_OF_SLOPE = re.compile(rf"\\frac\{{\\partial\}}\{{(\\partial {_GROUP}+)\}} (\\partial [\w ]+/\\partial \w+)")
+_SECOND = re.compile(rf"\\frac\{{(\\partial\^\{{2\}} {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
+"""∂(∂f/∂x)/∂y and ∂²f/(∂x ∂y), likewise."""
 ALIGN = "\ue003"
 """Marks the place of `&` in a row, until it is known whether all equations can be aligned at their relations."""
 
@@ -145,6 +148,7 @@ class Typesetter:
     def inline(self, sides: Sequence[Mathematics], relation: str, width: float) -> str:
         """a = b = c in running text."""
         code = _SLOPE.sub(r"\1/\2", self.writer.relation(sides, relation))
+        code = _SECOND.sub(r"\1/(\2)", _OF_SLOPE.sub(r"\\partial(\2)/\1", code))
         return code if ems(code) <= width else self.wide.relation(sides, relation)
 
     def rows(self, equation: Equation, width: float, condition: str = "") -> tuple[list[str], list[str]]:

@@ -134,6 +134,10 @@ def test_what_closes_a_phrase_stays_with_the_formula():
     assert '<span class="together"><math><mi>x</mi></math>),</span> b' in article(prose("(a ", math(x), "), b"))
 
 
+def test_what_opens_a_phrase_stays_with_the_formula():
+    assert 'a <span class="together">(<math><mi>x</mi></math>),</span> b' in article(prose("a (", math(x), "), b"))
+
+
 def test_pages_of_the_same_title_have_ids_of_their_own():
     derivation, notation = pendulum()
     tree = Tree(html.render([(derivation, notation)] * 2))

@@ -31,6 +31,7 @@ def mathml(expression, style=MATHML):
         (x - y, '<mi>x</mi><mo form="infix">−</mo><mi>y</mi>'),
         (-x, '<mo form="prefix">−</mo><mi>x</mi>'),
         (sp.Symbol("x_1"), "<msub><mi>x</mi><mn>1</mn></msub>"),
+        (sp.Symbol("x_1") ** 2, "<msubsup><mi>x</mi><mn>1</mn><mn>2</mn></msubsup>"),
         (sp.Symbol("lambda_rod"), "<msub><mi>λ</mi><mtext>rod</mtext></msub>"),
         (sp.Symbol("a_1t"), "<msub><mi>a</mi><mrow><mn>1</mn><mi>t</mi></mrow></msub>"),
         (2 * x, "<mn>2</mn><mo>\u2062</mo><mi>x</mi>"),

@@ -18,7 +18,7 @@ from tests.support.tex import compiled, needs_tex
 ACCELERATION = r"""\begin{align}
   \ddot{\mathbf{r}}_{P} &= (\ddot{r} - r \dot{\theta}^{2} - r \dot{\phi}^{2} \sin^{2}\theta) \, \mathbf{e}_{r}
  + (r \ddot{\theta} + 2\dot{r} \dot{\theta} - r \dot{\phi}^{2} \sin\theta \cos\theta) \, \mathbf{e}_{\theta}
- \notag \\
+ \notag \\*
   &\quad + (r \ddot{\phi} \sin\theta + 2\dot{r} \dot{\phi} \sin\theta
  + 2r \dot{\theta} \dot{\phi} \cos\theta) \, \mathbf{e}_{\phi}
  \label{a-pendulum-whose-length-is-varied:acceleration}
@@ -68,7 +68,7 @@ def test_a_fraction_that_is_too_wide_is_written_on_the_line():
     a = sp.symbols("a_:24")
     assert r"\frac{1}{x} (a_{0} + a_{1}" in body(display(Equation((y, sum(a) / x))))
     assert r"y &= x / (a_{0} + a_{1}" in body(display(Equation((y, x / sum(a)))))
-    assert "a_{23}) \\\\\n  &\\quad / (a_{0}" in body(display(Equation((y, (x + sum(a)) / sum(a)))))
+    assert "a_{23}) \\\\*\n  &\\quad / (a_{0}" in body(display(Equation((y, (x + sum(a)) / sum(a)))))
     assert r")^{1/2}" in body(display(Equation((y, sp.sqrt(sum(a))))))
     assert r"\frac{x + a_{0}}{x + a_{1}}" in body(display(Equation((y, (x + a[0]) / (x + a[1]) + sum(a)))))
 

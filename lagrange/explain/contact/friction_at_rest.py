@@ -8,7 +8,17 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
-from lagrange.explain.words import capital, constraints_called, joined, plural, spoken, suffix_of, the, title_in
+from lagrange.explain.words import (
+    capital,
+    constraints_called,
+    friction_called,
+    joined,
+    plural,
+    spoken,
+    suffix_of,
+    the,
+    title_in,
+)
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
@@ -53,19 +63,22 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
 
 def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Block]:
     """The friction in each contact, and its bound."""
-    for c in contacts:
-        name = f"the friction {spoken(c.name)} on {the(c.friction.on)}"
+    names = {c.name for c in contacts}
+    for n, c in enumerate(contacts):
+        name = f"{friction_called(c.name, names)} on {the(c.friction.on)}"
         bound = c.coefficient * (c.resultant({f: f for f, _ in c.units}) if c.also else c.normal * _magnitude(c))
         if len(c.components) == 1:
             [force], [tangent] = c.components, c.tangents
-            first: tuple[Part, ...] = (f"At rest {name} is an unknown force ", math(force), " along ", math(tangent))
+            begin = f"At rest {name} is an unknown force " if n == 0 else f"Likewise {name} is a force "
+            first: tuple[Part, ...] = (begin, math(force), " along ", math(tangent))
             size: sp.Expr = sp.Abs(force)
         else:
             first = (f"At rest {name} is an unknown force with the components ", *listed(map(math, c.components)))
             size = sp.sqrt(sp.Add(*(f**2 for f in c.components)))
         opposite = f", with the opposite on {the(c.opposite)}" if c.opposite else ""
         pressed = f"resultant of the {len(c.units)} reactions" if c.also else "normal force"
-        yield prose(*first, f"{opposite}, of at most the coefficient of static friction times the {pressed}: ",
+        limit = f", of at most the coefficient of static friction times the {pressed}: " if n == 0 else ", with "
+        yield prose(*first, opposite, limit,
                     math(size, bound, relation="≤"), ".")  # fmt: skip
     pressing = [r for r in newton.reactions if r.constraint.side is not None]
     if pressing:

@@ -109,7 +109,9 @@ def _constraints(found: ImpulsiveMotion) -> Iterator[Block]:
     rows = [r for r in found.rows if any(a != 0 for a in r.coefficients)]
     if not rows:
         return
-    yield prose("Virtual displacements in this position satisfy ", "all constraints:" if len(rows) > 1 else "it:")
+    yield prose(
+        "Virtual displacements in this position satisfy ", "all constraints:" if len(rows) > 1 else "the constraint:"
+    )
     lines = [Equation((virtual_displacement(r, found.slots), ZERO), label=f"struck-{r.name}") for r in rows]
     yield display(*lines)
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, TimeDerivative, prime, variation
+from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, prime, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.motion import label_of
@@ -235,4 +235,6 @@ def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) ->
                   "energy changes at the rate"),
             display(line, boxed=True),
         ]  # fmt: skip
+    if energy.rate.has(Unspecified):  # the forces may, or may not, have a potential
+        return [prose("Along the motion the energy changes at the rate"), display(line)]
     return [prose(f"The energy is not conserved{why}. Along the motion"), display(line, boxed=True)]

@@ -33,6 +33,7 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.directions import in_directions
 from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
@@ -46,12 +47,14 @@ from lagrange.explain.page.economy import (
     without_momenta,
     without_unused,
 )
+from lagrange.explain.page.folding import without_test
 from lagrange.explain.page.kinematic import (
     explain_short_displacements,
     explain_short_forms,
     explain_short_integrability,
     in_chosen_coordinates,
     on_nonlinear_constraint,
+    with_only_coordinate,
     with_short_forms,
     without_division,
     without_solution,
@@ -63,7 +66,9 @@ from lagrange.explain.page.laws import (
     explain_work,
     has_vector_laws,
     in_forces,
+    reaction_along_normal,
     shares_shortly,
+    without_idle,
     work_by_forms,
 )
 from lagrange.explain.page.meaning import Stated, explain_meaning
@@ -81,13 +86,18 @@ from lagrange.explain.page.motion import (
     without_multipliers,
 )
 from lagrange.explain.page.named import in_names
-from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
+from lagrange.explain.page.quasi_velocities import (
+    ends_with_speeds,
+    in_speeds_only,
+    reaction_as_a_whole,
+    short_in_speeds,
+)
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
 from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
-from lagrange.explain.reactions import explain_reactions, title_of_reactions
+from lagrange.explain.reactions import ONLY_PUSHES, explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
@@ -121,6 +131,7 @@ def page(
     """
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
+    arranged = in_directions(solution, short_in_speeds(solution, arranged))
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -148,6 +159,7 @@ def _arranged(
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
+    shortened = without_idle(solution, shortened)
     arranged = list(freedom_in_one(_without_bodies(solution, shortened)))
     if not every_choice:
         arranged = without_detour(solution, arranged, lambda step: _is_detour(solution, step))
@@ -158,6 +170,9 @@ def _arranged(
             folded.append(replace(step, folded=(step.title,)))
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
+    if not every_choice:
+        open_, tested = without_test(solution, open_)
+        folded += tested
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
@@ -199,7 +214,7 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> 
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
-    step = explain_meaning(said, conserved, stated, shown)
+    step = explain_meaning(said, conserved, stated, shown, solution.problem)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -259,7 +274,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield replace(made, body=tuple(tabulated))
         elif short is not None and step.rule is Rule.INTEGRABILITY:
             made = in_chosen_coordinates(solution, explain_short_integrability(solution, short))
-            yield _integrability_shortly(solution, made)
+            yield with_only_coordinate(solution, _integrability_shortly(solution, made))
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
             yield without_division(solution, displacements_shortly(explain_short_displacements(solution)))
         elif step.rule is Rule.CONSTRAINT:
@@ -317,7 +332,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
             yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
-            yield _integrability_shortly(solution, step)
+            yield with_only_coordinate(solution, _integrability_shortly(solution, step))
         elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:
             yield lagrangian_once(step)
         elif step.rule is Rule.RESPONSE:
@@ -399,6 +414,9 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         yield step
         return
     if _needs_no_force(view, newton):
+        normal = reaction_along_normal(solution)
+        last = view is (solution.choices or (solution.own,))[0]
+        yield from [] if normal is None or not last else [normal]
         return
     first = solution.choices[0] if solution.choices else None
     follows = first is not None and first.dynamics is not None and first.dynamics.reactions is not None
@@ -439,7 +457,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
     for block in body:
         first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-        if not certain or not str(first).endswith("can only push stays in contact as long as "):
+        if not certain or first != ONLY_PUSHES:
             yield block
 
 

@@ -25,9 +25,8 @@ FEWEST = 2
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
     """The statement with particles and planar bodies introduced together, and what acts on any; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
-    planar = all(b.angle is not None for b in problem.bodies)
-    if len(problem.bodies) < FEWEST or len(problem.bodies) != len(configuration.rotations):
-        return tuple(body)
+    several = len(problem.bodies) >= FEWEST and len(problem.bodies) == len(configuration.rotations)
+    planar = several and all(b.angle is not None for b in problem.bodies)
     points = [p.name for p in configuration.points]
     introducing = {f"{kind}-{name}" for name in points for kind in ("position", "spin", "momentum")}
     weighed = [

@@ -104,6 +104,7 @@ def _conclusions(classification: Classification) -> list[Prose]:
     exact: list[Part] = [*listed(Ref(f"form-{c.row.name}") for c in constraints), are_exact, Emphasis("exact")]
     pair = _pair(constraints)
     exact += [", ", being, *listed(Ref(f"constraint-{c.row.name}") for c in constraints)]
+    exact += [" in contact"] if any(c.constraint.side is not None for c in constraints) else []
     exact += [" (", equal(pair), ")"] if pair is not None else []
     left = f"{classification.coordinates} − {classification.rank} = "
     sentences = [

@@ -32,7 +32,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, in_words, joined, plural, spoken
+from lagrange.explain.words import capital, counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 
@@ -178,18 +178,20 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
     defined: dict[object, object] = {}
     head = next((s for s in steps if s.rule is Rule.RESULT), None)
     shown = [e.sides for b in head.body if isinstance(b, Display) for e in b.equations] if head else []
-    asked: list[object] = []
+    asked: dict[object, list[str | None]] = {}
     for step in steps:
         blocks: list[Block] = []
         for block in step.body:
             if isinstance(block, Display) and step.rule is not Rule.RESULT:
                 block = _defined_once(block, defined)
             if isinstance(block, Display) and step.rule is Rule.QUESTION and not block.boxed:
-                sides = [e.sides for e in block.equations]
+                sides = tuple(e.sides for e in block.equations)
                 if sides in asked and blocks and isinstance(blocks[-1], Prose):
-                    blocks.pop()  # a question before has the same
+                    known = [Ref(label) for label in asked[sides] if label]
+                    holds = plural(len(known), " holds.", " hold.")
+                    blocks[-1:] = [prose("As before, ", *listed(known), holds)] if known else []
                     continue
-                asked.append(sides)
+                asked[sides] = [e.label for e in block.equations]
             before = blocks[-1] if blocks else None
             in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
             if in_short and isinstance(block, Display) and _is_repeated(block, shown):
@@ -217,7 +219,8 @@ def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
 
 
 _IN_PAIRS = ("position", "force", "moment", "spin", "momentum", "acceleration", "delta", "rotation", "before",
-             "reaction", "couple", "newton", "in-speeds-omega", "kinematic", "quasi-variation")  # fmt: skip
+             "reaction", "couple", "newton", "in-speeds-r", "in-speeds-omega", "in-speeds-H",
+             "changed-in-speeds-r", "changed-in-speeds-H", "kinematic", "quasi-variation")  # fmt: skip
 
 
 def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:
@@ -284,12 +287,17 @@ def together_shortly(classification: Classification, block: Block) -> Block:
         return prose()  # the only form that is not integrable has been tested where the others hold
     letter, rate = (p for p in block.parts if isinstance(p, Math))
     first, *rest = flag.ranks
-    counts = ["none" if n == 0 else str(n) for n in rest] + ["all"] * (rest[-1] != 0)
-    course = joined([counts[0], *(f"of these in turn {n}" for n in counts[1:])])
+    left = f"leaves {counted(rest[0], 'independent combination')} " if rest[0] else "leaves none of the combinations "
+    course: tuple[Part, ...] = (left, letter, f" of the {first} forms")
+    last = len(rest) - 1
+    for n, rank in enumerate(rest[1:], start=1):
+        these, many = plural(rest[n - 1], "it", "these"), "none" if rank == 0 else str(rank)
+        course = (*course, f"; repeated with {these}, it leaves {many}" if n == 1 else f", and then {many}")
+    passes = plural(rest[last], ", which passes again", ", which pass again") if rest[last] else ""
     return prose(
-        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)} (Frobenius' theorem "
-        f"for several forms): of the combinations ", letter, f" of the {first} forms those with ",
-        math(rate.sides[0], sp.S.Zero), f" in any two admissible displacements are {course}.",
+        f"Taken together, the constraints imply {_relations(flag.integrable_rank or 0, several)}, by Frobenius' "
+        "theorem for several forms: the test that ", math(rate.sides[0]),
+        " vanish for any two admissible displacements ", *course, f"{passes}.",
     )  # fmt: skip
 
 

@@ -27,7 +27,11 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.meaning import square_of
 from lagrange.mechanics.results import Solution
+
+LONGEST_SOLUTION = 40
+"""The most operations of the dependent displacements together that are written by the free ones."""
 
 
 def with_short_forms(classification: Classification) -> Classification | None:
@@ -140,7 +144,8 @@ def explain_short_displacements(solution: Solution) -> Step:
     step = explain_displacements(configuration, own.elimination, solution.transport_rates, known)
     zero = {variation(q): sp.S.Zero for r in rows if _is_one_coordinate(r) for q in _only(r, solution.problem.slots)}
     body = [_with(zero, b) if isinstance(b, Display) else b for b in step.body]
-    long = [n for n, b in enumerate(body) if isinstance(b, Display) and b.detail is Detail.FULL]
+    pairs = [(n, body[n - 1], b) for n, b in enumerate(body) if n and isinstance(b, Display)]
+    long = [n for n, before, b in pairs if b.detail is Detail.FULL or (_is_solution(before) and _is_long(b))]
     for n in long:
         free = listed(math(variation(solution.problem.slots.coordinates[k])) for k in own.elimination.independent)
         many = in_words(len(own.elimination.independent), "").split()[0].capitalize()
@@ -168,6 +173,11 @@ def _is_one_coordinate(row: Row) -> bool:
 
 def _only(row: Row, slots: Slots) -> list[sp.Symbol]:
     return [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
+
+
+def _is_long(block: Display) -> bool:
+    sides = [s for e in block.equations for s in e.sides if isinstance(s, sp.Expr)]
+    return sum(map(count_operations, sides)) > LONGEST_SOLUTION
 
 
 def without_solution(solution: Solution, step: Step) -> Step:
@@ -263,7 +273,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
     """A step with v² for x'² + y'² where a constraint that is not linear in the velocities says so."""
     rows = [r for r in solution.own.configuration.rows if r.nonlinear is not None]
     slots = solution.problem.slots
-    rules = [rule for r in rows if (rule := _square(r, slots)) is not None]
+    rules = [rule for r in rows if (rule := square_of(r, slots)) is not None]
     if not rules:
         return step
 
@@ -285,14 +295,19 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
     return replace(step, body=tuple(blocks))
 
 
-def _square(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
-    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
-    if row.nonlinear is None:
-        return None
-    for v in slots.velocities:
-        dummy = sp.Dummy()
-        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
-        factor = form.diff(dummy)
-        if not form.has(v) and factor.is_number and factor != 0:
-            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
-    return None
+def with_only_coordinate(solution: Solution, step: Step) -> Step:
+    """Integrability, with x = v t − v/κ + C exp(−κ t) where one constraint determines the only coordinate."""
+    found, coordinates = solution.classification, solution.problem.slots.coordinates
+    if len(coordinates) != 1 or len(found.integrals) != 1 or found.degrees_of_freedom != 0:
+        return step
+    [q], [(_, function)] = coordinates, found.integrals
+    factor = function.diff(q)
+    if factor == 0 or factor.has(q) or function.is_Symbol:
+        return step
+    constant = sp.Symbol(free_letter("C", "K", "c", taken={*solution.problem.scope.names()}), real=True)
+    rest = sp.expand(-function.xreplace({q: sp.S.Zero}) / factor)
+    size, moving = factor.as_independent(t, as_Add=False)
+    value = rest + constant / moving if size.free_symbols else rest + constant / factor
+    words = prose("Solved for ", math(q), ", with a constant ", math(constant), ", it is")
+    line = display(Equation((q, sp.powsimp(value)), label=f"only-{q.name}"), boxed=True)
+    return replace(step, body=(*step.body, words, line))

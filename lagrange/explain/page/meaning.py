@@ -15,9 +15,11 @@ from lagrange.document.derivation import Block, Display, Emphasis, Equation, Par
 from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
 from lagrange.mechanics.meaning import Limit, Meaning
+from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import SmallOscillations
@@ -33,13 +35,18 @@ Stated = tuple[tuple[sp.Expr, ...], ...]
 
 
 def explain_meaning(
-    meaning: Meaning, conserved: Step | None, stated: Stated = (), labels: Collection[str | None] | None = None
+    meaning: Meaning,
+    conserved: Step | None,
+    stated: Stated = (),
+    labels: Collection[str | None] | None = None,
+    problem: Problem | None = None,
 ) -> Step | None:
     """The step; None where there is nothing to say.
 
     conserved  the step of the full derivation on the conserved quantities
     stated     the equations of motion in another form, known to be right
     labels     of the equations on the page; None: all of them
+    problem    for its initial state
     """
     choice = meaning.view.name
     form = meaning.view.in_speeds
@@ -48,6 +55,7 @@ def explain_meaning(
     body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
     body += _accelerations(meaning)
     body += _one_way(meaning)
+    body += by_quadrature(problem, form) if problem is not None else ()
     body += _turning(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
@@ -189,9 +197,13 @@ def _accelerations(meaning: Meaning) -> Iterator[Block]:
     """The accelerations, where they are constant."""
     if not meaning.constant:
         return
+    whole = len(meaning.constant) == len(meaning.view.configuration.slots.accelerations)
+    if whole and not any(meaning.constant.values()):
+        yield prose(Emphasis("Accelerations"), ": none; every coordinate changes uniformly.")
+        return
     step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
     names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
-    yield prose(Emphasis("Accelerations"), ", all of them constant:")
+    yield prose(Emphasis("Accelerations"), ", all of them constant:" if whole else " that are constant:")
     yield from with_named_denominators(step, names).body
 
 

@@ -2,6 +2,12 @@
 
 D'Alembert's principle is stated in vectors and written out once, in the quasi-velocities. Multipliers of constraints
 that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.
+Energies and reactions are written in the quasi-velocities where that is shorter: what the constraints make zero is
+gone then, and (M + 2m) (y'' cos θ − x'' sin θ) is (M + 2m) v ω.
+
+Where the rate of the only quasi-velocity contains the time only, u' = f(t), u = C_1 + ∫ f dt, and each coordinate whose
+velocity then contains the time only follows by a second integral. Only trigonometric polynomials in t are integrated;
+each result is differentiated as a check.
 """
 
 from __future__ import annotations
@@ -10,19 +16,38 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
+from sympy.simplify.fu import TR8
 
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import DotProduct, VectorSymbol
+from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, free_letter, prime, t
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Emphasis,
+    Equation,
+    Math,
+    Mathematics,
+    Part,
+    Prose,
+    Ref,
+    Rule,
+    Step,
+)
 from lagrange.explain.displacements import solved_displacements
-from lagrange.explain.words import the
+from lagrange.explain.words import plural, the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
+from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
 from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Problem
 
 LONGEST = 60
 """The most operations of a multiplier that is shown."""
+LONGEST_RATE = 40
+"""The most operations of what is integrated."""
 
 
 def ends_with_speeds(solution: Solution) -> bool:
@@ -47,6 +72,59 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield replace(step, body=tuple(_without_rates(solution, b) for b in step.body))
         else:
             yield step
+
+
+_AFTER_MOTION = (Rule.RESULT, Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.MEANING)
+
+
+def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps with energies and reactions in the quasi-velocities and their rates, where that is shorter."""
+    form = solution.own.in_speeds
+    rule = {} if form is None or not ends_with_speeds(solution) else _rates(solution, form)
+
+    known: set[str] = set()  # of the head, which comes before the quasi-velocities are defined
+
+    def side(value: Mathematics) -> Mathematics:
+        if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST:
+            return value
+        if isinstance(value, TimeDerivative):
+            return TimeDerivative(side(value.args[0]))
+        shorter = textbook_form(value.xreplace(rule))
+        new = {s.name.rstrip("'") for s in shorter.free_symbols - value.free_symbols}
+        return shorter if count_operations(shorter) < count_operations(value) and not new - known else value
+
+    def block(b: Block) -> Block:
+        if isinstance(b, Display):
+            return replace(b, equations=tuple(replace(e, sides=tuple(map(side, e.sides))) for e in b.equations))
+        if isinstance(b, Prose):
+            parts = (replace(p, sides=tuple(map(side, p.sides))) if isinstance(p, Math) else p for p in b.parts)
+            return replace(b, parts=tuple(parts))
+        return b
+
+    speeds = set() if form is None else {u.name for u in form.velocities.symbols}
+    for step in steps:
+        known |= _names(step) if step.rule is Rule.RESULT else speeds
+        after = rule and step.rule in _AFTER_MOTION and not step.folded
+        yield replace(step, body=tuple(map(block, step.body))) if after else step
+
+
+def _names(step: Step) -> set[str]:
+    """The letters in the equations of a step, of u' that of u."""
+    sides = [s for b in step.body if isinstance(b, Display) for e in b.equations for s in e.sides]
+    return {s.name.rstrip("'") for side in sides if isinstance(side, sp.Expr) for s in side.free_symbols}
+
+
+def _rates(solution: Solution, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
+    """The velocities by the quasi-velocities, q' = B u + b, and the accelerations by their derivatives."""
+    slots, kinematic = solution.problem.slots, form.velocities.kinematic
+    speeds = form.velocities.symbols
+    rule: dict[sp.Expr, sp.Expr] = dict(kinematic)
+    for velocity, acceleration in zip(slots.velocities, slots.accelerations, strict=True):
+        if velocity in kinematic:
+            e = kinematic[velocity]
+            moved = [e.diff(c) * kinematic.get(v, v) for c, v in zip(slots.coordinates, slots.velocities, strict=True)]
+            rule[acceleration] = sp.Add(*moved, *(e.diff(u) * prime(u) for u in speeds), e.diff(t))
+    return rule
 
 
 def _are_long(solution: Solution) -> bool:
@@ -113,3 +191,55 @@ def _across(
     value = mass * acceleration.fixed().components[n] - force.fixed().components[n]
     yield prose("Its vertical component is")
     yield display(Equation((DotProduct(reaction, unit), sp.factor_terms(value)), label="vertical-reaction"))
+
+
+# -- by quadratures -----------------------------------------------------------------------------------------------
+
+
+def by_quadrature(problem: Problem, form: QuasiVelocityForm | None) -> Iterator[Block]:
+    """`Motion: v̇ contains the time only, so v = v₀ + ..., and from ẋ = v cos Ωt`, with the coordinates."""
+    if form is None or form.equations is None or form.velocities.completing:
+        return
+    if len(form.velocities.definitions) != 1 or len(form.equations.expressions) != 1:
+        return
+    slots = problem.slots
+    letter = free_letter("C", "K", "c", taken={*problem.scope.names()})
+    constants = [sp.Symbol(f"{letter}_{n + 1}", real=True) for n in range(len(slots.coordinates) + 1)]
+    [u], [equation] = form.velocities.definitions, form.equations.expressions
+    factor = equation.diff(prime(u))
+    if factor == 0:
+        return
+    speed = _integral(-(equation - factor * prime(u)) / factor, constants[0])
+    if speed is None:
+        return
+    lines = [Equation((u, speed), label=f"quadrature-{u.name}")]
+    for q, v in zip(slots.coordinates, slots.velocities, strict=True):
+        rate = form.velocities.kinematic.get(v)
+        value = None if rate is None else _integral(rate.xreplace({u: speed}), constants[len(lines)])
+        lines += [Equation((q, value), label=f"quadrature-{q.name}")] if value is not None else []
+    whole = plural(len(lines), "a constant ", "constants ")
+    yield prose(Emphasis("Motion"), ": ", math(prime(u)), f" contains the time only. With {whole}",
+                *listed(map(math, constants[: len(lines)])), ", integration gives")  # fmt: skip
+    yield display(*lines)
+
+
+def _integral(rate: sp.Expr, constant: sp.Symbol) -> sp.Expr | None:
+    """constant + ∫ rate dt; None where the rate is no trigonometric polynomial in t."""
+    rate = sp.expand(rate)
+    moving = {s for s in rate.free_symbols if s != t and not s.is_positive and not s.is_real}
+    if count_operations(rate) > LONGEST_RATE or moving or any(s.name.endswith("'") for s in rate.free_symbols):
+        return None
+    terms = []
+    parts = [term.as_independent(t, as_Add=False) for term in sp.Add.make_args(rate)]
+    products = sp.expand(sp.Add(*(factor * TR8(f) for factor, f in parts)))
+    for term in sp.Add.make_args(products):
+        factor, f = term.as_independent(t, as_Add=False)
+        slope = f.args[0].diff(t) if isinstance(f, sp.sin | sp.cos) else sp.S.Zero
+        if f == 1:
+            terms.append(factor * t)
+        elif slope != 0 and not slope.has(t):
+            terms.append(factor * (-sp.cos(f.args[0]) if isinstance(f, sp.sin) else sp.sin(f.args[0])) / slope)
+        else:
+            return None
+    value = sp.Add(constant, *terms)
+    return value if is_zero(value.diff(t) - rate) is True else None

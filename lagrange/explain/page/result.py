@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, VectorSymbol, prime
+from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
@@ -95,7 +95,8 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
-        if solved and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
+        whole = len(solved) == len(view.configuration.slots.accelerations)
+        if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
             kept[Rule.EQUATIONS_OF_MOTION] = solved
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     reactions = [e for e in kept.pop(Rule.SOLVED_REACTIONS, ()) if e.sides not in asked]
@@ -146,6 +147,9 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
         lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
+        lines = [
+            replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
+        ]
         if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e) for e in lines)):
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):

@@ -73,12 +73,13 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     weights = all(f.name == "weight" for f in configuration.loads) and bool(configuration.loads)
     forces = any((e.label or "").startswith("force") for e in lines)
     also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
-    masses = ((the(p.name), *((", of mass ", math(p.mass), ",") if p.mass != 0 else ())) for p in points)
+    opening, closing = (", of mass ", ",") if len(points) < 3 else (" (of mass ", ")")
+    masses = ((the(p.name), *((opening, math(p.mass), closing) if p.mass != 0 else ())) for p in points)
     loaded = [p.name for p in points if any(e.label == f"force-{p.name}" for e in lines)]
     end: tuple[Part, ...] = ()
     if forces and len(loaded) < len(points):
         force = plural(len(loaded), "weight", "weights") if weights else plural(len(loaded), "force", "forces")
-        comma = "" if points[-1].mass != 0 else ","
+        comma = "" if points[-1].mass != 0 and len(points) < 3 else ","
         end, forces = (f"{comma} and the {force} on {joined(map(the, loaded))}",), False
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
     lead = prose(what, " of ", *series(masses), *end, " are" if forces or end or len(points) > 1 else " is")

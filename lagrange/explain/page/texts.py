@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.symbols import UnitVector
 from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
 from lagrange.document.derivation import Part
@@ -21,6 +22,8 @@ from lagrange.problem.model import Problem
 _MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")
 _SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])")
 _ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
+_NUMBERED = re.compile(r"[a-z]_?\d")
+"""Vectors whose names are no words: n1, e_3."""
 _WORDS = frozenset({"a", "A", "I"})
 MOST_FORMULAS = 50
 """Of formulas in one text that are set; a description has two or three."""
@@ -65,7 +68,9 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
     """A text in which declared symbols are symbols."""
     symbols = {q.name: q for q in (*problem.slots.coordinates, *problem.slots.prescribed, *problem.unknowns)}
     symbols |= {p.symbol.name: p.symbol for p in problem.parameters}
-    units = {name: unit for name, unit in UNITS.items() if name not in symbols}
+    symbols |= {c.reaction.name: c.reaction for c in problem.constraints if not c.reaction.name.startswith("lambda_")}
+    units: dict[str, sp.Expr] = {name: unit for name, unit in UNITS.items() if name not in symbols}
+    units |= {name: UnitVector(name) for name in problem.scope.vectors if _NUMBERED.fullmatch(name)}
     end = 0
     for match in _SYMBOL.finditer(text):
         name = match[1].rstrip("'")

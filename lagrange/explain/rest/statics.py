@@ -277,9 +277,12 @@ def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
         listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
         words = "The conditions hold as well outside of the range of the coordinates, where "
         yield prose(words, *listing, ".", detail=Detail.BRIEF)
-    if equilibrium.configuration.ranges and any(len(b.points) < 2 and r.lhs.has(sp.cos, sp.sin, sp.tan)
-           for b in equilibrium.branches for r in b.relations):  # fmt: skip
-        yield prose("Only the angles within the range are meant.", detail=Detail.BRIEF)
+    ranges = equilibrium.configuration.ranges
+    several = {s for b in equilibrium.branches for r in b.relations if len(b.points) < 2
+               and r.lhs.has(sp.cos, sp.sin, sp.tan) for s in r.lhs.free_symbols if s in ranges}  # fmt: skip
+    if several and not equilibrium.outside:
+        meant = listed(math(r.low, s, r.high, relation="≤") for s, r in ranges.items() if s in several)
+        yield prose("Only angles with ", *meant, " are meant.", detail=Detail.BRIEF)
 
 
 def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
@@ -319,20 +322,21 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     """The second variation at each equilibrium."""
     if second is None or all(not s.minors for s in second.verdicts):
         return
-    start = "The forces have a potential V, and an equilibrium is stable if V has a strict minimum there. "
+    V = math(sp.Symbol("V", real=True))
+    start = ("The forces have a potential ", V, ", and an equilibrium is stable if ", V, " has a strict minimum there.")
     one = len(second.coordinates) == 1
     turned = any(s.minors and s.free for s in second.verdicts)
     if all(s.free for s in second.verdicts if s.minors):
-        yield prose(start.removesuffix(" "))
+        yield prose(*start)
     elif one:
         [q] = second.coordinates
         away = listed(math(jump, sp.S.Zero, relation="≠") for jump in second.jumps)
         where: tuple[Part, ...] = (", where ", *away) if second.jumps else ()
         value = math(second.matrix[0][0])
-        yield prose(start, "Its second derivative with respect to ", math(q), " is ", value, *where, ".")
+        yield prose(*start, " Its second derivative with respect to ", math(q), " is ", value, *where, ".")
     else:
         yield prose(
-            start, "This is so if the leading minors of the matrix of its second derivatives are positive; the "
+            *start, " This is so if the leading minors of the matrix of its second derivatives are positive; the "
             "equilibrium is unstable if the second variation takes negative values, as it does if a principal minor is "
             "negative."
         )  # fmt: skip

@@ -221,6 +221,23 @@ def _of_row(row: Row, independent: ConstrainedSystem) -> RankLoss | None:
     conditions = _conditions(row, independent.slots)
     if not 0 < len(conditions) <= MOST_CONDITIONS:
         return None
+    return _at(conditions, row, independent) or _at_origin(row, independent)
+
+
+def _at_origin(row: Row, independent: ConstrainedSystem) -> RankLoss | None:
+    """Where all coordinates in the coefficients of a form are zero, if it vanishes there."""
+    slots = independent.slots
+    conditions = tuple(q for q in slots.coordinates if any(a.has(q) for a in row.coefficients))
+    rule = dict.fromkeys(conditions, sp.S.Zero)
+    try:
+        vanishes = all(a.xreplace(rule) == 0 for a in (*row.coefficients, row.drift))
+    except (UnsupportedError, DivisionByZeroError, ZeroDivisionError):
+        return None
+    return _at(conditions, row, independent) if conditions and vanishes else None
+
+
+def _at(conditions: tuple[sp.Expr, ...], row: Row, independent: ConstrainedSystem) -> RankLoss | None:
+    """What is lost where these vanish, with which the form of a constraint does."""
     rule = _rule(conditions, independent.slots)
     excluded = [r.name for r in independent.geometric if sp.expand(r.finite.xreplace(rule)).is_nonzero]  # type: ignore[union-attr]
     if excluded:

@@ -155,14 +155,28 @@ class Configuration:
         Points move freely along the directions i, j, k that occur in any position; a body also turns, about k or in
         space, and its mass centre is free in the plane at least.
         """
+        return len(self.slots.coordinates) - len(self.rows) < self._free_directions
+
+    @property
+    def has_forces_built_in(self) -> bool:
+        """Whether the coordinates that move something are too few for it to move freely: forces hold it on its path
+        for which no constraint stands."""
+        vectors = [*(p.position.fixed() for p in self.points), *(r.angular_velocity.fixed() for r in self.rotations)]
+        parts = {s for v in vectors for c in v.components for s in c.free_symbols}
+        slots = self.slots
+        used = [q for q, v in zip(slots.coordinates, slots.velocities, strict=True) if {q, v} & parts]
+        return len(used) < self._free_directions
+
+    @property
+    def _free_directions(self) -> int:
+        """How many coordinates would place the points and bodies freely."""
         slots = self.slots
         moving = {*slots.coordinates, *slots.prescribed, t}
         fixed = [p.position.fixed().components for p in self.points]
         used = sum(any(not c[n].free_symbols.isdisjoint(moving) for c in fixed) for n in range(3))
         turned = [sum(c != 0 for c in r.angular_velocity.fixed().components) for r in self.rotations]
         directions = max(used, 2 if turned else 0, 3 if any(n > 1 for n in turned) else 0)
-        free = directions * len(self.points) + sum(3 if n > 1 else 1 for n in turned)
-        return len(slots.coordinates) - len(self.rows) < free
+        return directions * len(self.points) + sum(3 if n > 1 else 1 for n in turned)
 
     @property
     def links(self) -> tuple[StretchedSpring | DamperForce, ...]:

@@ -127,8 +127,40 @@ def _by_accelerations(
             written = sp.Add(*(partial(value, d) * e for d, e in letters.items()))
             if count_operations(written) <= LONGEST_BY_ACCELERATIONS:
                 values[r.multiplier] = textbook_form(written)
+    projected = _projected(configuration, rows, balance, used)
+    for s, (value, _) in projected.items():
+        if s not in values or count_operations(value) < count_operations(values[s]):
+            values[s] = value
     found = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
-    return found, _hold(configuration, chosen, used, values) if found else None
+    if not found:
+        return found, None
+    left = lagrange_equations(configuration).left
+    alone = [s for s, (value, _) in projected.items() if values.get(s) == value]
+    verdicts = [configuration.states.is_zero(sp.Add(*map(sp.Mul, projected[s][1], left)) - values[s]) for s in alone]
+    verdicts.append(_hold(configuration, chosen, used, {s: e for s, e in values.items() if s not in alone}))
+    return found, all_hold([v for v in verdicts if v is not None or len(verdicts) == 1])
+
+
+def _projected(
+    configuration: Configuration,
+    rows: Sequence[Sequence[sp.Expr]],
+    balance: Sequence[sp.Expr],
+    used: Sequence[Reaction],
+) -> dict[sp.Symbol, tuple[sp.Expr, list[sp.Expr]]]:
+    """λ_i = Σ_k w_k D_k with w = a_i/|a_i|², where a_i is normal to the coefficients of every other reaction; and w."""
+    is_zero = configuration.states.is_zero
+    columns = [list(c) for c in zip(*rows, strict=True)]
+    found = {}
+    for n, (r, column) in enumerate(zip(used, columns, strict=True)):
+        others = [sp.Add(*map(sp.Mul, column, c)) for m, c in enumerate(columns) if m != n]
+        square = textbook_form(sp.Add(*(a**2 for a in column)))
+        if any(is_zero(product) is not True for product in others) or is_zero(square) is not False:
+            continue
+        weights = [a / square for a in column]
+        value = textbook_form(sp.Add(*map(sp.Mul, weights, balance)))
+        if count_operations(value) <= LONGEST_BY_ACCELERATIONS:
+            found[r.multiplier] = value, weights
+    return found
 
 
 def _hold(

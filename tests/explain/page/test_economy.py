@@ -59,7 +59,7 @@ def test_a_second_question_does_not_state_the_condition_again() -> None:
     told = (prose("The condition becomes"), display(Equation((x, sp.S.Zero), label="one")))
     first, second = said_before([step(*told, rule=Rule.QUESTION), step(*told, prose("So"), rule=Rule.QUESTION)])
     assert first.body == told
-    assert second.body == (prose("So"),)
+    assert second.body == (prose("As before, ", Ref("one"), " holds."), prose("So"))
 
 
 def test_short_lines_of_one_kind_are_paired_unless_something_refers_to_the_second() -> None:
@@ -109,7 +109,7 @@ def test_a_given_lagrangian_is_displayed_once() -> None:
         ("ex07-constant-coefficients", "One degree of freedom; holonomic and rheonomic:"),
         ("ex14-two-particles", "(𝐫_P₁ − 𝐫_P₂)·(δ𝐫_P₁ − δ𝐫_P₂) = 0"),
         ("south-pointing-chariot", "θ + ψ = const"),
-        ("snakeboard", "of the 2 forms those with dη = 0 in any two admissible displacements are 1 and of these in turn none"),
+        ("bicycle", "leaves 2 independent combinations ω of the 3 forms; repeated with these, it leaves 1, which passes again"),
     ],
 )  # fmt: skip
 def test_a_page_has_the_short_form(name: str, said: str) -> None:

@@ -55,7 +55,7 @@ def shipped_page(name: str) -> str:
         ("ball-on-turntable", "turns at the constant rate 2Ω/7 and keeps its size"),
         ("ball-on-a-ball", "d/dt (𝛚·𝐨𝐮𝐭) = 0"),
         ("euler-rigid-body", "A ṗ = (B − C) q r"),
-        ("ex05-ice-skate", "leave, to second order, δx = ε² sin θ and δy = −ε² cos θ"),
+        ("ex05-ice-skate", "add up, to second order, to δx = ε² sin θ and δy = −ε² cos θ"),
         ("ex01-horizontal-surface", "d/dt (½ m (ẋ² + ẏ²)) = ẋ F_x + ẏ F_y"),
         ("ex06-two-particle-skate", "(x₁ − x₂) δx₁ + (y₁ − y₂) δy₁ + (x₂ − x₁) δx₂"),
         ("suslov-body", "which is always of the same sign: q moves in one sense, or is constant while u = 0"),

@@ -90,6 +90,24 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("kapitza-pendulum", "x dx + (y − a cos Ωt) dy"),
         ("shortening-pendulum", "A rope can only pull"),
         ("ex12-smooth-surface", "the motion, the reaction and its work"),
+        ("two-wheeled-carriage", "λ_sideways = M a ω̇ + (M + 2m) v ω"),
+        ("two-wheeled-carriage", "𝐌_body = −(τ₁ + τ₂) 𝐧"),
+        ("two-wheeled-carriage", "2b θ + R (φ₁ − φ₂) = const"),
+        ("governor", "𝐫_one = l sin θ 𝐨𝐮𝐭 − l cos θ 𝐤"),
+        ("sleigh", "Energy: ½ m u² + ½ (m a² + I_G) ω² = const."),
+        ("sleigh", "▸ Differential forms and integrability (--choice all)"),
+        ("clockwork-skate", "R = m Ω v + m g sin Ωt sin α"),
+        ("clockwork-skate", "x = C₂ − (g/(4Ω²)) sin α cos 2Ωt + (C₁/Ω) sin Ωt"),
+        ("cycloidal-pendulum", "𝐑·𝐧 = m cos(φ/2) (a φ̇² + g)"),
+        ("appell-hamel", "Accelerations that are constant: ╭───────────────────╮ │ z̈ = −g/(a² + 1) │"),
+        ("parallel-skates", "Accelerations: none; every coordinate changes uniformly."),
+        ("servo", "x = C exp(−κ t) − v/κ + v t"),
+        ("rocket", "As before, (9) holds."),
+        ("triatomic-molecule", "A (of mass m), B (of mass M) and C (of mass m)"),
+        ("bead-on-lemniscate", "Where x = y = 0, the form (3) vanishes and restricts nothing."),
+        ("bicycle", "Two of the displacements can be chosen freely, for instance δy₁ and δψ."),
+        ("ex15-rough-incline", "𝐅 = −μ N 𝐝𝐨𝐰𝐧 − m g 𝐣"),
+        ("four-bar-linkage", "α = 1.30415"),
     ],
 )  # fmt: skip
 def test_a_page_says(name: str, said: str) -> None:
@@ -104,13 +122,20 @@ def test_a_page_says(name: str, said: str) -> None:
         ("ex16-rod-on-two-planes", "λ"),
         ("cycloidal-pendulum", "λ = 0 │"),
         ("bead-slowed-on-a-ring", "r θ̈ + 2ṙ θ̇ + μ r θ̇² = 0"),
-        ("mass-on-belt", "can only push stays in contact"),
+        ("mass-on-belt", "can only push, contact lasts"),
+        ("ex01-horizontal-surface", "is not conserved"),  # nothing is known of the force
+        ("struck-sleigh", "integrating factor"),
+        ("ex15-rough-incline", "rub"),
+        ("ex15-rough-incline", "x = 1/2"),  # the place does not matter
+        ("ladder-on-rough-ground", "being the differentials of (4) and (5). So"),  # they are inequalities
     ],
 )
 def test_a_page_does_not_say(name: str, unsaid: str) -> None:
     assert unsaid not in words(name)
 
 
-@pytest.mark.parametrize("name", ["two-wheeled-carriage", "ball-in-a-pipe"])
-def test_no_page_is_longer_than_its_reader_is_patient(name: str) -> None:
-    assert len(page(name).splitlines()) <= 205
+@pytest.mark.parametrize(
+    ("name", "lines"), [("two-wheeled-carriage", 175), ("disc-that-rolls-steadily", 185), ("governor", 150)]
+)
+def test_no_page_is_longer_than_its_reader_is_patient(name: str, lines: int) -> None:
+    assert len(page(name).splitlines()) <= lines

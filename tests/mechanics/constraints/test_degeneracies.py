@@ -92,6 +92,7 @@ LOSSES = {
     "two blades at one point": ("x, y, a, c", f"{SKATE_A}, {SKATE_C}", [("sin(a - c)", 1)]),
     "cone": ("x, y, z", "p: x^2 + y^2 = z^2", [("x, y, z", 0)]),
     "said by the others": ("x, y, z", "p: \"x*y' - y*x' = (x^2 + y^2)*z'\"", [("x, y", 0)]),
+    "figure of eight": ("x, y", "p: (x^2 + y^2)^2 = b^2*(x^2 - y^2)", [("x, y", 0)]),
     "crossed lines": ("x, y", "p: x*y = 0", [("x, y", 0)]),
     "slot": ("x, y, z", "p: \"x*y' = z'*x\", q: \"y' = x'\"", [("x", 1)]),
     "turned": ("x, y, z", "p: \"x' = y*z'\", q: \"x' = -y*z'\"", [("y", 1)]),
