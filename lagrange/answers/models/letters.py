@@ -3,8 +3,7 @@
 Forces enter these answers through their strengths: the weight W, the stiffness c, the free length l. So a changed
 problem is the same problem with another meaning of a letter: an answer is right for a force twice as large if it is
 right with c/2 for c, and right without a free length that it does not contain if it is right where l = 0. Both are
-decided by the test that decides on the answer itself. A reaction may also be that of the system at rest, and a number
-of degrees of freedom that before some of the constraints are subtracted.
+decided by the test that decides on the answer itself. A reaction may also be that of the system at rest.
 """
 
 from __future__ import annotations
@@ -14,6 +13,7 @@ from itertools import combinations, permutations
 
 import sympy as sp
 
+from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
@@ -24,8 +24,8 @@ from lagrange.answers.limits import MAX_LETTER_VARIATIONS
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
 from lagrange.answers.models.variation import Variation
-from lagrange.core.symbols import Slots, base, t
-from lagrange.mechanics.constraints.classification import Classification
+from lagrange.core.symbols import Slots, base, prime, t
+from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 
@@ -76,12 +76,11 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
     try:
         states = models.states([claim])
         slots = models.system.configuration.slots
-        if any(row.drift != 0 for row in models.system.configuration.rows):
-            resting = None
-        else:
-            resting = dict.fromkeys(slots.velocities, sp.S.Zero)
-        if resting and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
-            return "it is the reaction at rest: what the velocities contribute is missing"
+        for resting, clause in _at_rest(models.system.configuration):
+            if all(_holds(claim, Variation("", "", values=resting), at) for at in states):
+                return f"it is the reaction {clause}"
+        if balanced := _balanced(claim, models, states):
+            return balanced
         unknown = models.system.multipliers
         bound = geometry_of(models.system.configuration)
         for variation in letter_variations([claim], models.system.equations, slots, unknown):
@@ -100,6 +99,49 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             return f"the right answer does not depend on {', '.join(map(str, more))}"
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
+    return ""
+
+
+def _at_rest(configuration: Configuration) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:
+    """The system at rest, with prescribed motions at rest as well, and where an angle that the answer lacks is zero."""
+    slots = configuration.slots
+    driven = {prime(u, order): sp.S.Zero for u in slots.prescribed for order in (1, 2)}
+    resting = {**dict.fromkeys(slots.velocities, sp.S.Zero), **driven}
+    if any(row.drift.xreplace(resting) != 0 for row in configuration.rows):
+        return
+    if driven:
+        names = " and ".join(map(str, slots.prescribed))
+        yield driven, f"for a constant {names}: what {names}' and its derivative contribute is missing"
+    constant = f" with constant {' and '.join(map(str, slots.prescribed))}" if driven else ""
+    yield resting, f"at rest{constant}: what the velocities contribute is missing"
+    bound = {s for row in configuration.rows for a in row.coefficients for s in a.free_symbols}
+    for q in slots.coordinates:
+        if q not in bound and any(
+            q in w.free_symbols for p in configuration.points for w in _waves(p.position.fixed())
+        ):
+            yield {**resting, q: sp.S.Zero}, f"at rest where {q} = 0"
+            yield {q: sp.S.Zero}, f"where {q} = 0"
+
+
+def _waves(position: Vector) -> set[sp.Basic]:
+    return {w for c in position.components for w in c.atoms(sp.sin, sp.cos)}
+
+
+def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
+    """Whether a reaction balances the other forces in one equation of motion, as if nothing were accelerated."""
+    count = len(models.system.configuration.slots.coordinates)
+    if len(models.system.equations) != count:
+        return ""
+    for k, q in enumerate(models.system.configuration.slots.coordinates):
+        for at in states:
+            row, own = at.row(claim), [*at.derived[k]]
+            if row is None or all(at.point.arithmetic.vanishes(x) for x in own[-1 - count : -1]):
+                break
+            own[-1 - count : -1] = [at.point.number(0)] * count
+            if row not in RowSpace(at.point.arithmetic, [own]):
+                break
+        else:
+            return f"it balances the other forces in the equation of {q}, as if there were no acceleration"
     return ""
 
 
@@ -130,20 +172,6 @@ def _holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
     return row is not None and impossible not in at.right and row in at.right
 
 
-def explained_degrees_of_freedom(stated: int, classification: Classification) -> str:
-    """How a wrong number of degrees of freedom may have been counted; empty if that is not found."""
-    coordinates = len(classification.constrained.slots.coordinates)
-    constraints = [c.row for c in classification.constraints]
-    geometric = sum(row.finite is not None for row in constraints)
-    if stated == coordinates and constraints:
-        return f"there are {coordinates} coordinates; the constraints between them are not subtracted"
-    if stated == coordinates - geometric and geometric < len(constraints):
-        return "the constraints on velocities are not subtracted: they restrict the displacements too"
-    if stated == coordinates - len(constraints):
-        return "a constraint is counted that follows from the others"
-    return ""
-
-
 def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list[sp.Expr]]]:
     """What wrong frequencies may be, each with the frequencies that were meant then."""
     nonzero = any(c != 0 for c in claims)
@@ -165,3 +193,5 @@ _MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
+NUMBER_OF_MEANINGS = len(_MEANT)
+"""How many of `explained_frequencies` are other quantities; the rest are other meanings of letters."""

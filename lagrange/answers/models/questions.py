@@ -10,14 +10,15 @@ into these equations with one of them changed: where they hold, that change expl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
@@ -27,7 +28,7 @@ Rule = dict[sp.Basic, sp.Basic]
 
 @record
 class _Change:
-    """What is lost: factors of T, ΔU, A and B v², and whether v is taken as zero."""
+    """What is lost: factors of T, ΔU, A and B v², whether v is taken as zero, and another T_0."""
 
     said: str
     kinetic: sp.Expr = sp.S.One
@@ -35,6 +36,7 @@ class _Change:
     resting: sp.Expr = sp.S.One
     moving: sp.Expr = sp.S.One
     still: bool = False
+    start: sp.Expr | None = None
 
 
 _HALF = sp.Rational(1, 2)
@@ -61,8 +63,11 @@ _THROWN = {
 }
 
 
-def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) -> str:
-    """What was lost in a wrong value of the quantity asked for, or `of` a function of it; empty if not found."""
+def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None, before: sp.Expr | None = None) -> str:
+    """What was lost in a wrong value of the quantity asked for, or `of` a function of it; empty if not found.
+
+    before  the kinetic energy just before an impact with which the motion begins
+    """
     try:
         setting = _Setting.of(asked)
         if setting is None:
@@ -77,6 +82,10 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) ->
                     reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN)
                 )
                 return said
+        if before is not None and setting.gives(_Change("", start=before), claim, quantity):
+            return "the kinetic energy is taken to be conserved in the impact, and some of it is lost there"
+        if not setting.is_place(quantity) and (place := setting.other_place(claim, quantity)) is not None:
+            return f"this is the value where {base(setting.velocity)} = {_written(place)}"
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
     return ""
@@ -133,19 +142,32 @@ class _Setting:
         force = reactions[0].value if reactions else sp.S.Zero
         return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
 
+    def is_place(self, quantity: sp.Expr) -> bool:
+        """Whether a quantity depends on the position alone, or on parameters."""
+        return not quantity.has(self.velocity, *([self.reaction] if self.reaction is not None else []))
+
+    def other_place(self, claim: sp.Expr, quantity: sp.Expr) -> sp.Expr | None:
+        """Another place where the quantity has a value that was stated; None if none of the likely ones is it."""
+        q = base(self.velocity)
+        if q in claim.free_symbols or not self.change.has(sp.sin, sp.cos):
+            return None
+        for place in (sp.S.Zero, sp.pi / 2, sp.pi, -sp.pi / 2):
+            there = replace(self, place={q: place}, zeros=())
+            if self.place.get(q) != place and there.gives(_Change(""), claim, quantity):
+                return place
+        return None
+
     def gives(self, change: _Change, claim: sp.Expr, quantity: sp.Expr) -> bool:
         """Whether the equations with a change hold for a value of the quantity, or of a function of it."""
         v = self.velocity
+        start = self.start if change.start is None else change.start
         square = (
-            sp.S.Zero
-            if change.still
-            else 2 * (self.start - change.potential * self.change / change.kinetic) / self.inertia
+            sp.S.Zero if change.still else 2 * (start - change.potential * self.change / change.kinetic) / self.inertia
         )
         force = sp.expand(self.force)
         resting = force.xreplace({v: sp.S.Zero})
         force = change.resting * resting + change.moving * (force - resting)
-        is_place = not quantity.has(v, *([self.reaction] if self.reaction is not None else []))
-        stated: Rule = {quantity: claim} if is_place else {}
+        stated: Rule = {quantity: claim} if self.is_place(quantity) else {}
         known = self.place if not quantity.has(base(v)) else {}
         residuals = [z for z in self.zeros if not (z.free_symbols & {base(v)} and known)]
         if change.still:  # the condition on the reaction is replaced by v = 0
@@ -174,6 +196,24 @@ class _Setting:
             if reduced.has(v) or (of_function and reduced.has(base(v))) or is_zero(reduced) is not True:
                 return False
         return tested
+
+
+def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
+    """Whether a distance is the time multiplied by the velocity at its start or end, in a sentence; empty if not.
+
+    others  all questions, of which one may be for the time
+    """
+    q = asked.question.quantity
+    initial = {s.symbol: s.value for s in asked.initial}
+    if not q.is_Symbol or base(q) != q or initial.get(q, sp.S.Zero) != 0:
+        return ""
+    times = [v for a in others if a.question.quantity == t and a.question.when == asked.question.when
+             for b in a.branches for v in b.values]  # fmt: skip
+    ends = [s.get(prime(q)) for b in asked.branches for s in b.states]
+    for velocity, when in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
+        if velocity is not None and velocity != 0 and any(_same(claim, velocity * time) for time in times):
+            return f"the velocity {when} is taken for the whole way, and it changes"
+    return ""
 
 
 def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> str:

@@ -144,7 +144,11 @@ class Claim:
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
-        from lagrange.answers.models.questions import explained_answer, explained_value
+        from lagrange.answers.models.questions import (
+            explained_answer,
+            explained_by_constant_velocity,
+            explained_value,
+        )
         from lagrange.answers.results.starts import explained_at_start
 
         judged = self._of_expression if self.expression is not None else self._of_equation
@@ -152,7 +156,11 @@ class Claim:
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
         if stated is not None and (changed := self._of_another_body(stated, of)):
             return changed
-        if stated is not None and (lost := explained_answer(self.asked, stated, of)):
+        impact = self.solution.impact
+        before = None if impact is None else impact.kinetic[0]
+        if stated is not None and (lost := explained_answer(self.asked, stated, of, before)):
+            return lost
+        if value is not None and (lost := explained_by_constant_velocity(value, self.asked, self.solution.asked)):
             return lost
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:

@@ -45,9 +45,6 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
     together = next(filter(None, (explained_amplitudes(claims, r) for r in found)), "")
     if not together:
         return verdict
-    alone = all(e.diagnosis for e in verdict.equations if e.verdict is Verdict.WRONG)
-    if alone:
-        return verdict
     plain = tuple(replace(e, diagnosis="") for e in verdict.equations)  # one cause for all of them
     return replace(verdict, equations=plain, diagnosis=together)
 

@@ -54,6 +54,8 @@ def _reasons(
         for energy, when in ((before, "before"), (after, "after")):
             if energy != 0 and vanishes(claim - energy):
                 yield f"this is the whole kinetic energy just {when} the impact, and not what is lost"
+        if claim == 0 and value != 0:
+            yield "some kinetic energy is lost here: it is conserved only where nothing sticks and every blow is elastic"
         if vanishes(claim + value):
             yield "its sign is wrong: what is lost is positive"
     elif plain in velocities:
