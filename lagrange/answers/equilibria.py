@@ -265,7 +265,7 @@ def _reasons(
             yield sentence
     slots, bound = e.configuration.slots, geometry_of(e.configuration)
     tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
-    variations = letter_variations(stated, e.expressions, slots, (*e.forces, *e.multipliers))
+    variations = letter_variations(stated, (*e.expressions, *e.work.forces), slots, (*e.forces, *e.multipliers))
     for variation in variations:
         if variation.rule and variation.clause.endswith("exchanged") and holds(variation):
             yield f"these are the equilibria {variation.clause}"
@@ -286,6 +286,9 @@ def _reasons(
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}
+    from lagrange.answers.results.units import wrong_dimension
+
+    yield from filter(None, (wrong_dimension(c, reference.units) for c in stated))
     if more:
         yield f"the conditions of equilibrium do not depend on {', '.join(sorted(more))}"
 

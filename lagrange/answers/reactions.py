@@ -57,7 +57,12 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
                 why = explained_reaction(candidate.read(zero), candidate.models)
                 if why:
                     return replace(found, diagnosis=why, cause=why)
-    return found
+    from lagrange.answers.results.units import wrong_dimension
+
+    forces = {reaction.multiplier, reaction.force, reaction.symbol}
+    values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]
+    why = next(filter(None, (wrong_dimension(v, reference.units) for v in values)), "")
+    return replace(found, diagnosis=why, cause=why) if why else found
 
 
 def _stated(

@@ -76,14 +76,16 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
     try:
         states = models.states([claim])
         slots = models.system.configuration.slots
+        own = claim.free_symbols
         for resting, clause in _at_rest(models.system.configuration):
-            if all(_holds(claim, Variation("", "", values=resting), at) for at in states):
+            if own.isdisjoint(resting) and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
                 return f"it is the reaction {clause}"
         if balanced := _balanced(claim, models, states):
             return balanced
-        unknown = models.system.multipliers
         bound = geometry_of(models.system.configuration)
-        for variation in letter_variations([claim], models.system.equations, slots, unknown):
+        variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers)
+        likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
+        for variation in likely:
             if bound.isdisjoint(variation.values) and all(_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         for number, (_, variation) in enumerate(models.variations):
@@ -91,6 +93,9 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
                 continue
             row, space = states[0].row(claim), models.space(number, variation)
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
+                return f"this is the reaction {variation.clause}"
+        for variation in variations:
+            if variation not in likely and all(_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         system = models.system
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
@@ -128,21 +133,40 @@ def _waves(position: Vector) -> set[sp.Basic]:
 
 
 def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
-    """Whether a reaction balances the other forces in one equation of motion, as if nothing were accelerated."""
-    count = len(models.system.configuration.slots.coordinates)
+    """Whether a reaction balances the other forces in one or two equations of motion, as if nothing were accelerated
+    there, and nothing moved."""
+    slots = models.system.configuration.slots
+    count = len(slots.coordinates)
     if len(models.system.equations) != count:
         return ""
-    for k, q in enumerate(models.system.configuration.slots.coordinates):
-        for at in states:
-            row, own = at.row(claim), [*at.derived[k]]
-            if row is None or all(at.point.arithmetic.vanishes(x) for x in own[-1 - count : -1]):
-                break
-            own[-1 - count : -1] = [at.point.number(0)] * count
-            if row not in RowSpace(at.point.arithmetic, [own]):
-                break
-        else:
-            return f"it balances the other forces in the equation of {q}, as if there were no acceleration"
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    for moving in (True, False):
+        if not moving and not claim.free_symbols.isdisjoint(still):
+            continue
+        resting = Variation("", "", values={} if moving else still)
+        tried = [at if moving else _with_values(at, resting) for at in states]
+        for number in (1, 2):
+            for chosen in combinations(range(count), number):
+                if all(at is not None and _is_balance(claim, chosen, at) for at in tried):
+                    names = " and ".join(str(slots.coordinates[k]) for k in chosen)
+                    equations = "equation" if number == 1 else "equations"
+                    at_rest = "" if moving else " and velocity"
+                    where = f"in the {equations} of {names}, as if there were no acceleration{at_rest}"
+                    return f"it balances the other forces {where}"
     return ""
+
+
+def _is_balance(claim: sp.Expr, chosen: Sequence[int], at: ModelState) -> bool:
+    """Whether a claim follows from some E_k, and from all of them, without accelerations."""
+    count = len(at.slots.coordinates)
+    row, zero = at.row(claim), at.point.number(0)
+    rows = [[*at.derived[k][: -1 - count], *[zero] * count, at.derived[k][-1]] for k in chosen]
+    accelerated = [any(not at.point.arithmetic.vanishes(x) for x in at.derived[k][-1 - count : -1]) for k in chosen]
+    space = RowSpace(at.point.arithmetic, rows)
+    impossible = [*[zero] * len(at.unknowns), at.point.number(1)]
+    if row is None or not any(accelerated) or row not in space or impossible in space:
+        return False
+    return len(rows) == 1 or all(row not in RowSpace(at.point.arithmetic, [r]) for r in rows)
 
 
 def _follows(claim: sp.Expr, variation: Variation, states: Sequence[ModelState]) -> bool:
@@ -150,6 +174,17 @@ def _follows(claim: sp.Expr, variation: Variation, states: Sequence[ModelState])
     spaces = [changed_space(variation, at) for at in states]
     rows = [at.row(claim) for at in states]
     return all(s is not None and r is not None and r in s for s, r in zip(spaces, rows, strict=True))
+
+
+def _with_values(at: ModelState, variation: Variation) -> ModelState | None:
+    """A state in the special case of a variation; None if there is none."""
+    if not variation.values:
+        return at
+    try:
+        changes = {s: at.point.value(e) for s, e in variation.values.items()}
+        return ModelState(at.point.with_values(changes), at.system)
+    except (DivisionByZeroError, InadmissibleError, AssertionError):
+        return None
 
 
 def geometry_of(configuration: Configuration) -> set[sp.Basic]:
@@ -161,12 +196,10 @@ def geometry_of(configuration: Configuration) -> set[sp.Basic]:
 
 def _holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
     """Whether a claim follows from the system with another meaning of a letter, or in a special case, at a state."""
-    if variation.values:
-        try:
-            changes = {s: at.point.value(e) for s, e in variation.values.items()}
-            at = ModelState(at.point.with_values(changes), at.system)
-        except (DivisionByZeroError, InadmissibleError, AssertionError):
-            return False
+    special = _with_values(at, variation)
+    if special is None:
+        return False
+    at = special
     row = at.row(claim.xreplace(dict(variation.rule)))
     impossible = [at.point.number(0)] * len(at.unknowns) + [at.point.number(1)]
     return row is not None and impossible not in at.right and row in at.right

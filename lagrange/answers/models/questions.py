@@ -45,6 +45,7 @@ _OF_REACTION = (
     _Change(f"{_MOVING} is missing: it is that of a body at rest", moving=sp.S.Zero),
     _Change(f"only {_MOVING} is there: what the forces contribute is missing", resting=sp.S.Zero),
     _Change(f"{_MOVING} has the wrong sign", moving=sp.S.NegativeOne),
+    _Change("what the forces contribute to {reaction} has the wrong sign", resting=sp.S.NegativeOne),
 )
 _OF_ENERGY = (
     _Change("the velocity is taken as zero there", still=True),
@@ -207,12 +208,13 @@ def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequenc
     initial = {s.symbol: s.value for s in asked.initial}
     if not q.is_Symbol or base(q) != q or initial.get(q, sp.S.Zero) != 0:
         return ""
-    times = [v for a in others if a.question.quantity == t and a.question.when == asked.question.when
-             for b in a.branches for v in b.values]  # fmt: skip
+    when = [c.lhs - c.rhs for c in asked.question.when]
+    timed = [a for a in others if a.question.quantity == t and [c.lhs - c.rhs for c in a.question.when] == when]
+    times = [v for a in timed for b in a.branches for v in b.values]
     ends = [s.get(prime(q)) for b in asked.branches for s in b.states]
-    for velocity, when in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
+    for velocity, place in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
         if velocity is not None and velocity != 0 and any(_same(claim, velocity * time) for time in times):
-            return f"the velocity {when} is taken for the whole way, and it changes"
+            return f"the velocity {place} is taken for the whole way, and it changes"
     return ""
 
 
@@ -243,11 +245,10 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
+    if not all(map(_is_plain, sp.Mul.make_args(ratio))):
+        ratio = sp.factor(sp.cancel(sp.together(claim / right)))
     factors = sp.Mul.make_args(ratio)
-    if len(factors) <= 3 and all(
-        f.is_number or f.as_base_exp()[0].is_Symbol or f.as_base_exp()[0].func in (sp.sin, sp.cos, sp.tan)
-        for f in factors
-    ):
+    if len(factors) <= 3 and all(map(_is_plain, factors)):
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
             return
@@ -265,6 +266,14 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
         yield f"the right answer does not depend on {', '.join(map(str, more))}"
+
+
+def _is_plain(factor: sp.Expr) -> bool:
+    """Whether a factor can be named: a number, a letter, a sine, a sum of two letters."""
+    inner = factor.as_base_exp()[0]
+    if inner.is_Add:
+        return len(inner.args) == 2 and all(a.is_Symbol for a in inner.args)
+    return bool(factor.is_number or inner.is_Symbol or inner.func in (sp.sin, sp.cos, sp.tan))
 
 
 MOST_TERMS = 8

@@ -85,7 +85,11 @@ def judged_amplitude(claim: sp.Expr, name: str, found: Sequence[Response], refer
 
     amplitude = sp.powdenest(sp.sqrt(sp.factor(sp.expand(squares[name]))), force=True)
     why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
-    return Verdict.WRONG, next(filter(None, why), "")
+    if reason := next(filter(None, why), ""):
+        return Verdict.WRONG, reason
+    from lagrange.answers.results.units import wrong_dimension
+
+    return Verdict.WRONG, wrong_dimension(as_written(claim), reference.units, amplitude)
 
 
 def _squares(found: Sequence[Response]) -> dict[str, sp.Expr]:

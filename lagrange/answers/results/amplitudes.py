@@ -108,6 +108,9 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
                 neither = without.changed(part, j, i, sp.S.Zero).changed(part, j, j, matrix[j][j] + matrix[j][i])
                 yield f"without the force between {coordinates[i]} and {coordinates[j]}", neither
     yield from _other_drives(own, drive, coordinates)
+    for i, q in enumerate(coordinates):
+        balanced = own.frequency**2 * mass[i][i]
+        yield f"at resonance, where stiffness and inertia of {q} balance", own.changed("stiffness", i, i, balanced)
     for i, j in pairs:
         if drive[i] == 0 != drive[j]:
             forces = [drive[j] if k == i else sp.S.Zero if k == j else f for k, f in enumerate(drive)]
@@ -128,7 +131,7 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
 def _other_drives(
     own: _Equations, drive: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]
 ) -> Iterator[tuple[str, _Equations]]:
-    """Without what a damper, or a spring, transmits of the motion of a support; relative to a support that is shaken."""
+    """Without what a damper or a spring transmits of the motion of a support; the motion relative to the support."""
     for i, q in enumerate(coordinates):
         whole = sp.expand(drive[i])
         cosine, sine = whole.coeff(sp.I, 0), whole.coeff(sp.I, 1)

@@ -42,6 +42,8 @@ def explained_degrees_of_freedom(stated: int, classification: Classification) ->
     if difference > 0:
         missing = _number(difference, "constraint")
         return f"{missing} too few {_is(difference)} subtracted: there are {coordinates} coordinates and {equations}"
+    if classification.hidden.found and stated == coordinates - rank - len(classification.hidden.found):
+        return "the hidden finite relation follows from the constraints, and is not subtracted once more"
     missing = _number(-difference, "constraint")
     return f"{missing} too many {_is(-difference)} subtracted: there are {coordinates} coordinates and {equations}"
 
@@ -90,7 +92,8 @@ def _holonomic(kinematic: Sequence[ConstraintAnalysis]) -> str:
         return "no constraint is one on velocities: all are relations between coordinates"
     alone = [a for a in kinematic if a.integrable]
     if len(alone) == len(kinematic):
-        return f"{_list(alone)} can be integrated: velocities in it do not make it nonholonomic"
+        it = "it" if len(alone) == 1 else "them"
+        return f"{_list(alone)} can be integrated: velocities in {it} do not make the system nonholonomic"
     never = [a for a in kinematic if a.integrable is False]
     return f"{_list(never)} cannot be integrated alone, but all constraints together can"
 
@@ -98,7 +101,7 @@ def _holonomic(kinematic: Sequence[ConstraintAnalysis]) -> str:
 def explained_integrability(wrong: Mapping[str, bool], classification: Classification) -> str:
     """Why statements about what can be integrated are wrong; `wrong` has what was stated."""
     by_name = {c.constraint.name: c for c in classification.constraints}
-    parts = []
+    parts, failing = [], []
     for name, stated in wrong.items():
         analysis = by_name.get(name)
         if analysis is None:
@@ -110,9 +113,13 @@ def explained_integrability(wrong: Mapping[str, bool], classification: Classific
             how = "its form is exact" if exact else "its form has an integrating factor"
             parts.append(f"`{name}` can be integrated: {how}" if exact or analysis.factor else "")
         elif analysis.frobenius:
-            parts.append(f"`{name}` fails Frobenius' test by itself: ω ∧ dω is not zero")
+            failing.append(analysis)
+    if failing:
+        fail = "fails" if len(failing) == 1 else "fail"
+        parts.append(f"{_list(failing)} {fail} Frobenius' test: ω ∧ dω is not zero")
     return "; ".join(filter(None, parts))
 
 
 def _list(constraints: Sequence[ConstraintAnalysis]) -> str:
-    return " and ".join(dict.fromkeys(f"`{a.constraint.name}`" for a in constraints))
+    *others, last = dict.fromkeys(f"`{a.constraint.name}`" for a in constraints)
+    return f"{', '.join(others)} and {last}" if others else last

@@ -4,8 +4,8 @@ At rest the equations of a system are
 
     E_k = Σ_a μ_a ( ∂_t (J_ka J_ta) − ½ ∂_k J_ta² ) − Q_k = Σ_j λ_j a_jk ,
 
-where the first sum is there in moving frames alone. A stated equation is solved for a letter that occurs linearly in it:
-a force, a weight, a stiffness. With this put in, a changed problem, or another meaning of the letters, explains the
+where the first sum is there in moving frames alone. A stated equation is solved for a letter that occurs linearly in
+it: a force, a weight, a stiffness. With this put in, a changed problem, or another meaning of the letters, explains the
 answer where E_k = 0, or where the rank of (a, E) is that of a. That is one exact test a change, and no equation has to
 be solved for a position.
 """
@@ -53,8 +53,9 @@ class Resting:
         """E_k of the problem itself."""
         return tuple(-q for q in self.equilibrium.work.forces)
 
-    def solved(self, equations: Sequence[sp.Expr]) -> dict[sp.Symbol, sp.Expr] | None:
-        """Equations as a rule for letters, each in one of them; None if one cannot be written so."""
+    def solved(self, equations: Sequence[sp.Expr], *fixed: sp.Symbol) -> dict[sp.Symbol, sp.Expr] | None:
+        """Equations as a rule for letters other than those that are fixed, each in one of them; None if one cannot be
+        written so."""
         rule: dict[sp.Symbol, sp.Expr] = {}
         bound = {s for row in self.rows for a in row for s in a.free_symbols}
         bound |= {s for f in self.configuration.finite_constraints for s in f.free_symbols}
@@ -62,7 +63,7 @@ class Resting:
         for equation in equations:
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
-            letters = sorted(e.free_symbols - bound - {*rule, t}, key=lambda s: (s in coordinates, str(s)))
+            letters = sorted(e.free_symbols - bound - {*rule, *fixed, t}, key=lambda s: (s in coordinates, str(s)))
             for s in letters:
                 slope = sp.diff(e, s)
                 if slope != 0 and s not in slope.free_symbols:
@@ -165,19 +166,20 @@ class WrongEquilibria:
     def of_changed_problem(self, problem: Problem) -> str:
         """Of which changed problem they are the equilibria, as the end of a sentence; empty if not found."""
         for variation, forces in self.resting.changed(problem):
-            if all(r is not None and self.resting.balanced(forces, r) for r in self.rules):
-                if not self.resting.balanced(forces, {}):
-                    size = next((w for w in ("twice as large", "half as large") if variation.clause.endswith(w)), "")
-                    arm = f", or acting at {size.split()[0]} the distance" if size else ""
-                    return f"{variation.clause}{arm}"
+            if all(
+                r is not None and self.resting.balanced(forces, r) for r in self.rules
+            ) and not self.resting.balanced(forces, {}):
+                size = next((w for w in ("twice as large", "half as large") if variation.clause.endswith(w)), "")
+                arm = f", or acting at {size.split()[0]} the distance" if size else ""
+                return f"{variation.clause}{arm}"
         return ""
 
     def missing_factor(self, lhs: sp.Expr, rhs: sp.Expr) -> sp.Expr | None:
         """What the right side of the one wrong equation has to be multiplied by; None if that is no product of powers
         of a few letters."""
         factor = sp.Symbol("factor", positive=True)
-        rule = self.resting.solved([lhs - factor * rhs])
-        if self.resting.rows or rule is None or factor in rule:
+        rule = self.resting.solved([lhs - factor * rhs], factor)
+        if self.resting.rows or rule is None:
             return None
         found = {*()}
         for force in self.resting.own:
@@ -191,9 +193,9 @@ class WrongEquilibria:
         value = found.pop() if len(found) == 1 else None
         if value is None or value in (0, 1) or value.free_symbols & {*self.resting.slots.coordinates}:
             return None
-        parts = sp.Mul.make_args(value)
-        simple = all(p.is_Rational or p.as_base_exp()[0].is_Symbol for p in parts) and len(parts) <= _MOST_FACTORS
-        return value if simple else None
+        parts = [p.as_base_exp()[0] for p in sp.Mul.make_args(value) if not p.is_Rational]
+        plain = all(p.is_Symbol or isinstance(p, sp.sin | sp.cos | sp.tan) for p in parts)
+        return value if plain and len(parts) <= _MOST_FACTORS else None
 
 
 _MOST_FACTORS = 4
