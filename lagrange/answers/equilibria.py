@@ -282,7 +282,7 @@ def _reasons(
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
         factor = tried.missing_factor(lhs, rhs)
         if factor is not None:
-            yield f"one of its sides has to be multiplied by {text(factor, Notation())}"
+            yield f"its right side has to be multiplied by {text(factor, Notation())}"
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}

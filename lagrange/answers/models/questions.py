@@ -251,6 +251,11 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
     if len(factors) <= 3 and all(map(_is_plain, factors)):
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
+            size = abs(below / above)
+            if size.is_Rational and size != 1:
+                yield f"only a number is wrong in it: it has to be {_written(size)} times as large"
+            elif (size**2).is_Rational and size != 1:
+                yield f"only a number is wrong in it: its square has to be {_written(size**2)} times as large"
             return
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
         if above != 1:
