@@ -323,6 +323,8 @@ def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list
         return [(replace(reading, components=(lhs - side,), sides=(lhs, side)),)]
 
     yield _INVERTED, with_side(1 / rhs)
+    for f in (f for f in sp.Mul.make_args(rhs) if f.is_Symbol):  # P/W of b P/W
+        yield _INVERTED, with_side(f**2 / rhs)
     waving = [f for f in sp.Mul.make_args(rhs) if f.has(sp.sin, sp.cos, sp.tan)]
     if waving:  # M/m of M/m tan β
         yield _INVERTED, with_side(sp.Mul(*waving) ** 2 / rhs)

@@ -244,7 +244,7 @@ def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
 
 def support_at_rest(m: Mechanics) -> Iterator[Variation]:
     """A force of a spring or damper with one end on a support that is shaken, as if the support were fixed."""
-    for f in m.forces:
+    for f in (f for f in m.forces if f.kind is not Kind.QUASI):
         moving = {w: sp.S.Zero for s in f.shares for w in s.atoms(sp.sin, sp.cos) if t in w.args[0].free_symbols}
         shares = tuple(s.xreplace(moving) for s in f.shares)
         if moving and any(s != 0 for s in shares) and m.slots.coordinates:

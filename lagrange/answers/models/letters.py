@@ -53,6 +53,8 @@ def _letters(
     for a, b in combinations(used, 2):  # m_1 and m_2
         if a.name.rstrip("0123456789") == b.name.rstrip("0123456789"):
             yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    for q in slots.coordinates:
+        yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
     for p in used:
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
@@ -62,8 +64,6 @@ def _letters(
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
         yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)
-    for q in slots.coordinates:
-        yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
     for a, b in combinations(used, 2):
         yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
     for a, b in permutations(needed, 2):

@@ -232,6 +232,8 @@ def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> st
 def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
         special = sp.together(right).xreplace({p: sp.S.Zero})
+        if special.has(sp.nan, sp.zoo, sp.oo) and sp.count_ops(right) < MOST_OPERATIONS:
+            special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
     for form, where in _FORMS:
@@ -252,9 +254,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
             size = abs(below / above)
-            if size.is_Rational and size != 1:
+            if _is_short(size):
                 yield f"only a number is wrong in it: it has to be {_written(size)} times as large"
-            elif (size**2).is_Rational and size != 1:
+            elif _is_short(size**2):
                 yield f"only a number is wrong in it: its square has to be {_written(size**2)} times as large"
             return
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
@@ -273,6 +275,14 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         yield f"the right answer does not depend on {', '.join(map(str, more))}"
 
 
+def _is_short(number: sp.Expr) -> bool:
+    """Whether a number is a ratio of small numbers, and not 1."""
+    return bool(number.is_Rational and number != 1 and max(number.p, number.q) <= MOST_IN_RATIO)
+
+
+MOST_IN_RATIO = 9
+
+
 def _is_plain(factor: sp.Expr) -> bool:
     """Whether a factor can be named: a number, a letter, a sine, a sum of two letters."""
     inner = factor.as_base_exp()[0]
@@ -282,6 +292,8 @@ def _is_plain(factor: sp.Expr) -> bool:
 
 
 MOST_TERMS = 8
+MOST_OPERATIONS = 30
+"""Of a value whose limit is sought."""
 _FORMS: tuple[tuple[Callable[[sp.Expr], sp.Expr], str], ...] = (
     (lambda e: e, ""),
     (lambda e: e**2, " under the root"),

@@ -45,8 +45,9 @@ class Resting:
 
     @property
     def usable(self) -> bool:
-        """Whether the balance of forces is small enough to be tried, and the answer is about positions."""
-        return len(self.rows) <= _MOST_ROWS and len(self.slots.coordinates) <= _MOST_COORDINATES
+        """Whether the balance of forces is small enough to be tried, and has no roots, whose signs would be open."""
+        small = len(self.rows) <= _MOST_ROWS and len(self.slots.coordinates) <= _MOST_COORDINATES
+        return small and not any(map(_has_roots, self.own))
 
     @cached_property
     def own(self) -> tuple[sp.Expr, ...]:
@@ -60,7 +61,10 @@ class Resting:
         bound = {s for row in self.rows for a in row for s in a.free_symbols}
         bound |= {s for f in self.configuration.finite_constraints for s in f.free_symbols}
         coordinates = {*self.slots.coordinates}
+        if any(map(_has_roots, equations)):
+            return None
         for equation in equations:
+            equation = equation.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
             letters = sorted(e.free_symbols - bound - {*rule, *fixed, t}, key=lambda s: (s in coordinates, str(s)))
@@ -139,6 +143,10 @@ class Resting:
             change = self.slots.frozen_derivative(mixed) * i.product * i.explicit * pairs.get((k, last), sp.S.One)
             bend = partial(square, q) * i.gradient * pairs.get((last, last), sp.S.One)
             yield sp.S.Zero if k in i.still else i.factor * (change - bend / 2)
+
+
+def _has_roots(e: sp.Expr) -> bool:
+    return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 
 class WrongEquilibria:
