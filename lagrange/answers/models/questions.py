@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, product
 
 import sympy as sp
 
@@ -236,6 +236,11 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
             special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
+    legs = sp.Add.make_args(sp.expand(right**2))
+    if len(legs) == 2:
+        sides = [sp.sqrt(leg) for leg in legs]
+        if any(_same(claim, a * sides[0] + b * sides[1]) for a, b in product((1, -1), repeat=2)):
+            yield "two parts at right angles are added as if they had one direction: it is the root of their squares"
     for form, where in _FORMS:
         stated, derived = sp.expand(form(claim)), sp.expand(form(right))
         terms = sp.Add.make_args(derived)

@@ -112,6 +112,8 @@ RESULTS: list[tuple[str, str, object, str]] = [
         "((p_x - q*B*y/2)^2 + (p_y + q*B*x/2)^2)/(2*m) - q*E*y",
         "for B with the",
     ),
+    ("pendulum-in-wind", "reactions", {"rod": "W"}, "without F, as if F = 0"),
+    ("pendulum-in-wind", "reactions", {"rod": "F + W"}, "two parts at right angles are added"),
     ("rolling-coin", "classification", ["holonomic"], "`no_slip.1` and `no_slip.2` cannot be integrated"),
     ("sphere-in-disguise", "classification", ["nonholonomic"], "`law` can be integrated"),
     ("skate-on-a-turntable", "classification", ["rheonomic"], "neither in a constraint nor in a position"),
