@@ -178,7 +178,8 @@ class WrongEquilibria:
                 r is not None and self.resting.balanced(forces, r) for r in self.rules
             ) and not self.resting.balanced(forces, {}):
                 size = next((w for w in ("twice as large", "half as large") if variation.clause.endswith(w)), "")
-                arm = f", or acting at {size.split()[0]} the distance" if size else ""
+                acts = size and variation.clause.startswith(("for the weight", "for the force"))
+                arm = f", or acting at {size.split()[0]} the distance" if acts else ""
                 return f"{variation.clause}{arm}"
         return ""
 
