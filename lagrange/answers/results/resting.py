@@ -131,7 +131,7 @@ class Resting:
         for i in m.inertias if self._driven(m.inertias) else ():
             for k, share in enumerate(self._of_frame(i)):
                 total[k] += share
-        return tuple(sp.S(e) for e in total)
+        return tuple(total)
 
     def _of_frame(self, i: Inertia) -> Iterator[sp.Expr]:
         """What the motion of a frame adds to each E_k at rest."""
