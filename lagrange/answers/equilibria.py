@@ -20,6 +20,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, 
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS, MAX_SIDE_FACTORS
 from lagrange.answers.models.letters import geometry_of, letter_variations
+from lagrange.answers.models.variation import Variation
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -49,6 +50,7 @@ from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.problem.model import Problem
 
 _ALL_ANGLES = "only one of the angles with this tangent, sine or cosine is given; all of them are taken to be meant"
 _BRANCH = "it is right on one of the two branches of the square root: {} = {:+d}"
@@ -237,28 +239,82 @@ def _without_unknowns(readings: Sequence[Reading], reference: Reference) -> tupl
 
 
 def explained_equilibria(
-    alternatives: Sequence[Sequence[Fragment]], equilibria: Sequence[Equilibrium], reference: Reference
+    alternatives: Sequence[Sequence[Fragment]],
+    equilibria: Sequence[Equilibrium],
+    reference: Reference,
+    problem: Problem | None = None,
 ) -> str:
     """Of which changed problem the wrong alternatives give the equilibria, in a sentence; empty if not found."""
     everything = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     for e in [e for e in equilibria if e.branches]:
         values = dict(reference.values)
         wrong = [a for a in everything if not _right(_verdict_of([a], e, reference, values))]
-        stated = [e for a in wrong for r in a for e in r.components]
-        slots, bound = e.configuration.slots, geometry_of(e.configuration)
-        for variation in letter_variations(stated, e.expressions, slots, (*e.forces, *e.multipliers)):
-            if not bound.isdisjoint(variation.values):
-                continue
-            rule = dict(variation.rule)
-            changed = [
-                tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
-            ]
-            if _right(_verdict_of(changed, e, reference, {**values, **variation.values})):
-                return f"these are the equilibria {variation.clause}"
-        for sentence, sides in _other_sides(wrong):
-            if _right(_verdict_of(sides, e, reference, values)):
-                return sentence
+        if why := next(_reasons(wrong, e, reference, problem), ""):
+            return why
     return ""
+
+
+def _reasons(
+    wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
+) -> Iterator[str]:
+    """What wrong alternatives are instead, the likeliest first."""
+    from lagrange.answers.results.resting import WrongEquilibria
+
+    values = dict(reference.values)
+    stated = [c for a in wrong for r in a for c in r.components]
+    tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
+
+    def holds(variation: Variation) -> bool:
+        if tried.tried:
+            return tried.holds(variation)
+        rule = dict(variation.rule)
+        changed = [
+            tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
+        ]
+        return _right(_verdict_of(changed, e, reference, {**values, **variation.values}))
+
+    def right(sides: Sequence[tuple[Reading, ...]]) -> bool:
+        if tried.tried:
+            return WrongEquilibria([[c for r in a for c in r.components] for a in sides], e, values).holds(_AS_IT_IS)
+        return _right(_verdict_of(sides, e, reference, values))
+
+    others = [*_other_sides(wrong)]
+    inverted = [pair for pair in others if pair[0] == _INVERTED]
+    for sentence, sides in inverted:
+        if right(sides):
+            yield sentence
+    slots, bound = e.configuration.slots, geometry_of(e.configuration)
+    tied = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
+    variations = letter_variations(stated, (*e.expressions, *e.work.forces), slots, (*e.forces, *e.multipliers))
+    for variation in variations:
+        if variation.rule and variation.clause.endswith("exchanged") and holds(variation):
+            yield f"these are the equilibria {variation.clause}"
+    if problem is not None and tried.tried and (clause := tried.of_changed_problem(problem)):
+        yield f"these are the equilibria {clause}"
+    for variation in variations:
+        unfit = bound if 0 in variation.values.values() else tied
+        if unfit.isdisjoint(variation.values) and holds(variation):
+            yield f"these are the equilibria {variation.clause}"
+    for sentence, sides in others:
+        if sentence != _INVERTED and right(sides):
+            yield sentence
+    if others and tried.tried:
+        lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
+        factor = tried.missing_factor(lhs, rhs)
+        if factor is not None:
+            yield f"its right side has to be multiplied by {text(factor, Notation())}"
+    own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
+    more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
+    more &= {*reference.parameters}
+    from lagrange.answers.results.units import wrong_dimension
+
+    yield from filter(None, (wrong_dimension(c, reference.units) for c in stated))
+    if more:
+        yield f"the conditions of equilibrium do not depend on {', '.join(sorted(more))}"
+
+
+_AS_IT_IS = Variation("", "")
+_INVERTED = "the ratio is the other way round"
 
 
 def _right(verdict: AnswerVerdict | None) -> bool:
@@ -286,7 +342,12 @@ def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list
     def with_side(side: sp.Expr) -> list[tuple[Reading, ...]]:
         return [(replace(reading, components=(lhs - side,), sides=(lhs, side)),)]
 
-    yield "the ratio is the other way round", with_side(1 / rhs)
+    yield _INVERTED, with_side(1 / rhs)
+    for f in (f for f in sp.Mul.make_args(rhs) if f.is_Symbol):  # P/W of b P/W
+        yield _INVERTED, with_side(f**2 / rhs)
+    waving = [f for f in sp.Mul.make_args(rhs) if f.has(sp.sin, sp.cos, sp.tan)]
+    if waving:  # M/m of M/m tan β
+        yield _INVERTED, with_side(sp.Mul(*waving) ** 2 / rhs)
     waves = {w for e in (lhs, rhs) for w in e.atoms(sp.sin, sp.cos, sp.tan)}
     angles = sorted({w.args[0] for w in waves}, key=str)
     factors = [f(a) for a in angles for f in (sp.sin, sp.cos)]

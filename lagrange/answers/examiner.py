@@ -251,7 +251,8 @@ class Examiner:
         from lagrange.answers.equilibria import alternatives_of, explained_equilibria
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-        why = explained_equilibria(alternatives_of(working.judged), equilibria, self._statics_reference)
+        stated = alternatives_of(working.judged)
+        why = explained_equilibria(stated, equilibria, self._statics_reference, self.problem)
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
         if not why or others:
             return verdict

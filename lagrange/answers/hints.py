@@ -60,12 +60,21 @@ _WHY = {s: _SLIPS[s] for s in (Slip.FUNCTION, Slip.ANGLE, Slip.COORDINATE, Slip.
 _WHY |= {Slip.SMALL_ANGLE: "the angle is not small", Slip.EXACT_ANGLE: ""}
 
 
+_CAUSES = {Slip.MISSING: "{} is missing", Slip.EXTRA: "{} too many", Slip.SIGN: "the sign of {}"}
+_SHORT = {
+    Group.INERTIA: "a term with an acceleration",
+    Group.VELOCITY: "a velocity term",
+    Group.FORCE: "a force term",
+}
+
+
 def cause_of(change: Diagnosis | None) -> str:
     """The kind of mistake that a change mends, in a few words; empty if it is not known."""
     if change is None or change.group is None:
         return ""
-    group = _GROUPS[change.group].removeprefix("a ")
-    return f"{group}: {_SLIPS[change.slip]}" if change.slip is not None else f"something in {_TERMS[change.group]}"
+    if change.slip is None:
+        return f"something in {_TERMS[change.group]}"
+    return _CAUSES.get(change.slip, f"{_SLIPS[change.slip]} in {{}}").format(_SHORT[change.group])
 
 
 class Advisor:

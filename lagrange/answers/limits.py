@@ -142,6 +142,9 @@ MAX_BESIDE = 150
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
 the longest."""
 
+MAX_RESTING_MODELS = 60
+"""Changed problems that are tried for wrong positions of equilibrium."""
+
 MAX_LETTER_VARIATIONS = 24
 """Other meanings of letters that are tried for a wrong equilibrium, reaction or frequency: each is compared in full."""
 

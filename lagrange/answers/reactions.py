@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
 from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.readings import Reading, decimals_in
@@ -57,7 +57,12 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
                 why = explained_reaction(candidate.read(zero), candidate.models)
                 if why:
                     return replace(found, diagnosis=why, cause=why)
-    return found
+    from lagrange.answers.results.units import wrong_dimension
+
+    forces = {reaction.multiplier, reaction.force, reaction.symbol}
+    values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]
+    why = next(filter(None, (wrong_dimension(v, reference.units) for v in values)), "")
+    return replace(found, diagnosis=why, cause=why) if why else found
 
 
 def _stated(
@@ -170,6 +175,10 @@ def _verdict(claim: sp.Expr, candidate: ReferenceCandidate, reference: Reference
     return Verdict.WRONG if bad & set(result.standings) else Verdict.EQUIVALENT
 
 
+MOST_OPERATIONS = 100
+"""Of a reaction at rest with which a wrong one is compared term by term."""
+
+
 class AtRest:
     """The reactions of a system at rest, with which stated ones are compared.
 
@@ -184,7 +193,35 @@ class AtRest:
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
         """The verdict on the stated value of one reaction, as `check_reaction` gives it for a moving system."""
-        return _stated(fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1]))
+        found = _stated(fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1]))
+        if found is None or found.verdict is not Verdict.WRONG:
+            return found
+        claims = _claims(fragment, reaction, self.reference)
+        try:
+            why = next(filter(None, (self._explained(zero) for zero, _ in claims)), "")
+        except (DivisionByZeroError, NotAlgebraicError, NoPointError, UnsupportedError):
+            why = ""
+        return replace(found, diagnosis=why, cause=why) if why else found
+
+    def _explained(self, zero: sp.Expr) -> str:
+        """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
+        from lagrange.answers.models.questions import explained_value
+
+        for reactions in self.reactions:
+            configuration = reactions.configuration
+            meant = configuration.rewritten(as_written(zero).xreplace(dict(self.newton.single_forces)))
+            known = {*configuration.slots.coordinates, *self.reference.parameters.values(), *self.reference.unknowns}
+            for r in reactions.at:
+                if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:
+                    continue
+                value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
+                stated, off = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
+                right = sp.factor(sp.together(stated + off))
+                if sp.count_ops(right) <= MOST_OPERATIONS:
+                    why = explained_value(stated, right, {*configuration.slots.coordinates})
+                    if why:
+                        return why
+        return ""
 
     def mentions_reactions(self, reading: Reading) -> bool:
         """Whether reactions occur in an equation of an answer."""

@@ -23,6 +23,7 @@ and these coefficients are compared like any other equations.
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
@@ -101,9 +102,22 @@ class GivenEquation(OneEquation):
 
 
 def read_answer(fragment: Fragment, scope: Scope) -> Reading:
-    """One equation of an answer, or its error."""
+    """One equation of an answer, or its error; what was read last is remembered, since several questions read it."""
     if isinstance(fragment, GivenEquation):
         return fragment.reading
+    for known, with_scope, reading in _LATEST:
+        if known is fragment and with_scope is scope:
+            return replace(reading, notes=[*reading.notes])
+    reading = _read(fragment, scope)
+    _LATEST.append((fragment, scope, reading))
+    return replace(reading, notes=[*reading.notes])
+
+
+_LATEST: deque[tuple[Fragment, Scope, Reading]] = deque(maxlen=16)
+"""The fragments that were read last: the same object in the same scope has the same meaning."""
+
+
+def _read(fragment: Fragment, scope: Scope) -> Reading:
     notes: list[Diagnostic] = []
     text = fragment.text.strip()
     try:

@@ -327,7 +327,7 @@ class Graded:
     def at_hint_level(self, level: int) -> Graded:
         """The outcome with the diagnoses of a hint level: 1, 2 or 3, which is all of it."""
         equations = tuple(e.at_hint_level(level) for e in self.equations)
-        others = self.others if level > 1 else tuple(replace(a, diagnosis="") for a in self.others)
+        others = tuple(a.at_hint_level(level) for a in self.others)
         return replace(self, equations=equations, others=others)
 
     @property

@@ -102,6 +102,12 @@ class EquationVerdict:
         shown = self if level == len(self.hints) else replace(self, cause="", model="")
         return replace(shown, diagnosis=self.hints[level - 1])
 
+    def without_cause(self, level: int) -> EquationVerdict:
+        """The verdict on a result at a hint level: why it is wrong is told at the last one alone."""
+        if self.hints or self.verdict is not Verdict.WRONG:
+            return self.at_hint_level(level)
+        return replace(self, diagnosis="", cause="", model="")
+
     def as_json(self) -> dict[str, object]:
         """FORMAT's JSON object, with `cause` and `model` where they are known."""
         written: dict[str, object] = {
@@ -127,6 +133,9 @@ class EquationVerdict:
         for sentence in (self.diagnosis, *self.remarks):
             if sentence:
                 yield from _wrapped(sentence, width, under, under)
+
+
+_NOT_RIGHT = "not right: "
 
 
 @record
@@ -155,6 +164,25 @@ class AnswerVerdict:
     def messages(self) -> tuple[Diagnostic, ...]:
         """What could not be read, then the notes."""
         return (*self.unreadable, *self.notes)
+
+    def at_hint_level(self, level: int) -> AnswerVerdict:
+        """The verdict with the diagnoses of a hint level: 1, 2 or 3; 2 tells which parts are not right, only 3 why."""
+        if level > 2 or self.verdict not in (Verdict.WRONG, Verdict.UNDECIDED):
+            return self
+        where, _, _ = self.diagnosis.partition("; ")
+        named = where.startswith(_NOT_RIGHT) and level == 2
+        kept = where if named or self.verdict is Verdict.UNDECIDED else ""
+        return replace(self, equations=tuple(e.without_cause(level) for e in self.equations), diagnosis=kept)
+
+    @property
+    def causes(self) -> tuple[str, ...]:
+        """The mistakes, each in words that are the same for all who made it."""
+        if self.verdict is not Verdict.WRONG:
+            return ()
+        where, _, why = self.diagnosis.partition("; ")
+        own = why if where.startswith(_NOT_RIGHT) and why else self.diagnosis
+        parts = (e.cause or e.diagnosis for e in self.equations if e.verdict is Verdict.WRONG)
+        return tuple(dict.fromkeys(filter(None, (own, *(parts if not own else ())))))
 
     def as_json(self) -> dict[str, object]:
         """Name and verdict; diagnosis and equations if there are any."""
@@ -215,7 +243,8 @@ class Judgement:
     def at_hint_level(self, level: int) -> Judgement:
         """The same with the diagnoses of a hint level: 1, 2 or 3."""
         equations = tuple(e.at_hint_level(level) for e in self.each)
-        return replace(self, equations=replace(self.equations, equations=equations))
+        others = tuple(a.at_hint_level(level) for a in self.others)
+        return replace(self, equations=replace(self.equations, equations=equations), others=others)
 
     @property
     def headline(self) -> str:

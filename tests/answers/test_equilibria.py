@@ -217,7 +217,7 @@ def test_what_is_said_of_an_answer() -> None:
         (
             WIND,
             ["theta = atan(F/(m*g - H)) or theta = 0"],
-            ["", "it holds in no position of equilibrium; these are the equilibria without F, as if F = 0"],
+            ["", "it holds in no position of equilibrium; these are the equilibria without the force `wind`"],
         ),
         (SCALES, ["theta = 0"], ["it holds in no position of equilibrium, unless a*P = b*Q"]),
         (PULLED_SPRING, ["x = P/k", "W = 7*l"], ["", "the conditions of equilibrium do not require it"]),

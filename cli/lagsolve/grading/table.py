@@ -63,7 +63,8 @@ class TableRow:
         remark = visible(" ".join(graded.at_hint_level(hint).remark.split()))
         if len(remark) > LONGEST_REMARK:
             remark = f"{remark[:LONGEST_REMARK]}..."
-        causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
+        found = [e.cause for e in graded.equations] + [cause for a in graded.others for cause in a.causes]
+        causes = dict.fromkeys(visible(cause).replace("; ", ", ") for cause in found if cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
         common = visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes
         return cls(*common, graded.points, graded.possible, visible(problem))

@@ -112,6 +112,23 @@ def one_for_another(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"with {b} in place of {a} throughout", f"where {a} and {b} belong", values={a: b})
 
 
+def length_for_coordinate(m: Mechanics) -> Iterator[Variation]:
+    """A length that changes, such as that of a spring, is taken for a given one in one of the equations."""
+    units = dict(m.units)
+    lengths = [p for p in _parameters(m) if units.get(p) in ("m", "cm", "mm", "ft")]
+    for q in m.slots.coordinates:
+        rates = {prime(q): sp.S.Zero, prime(q, 2): sp.S.Zero}
+        for p in lengths if q in _scales(m) else ():
+            yield Variation(f"with {p} in place of {q}, as if that did not change", f"{q}", values={q: p, **rates})
+
+
+def _scales(m: Mechanics) -> set[sp.Symbol]:
+    """The coordinates that multiply a velocity in T, as a radius does."""
+    columns = [c for i in m.inertias for column in i.columns for c in column]
+    waves = {s for c in columns for w in c.atoms(sp.sin, sp.cos) for s in w.free_symbols}
+    return {*m.slots.coordinates} & {s for c in columns for s in c.free_symbols} - waves
+
+
 def _parameters(m: Mechanics) -> list[sp.Symbol]:
     moving = {*m.slots.coordinates, *m.slots.prescribed, t}
     weights = [w for i in m.inertias for w in i.weights]

@@ -12,6 +12,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.models.kinetic import carriers
 from lagrange.answers.models.mechanics import Force, Kind, Mechanics, weight_shares
 from lagrange.answers.models.variation import Variation, called, written
+from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
@@ -219,6 +220,40 @@ def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
             clause = f"for a weight whose potential has {q} measured {how}"
             changed = m.force(lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT else f)  # type: ignore[misc]
             yield Variation(clause, f"how {q} enters the potential energy", changed)
+
+
+def components_exchanged(m: Mechanics) -> Iterator[Variation]:
+    """Sine and cosine exchanged where forces are resolved into components."""
+    for kind in (Kind.WEIGHT, Kind.FORCE):
+        forces = m.of_kind(kind)
+        for group in (forces, *([f] for f in forces if len(forces) > 1)):
+            changed = {f: tuple(_with_waves_exchanged(s) for s in f.shares) for f in group}
+            if all(shares == f.shares for f, shares in changed.items()):
+                continue
+            what = "weight" if kind is Kind.WEIGHT else "force"
+            of = ", ".join(name_of(f) for f in group) if len(forces) > 1 and len(group) == 1 else f"the {what}"
+            clause = f"with sine and cosine exchanged in the components of {of}"
+            system = m.force(lambda f, c=changed: replace(f, shares=c[f]) if f in c else f)  # type: ignore[misc]
+            yield Variation(clause, f"how {of} is resolved into components", system)
+
+
+def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
+    waves = share.atoms(sp.sin, sp.cos)
+    return share.xreplace({w: (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0]) for w in waves})
+
+
+def support_at_rest(m: Mechanics) -> Iterator[Variation]:
+    """A force of a spring or damper with one end on a support that is shaken, as if the support were fixed."""
+    for f in (f for f in m.forces if f.kind is not Kind.QUASI):
+        moving = {w: sp.S.Zero for s in f.shares for w in s.atoms(sp.sin, sp.cos) if t in w.args[0].free_symbols}
+        shares = tuple(s.xreplace(moving) for s in f.shares)
+        if moving and any(s != 0 for s in shares) and m.slots.coordinates:
+            clause = f"for {name_of(f)} as if the support did not move"
+            yield Variation(
+                clause,
+                f"{name_of(f)}: it depends on the motion relative to the support",
+                m.force(lambda g, f=f, s=shares: replace(g, shares=s) if g is f else g),  # type: ignore[misc]
+            )
 
 
 def in_the_wrong_equation(m: Mechanics) -> Iterator[Variation]:

@@ -46,6 +46,9 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     if any(base(s) in m.slots.coordinates or s == t for s in letters):
         return ""
     draws = [Numbers(m, at, seed) for seed in (1, 2)]
+    if any(c != 0 for i in m.inertias for c in i.columns[-1]):  # what a moving frame adds to K is not among the parts
+        fixed = all(d.satisfied(squares, m) for d in draws)
+        return "these are the frequencies for a frame or support that does not move" if fixed else ""
     for name, variation in models.variations:
         changed = variation.mechanics
         if name in _LIKELY and changed is not None and all(d.satisfied(squares, changed) for d in draws):

@@ -3,8 +3,7 @@
 Forces enter these answers through their strengths: the weight W, the stiffness c, the free length l. So a changed
 problem is the same problem with another meaning of a letter: an answer is right for a force twice as large if it is
 right with c/2 for c, and right without a free length that it does not contain if it is right where l = 0. Both are
-decided by the test that decides on the answer itself. A reaction may also be that of the system at rest, and a number
-of degrees of freedom that before some of the constraints are subtracted.
+decided by the test that decides on the answer itself. A reaction may also be that of the system at rest.
 """
 
 from __future__ import annotations
@@ -14,6 +13,7 @@ from itertools import combinations, permutations
 
 import sympy as sp
 
+from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
@@ -24,8 +24,8 @@ from lagrange.answers.limits import MAX_LETTER_VARIATIONS
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
 from lagrange.answers.models.variation import Variation
-from lagrange.core.symbols import Slots, base, t
-from lagrange.mechanics.constraints.classification import Classification
+from lagrange.core.symbols import Slots, base, prime, t
+from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 
@@ -53,6 +53,8 @@ def _letters(
     for a, b in combinations(used, 2):  # m_1 and m_2
         if a.name.rstrip("0123456789") == b.name.rstrip("0123456789"):
             yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    for q in slots.coordinates:
+        yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
     for p in used:
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
@@ -62,8 +64,6 @@ def _letters(
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
         yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)
-    for q in slots.coordinates:
-        yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
     for a, b in combinations(used, 2):
         yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
     for a, b in permutations(needed, 2):
@@ -76,15 +76,16 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
     try:
         states = models.states([claim])
         slots = models.system.configuration.slots
-        if any(row.drift != 0 for row in models.system.configuration.rows):
-            resting = None
-        else:
-            resting = dict.fromkeys(slots.velocities, sp.S.Zero)
-        if resting and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
-            return "it is the reaction at rest: what the velocities contribute is missing"
-        unknown = models.system.multipliers
+        own = claim.free_symbols
+        for resting, clause in _at_rest(models.system.configuration):
+            if own.isdisjoint(resting) and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
+                return f"it is the reaction {clause}"
+        if balanced := _balanced(claim, models, states):
+            return balanced
         bound = geometry_of(models.system.configuration)
-        for variation in letter_variations([claim], models.system.equations, slots, unknown):
+        variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers)
+        likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
+        for variation in likely:
             if bound.isdisjoint(variation.values) and all(_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         for number, (_, variation) in enumerate(models.variations):
@@ -92,6 +93,9 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
                 continue
             row, space = states[0].row(claim), models.space(number, variation)
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
+                return f"this is the reaction {variation.clause}"
+        for variation in variations:
+            if variation not in likely and all(_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         system = models.system
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
@@ -103,11 +107,84 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
     return ""
 
 
+def _at_rest(configuration: Configuration) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:
+    """The system at rest, with prescribed motions at rest as well, and where an angle that the answer lacks is zero."""
+    slots = configuration.slots
+    driven = {prime(u, order): sp.S.Zero for u in slots.prescribed for order in (1, 2)}
+    resting = {**dict.fromkeys(slots.velocities, sp.S.Zero), **driven}
+    if any(row.drift.xreplace(resting) != 0 for row in configuration.rows):
+        return
+    if driven:
+        names = " and ".join(map(str, slots.prescribed))
+        yield driven, f"for a constant {names}: what {names}' and its derivative contribute is missing"
+    constant = f" with constant {' and '.join(map(str, slots.prescribed))}" if driven else ""
+    yield resting, f"at rest{constant}: what the velocities contribute is missing"
+    bound = {s for row in configuration.rows for a in row.coefficients for s in a.free_symbols}
+    for q in slots.coordinates:
+        if q not in bound and any(
+            q in w.free_symbols for p in configuration.points for w in _waves(p.position.fixed())
+        ):
+            yield {**resting, q: sp.S.Zero}, f"at rest where {q} = 0"
+            yield {q: sp.S.Zero}, f"where {q} = 0"
+
+
+def _waves(position: Vector) -> set[sp.Basic]:
+    return {w for c in position.components for w in c.atoms(sp.sin, sp.cos)}
+
+
+def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
+    """Whether a reaction balances the other forces in one or two equations of motion, as if nothing were accelerated
+    there, and nothing moved."""
+    slots = models.system.configuration.slots
+    count = len(slots.coordinates)
+    if len(models.system.equations) != count:
+        return ""
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    for moving in (True, False):
+        if not moving and not claim.free_symbols.isdisjoint(still):
+            continue
+        resting = Variation("", "", values={} if moving else still)
+        tried = [at if moving else _with_values(at, resting) for at in states]
+        for number in (1, 2):
+            for chosen in combinations(range(count), number):
+                if all(at is not None and _is_balance(claim, chosen, at) for at in tried):
+                    names = " and ".join(str(slots.coordinates[k]) for k in chosen)
+                    equations = "equation" if number == 1 else "equations"
+                    at_rest = "" if moving else " and velocity"
+                    where = f"in the {equations} of {names}, as if there were no acceleration{at_rest}"
+                    return f"it balances the other forces {where}"
+    return ""
+
+
+def _is_balance(claim: sp.Expr, chosen: Sequence[int], at: ModelState) -> bool:
+    """Whether a claim follows from some E_k, and from all of them, without accelerations."""
+    count = len(at.slots.coordinates)
+    row, zero = at.row(claim), at.point.number(0)
+    rows = [[*at.derived[k][: -1 - count], *[zero] * count, at.derived[k][-1]] for k in chosen]
+    accelerated = [any(not at.point.arithmetic.vanishes(x) for x in at.derived[k][-1 - count : -1]) for k in chosen]
+    space = RowSpace(at.point.arithmetic, rows)
+    impossible = [*[zero] * len(at.unknowns), at.point.number(1)]
+    if row is None or not any(accelerated) or row not in space or impossible in space:
+        return False
+    return len(rows) == 1 or all(row not in RowSpace(at.point.arithmetic, [r]) for r in rows)
+
+
 def _follows(claim: sp.Expr, variation: Variation, states: Sequence[ModelState]) -> bool:
     """Whether a claim follows from a changed system at some states."""
     spaces = [changed_space(variation, at) for at in states]
     rows = [at.row(claim) for at in states]
     return all(s is not None and r is not None and r in s for s, r in zip(spaces, rows, strict=True))
+
+
+def _with_values(at: ModelState, variation: Variation) -> ModelState | None:
+    """A state in the special case of a variation; None if there is none."""
+    if not variation.values:
+        return at
+    try:
+        changes = {s: at.point.value(e) for s, e in variation.values.items()}
+        return ModelState(at.point.with_values(changes), at.system)
+    except (DivisionByZeroError, InadmissibleError, AssertionError):
+        return None
 
 
 def geometry_of(configuration: Configuration) -> set[sp.Basic]:
@@ -119,29 +196,13 @@ def geometry_of(configuration: Configuration) -> set[sp.Basic]:
 
 def _holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
     """Whether a claim follows from the system with another meaning of a letter, or in a special case, at a state."""
-    if variation.values:
-        try:
-            changes = {s: at.point.value(e) for s, e in variation.values.items()}
-            at = ModelState(at.point.with_values(changes), at.system)
-        except (DivisionByZeroError, InadmissibleError, AssertionError):
-            return False
+    special = _with_values(at, variation)
+    if special is None:
+        return False
+    at = special
     row = at.row(claim.xreplace(dict(variation.rule)))
     impossible = [at.point.number(0)] * len(at.unknowns) + [at.point.number(1)]
     return row is not None and impossible not in at.right and row in at.right
-
-
-def explained_degrees_of_freedom(stated: int, classification: Classification) -> str:
-    """How a wrong number of degrees of freedom may have been counted; empty if that is not found."""
-    coordinates = len(classification.constrained.slots.coordinates)
-    constraints = [c.row for c in classification.constraints]
-    geometric = sum(row.finite is not None for row in constraints)
-    if stated == coordinates and constraints:
-        return f"there are {coordinates} coordinates; the constraints between them are not subtracted"
-    if stated == coordinates - geometric and geometric < len(constraints):
-        return "the constraints on velocities are not subtracted: they restrict the displacements too"
-    if stated == coordinates - len(constraints):
-        return "a constraint is counted that follows from the others"
-    return ""
 
 
 def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list[sp.Expr]]]:
@@ -165,3 +226,5 @@ _MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
+NUMBER_OF_MEANINGS = len(_MEANT)
+"""How many of `explained_frequencies` are other quantities; the rest are other meanings of letters."""

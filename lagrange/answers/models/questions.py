@@ -10,14 +10,15 @@ into these equations with one of them changed: where they hold, that change expl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from itertools import combinations
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations, product
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
@@ -27,7 +28,7 @@ Rule = dict[sp.Basic, sp.Basic]
 
 @record
 class _Change:
-    """What is lost: factors of T, ΔU, A and B v², and whether v is taken as zero."""
+    """What is lost: factors of T, ΔU, A and B v², whether v is taken as zero, and another T_0."""
 
     said: str
     kinetic: sp.Expr = sp.S.One
@@ -35,6 +36,7 @@ class _Change:
     resting: sp.Expr = sp.S.One
     moving: sp.Expr = sp.S.One
     still: bool = False
+    start: sp.Expr | None = None
 
 
 _HALF = sp.Rational(1, 2)
@@ -43,6 +45,7 @@ _OF_REACTION = (
     _Change(f"{_MOVING} is missing: it is that of a body at rest", moving=sp.S.Zero),
     _Change(f"only {_MOVING} is there: what the forces contribute is missing", resting=sp.S.Zero),
     _Change(f"{_MOVING} has the wrong sign", moving=sp.S.NegativeOne),
+    _Change("what the forces contribute to {reaction} has the wrong sign", resting=sp.S.NegativeOne),
 )
 _OF_ENERGY = (
     _Change("the velocity is taken as zero there", still=True),
@@ -61,8 +64,11 @@ _THROWN = {
 }
 
 
-def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) -> str:
-    """What was lost in a wrong value of the quantity asked for, or `of` a function of it; empty if not found."""
+def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None, before: sp.Expr | None = None) -> str:
+    """What was lost in a wrong value of the quantity asked for, or `of` a function of it; empty if not found.
+
+    before  the kinetic energy just before an impact with which the motion begins
+    """
     try:
         setting = _Setting.of(asked)
         if setting is None:
@@ -77,6 +83,10 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) ->
                     reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN)
                 )
                 return said
+        if before is not None and setting.gives(_Change("", start=before), claim, quantity):
+            return "the kinetic energy is taken to be conserved in the impact, and some of it is lost there"
+        if not setting.is_place(quantity) and (place := setting.other_place(claim, quantity)) is not None:
+            return f"this is the value where {base(setting.velocity)} = {_written(place)}"
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
     return ""
@@ -133,19 +143,32 @@ class _Setting:
         force = reactions[0].value if reactions else sp.S.Zero
         return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
 
+    def is_place(self, quantity: sp.Expr) -> bool:
+        """Whether a quantity depends on the position alone, or on parameters."""
+        return not quantity.has(self.velocity, *([self.reaction] if self.reaction is not None else []))
+
+    def other_place(self, claim: sp.Expr, quantity: sp.Expr) -> sp.Expr | None:
+        """Another place where the quantity has a value that was stated; None if none of the likely ones is it."""
+        q = base(self.velocity)
+        if q in claim.free_symbols or not self.change.has(sp.sin, sp.cos):
+            return None
+        for place in (sp.S.Zero, sp.pi / 2, sp.pi, -sp.pi / 2):
+            there = replace(self, place={q: place}, zeros=())
+            if self.place.get(q) != place and there.gives(_Change(""), claim, quantity):
+                return place
+        return None
+
     def gives(self, change: _Change, claim: sp.Expr, quantity: sp.Expr) -> bool:
         """Whether the equations with a change hold for a value of the quantity, or of a function of it."""
         v = self.velocity
+        start = self.start if change.start is None else change.start
         square = (
-            sp.S.Zero
-            if change.still
-            else 2 * (self.start - change.potential * self.change / change.kinetic) / self.inertia
+            sp.S.Zero if change.still else 2 * (start - change.potential * self.change / change.kinetic) / self.inertia
         )
         force = sp.expand(self.force)
         resting = force.xreplace({v: sp.S.Zero})
         force = change.resting * resting + change.moving * (force - resting)
-        is_place = not quantity.has(v, *([self.reaction] if self.reaction is not None else []))
-        stated: Rule = {quantity: claim} if is_place else {}
+        stated: Rule = {quantity: claim} if self.is_place(quantity) else {}
         known = self.place if not quantity.has(base(v)) else {}
         residuals = [z for z in self.zeros if not (z.free_symbols & {base(v)} and known)]
         if change.still:  # the condition on the reaction is replaced by v = 0
@@ -176,6 +199,25 @@ class _Setting:
         return tested
 
 
+def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
+    """Whether a distance is the time multiplied by the velocity at its start or end, in a sentence; empty if not.
+
+    others  all questions, of which one may be for the time
+    """
+    q = asked.question.quantity
+    initial = {s.symbol: s.value for s in asked.initial}
+    if not q.is_Symbol or base(q) != q or initial.get(q, sp.S.Zero) != 0:
+        return ""
+    when = [c.lhs - c.rhs for c in asked.question.when]
+    timed = [a for a in others if a.question.quantity == t and [c.lhs - c.rhs for c in a.question.when] == when]
+    times = [v for a in timed for b in a.branches for v in b.values]
+    ends = [s.get(prime(q)) for b in asked.branches for s in b.states]
+    for velocity, place in ((initial.get(prime(q)), "at the start"), *((v, "at the end") for v in ends)):
+        if velocity is not None and velocity != 0 and any(_same(claim, velocity * time) for time in times):
+            return f"the velocity {place} is taken for the whole way, and it changes"
+    return ""
+
+
 def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> str:
     """How a wrong value differs from the right one: the case of a parameter that is zero, a term, a factor.
 
@@ -190,8 +232,15 @@ def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> st
 def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
         special = sp.together(right).xreplace({p: sp.S.Zero})
+        if special.has(sp.nan, sp.zoo, sp.oo) and sp.count_ops(right) < MOST_OPERATIONS:
+            special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
+    legs = sp.Add.make_args(sp.expand(right**2))
+    if len(legs) == 2:
+        sides = [sp.sqrt(leg) for leg in legs]
+        if any(_same(claim, a * sides[0] + b * sides[1]) for a, b in product((1, -1), repeat=2)):
+            yield "two parts at right angles are added as if they had one direction: it is the root of their squares"
     for form, where in _FORMS:
         stated, derived = sp.expand(form(claim)), sp.expand(form(right))
         terms = sp.Add.make_args(derived)
@@ -203,13 +252,17 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
+    if not all(map(_is_plain, sp.Mul.make_args(ratio))):
+        ratio = sp.factor(sp.cancel(sp.together(claim / right)))
     factors = sp.Mul.make_args(ratio)
-    if len(factors) <= 3 and all(
-        f.is_number or f.as_base_exp()[0].is_Symbol or f.as_base_exp()[0].func in (sp.sin, sp.cos, sp.tan)
-        for f in factors
-    ):
+    if len(factors) <= 3 and all(map(_is_plain, factors)):
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
+            size = abs(below / above)
+            if _is_short(size):
+                yield f"only a number is wrong in it: it has to be {_written(size)} times as large"
+            elif _is_short(size**2):
+                yield f"only a number is wrong in it: its square has to be {_written(size**2)} times as large"
             return
         parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
         if above != 1:
@@ -227,7 +280,25 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
         yield f"the right answer does not depend on {', '.join(map(str, more))}"
 
 
+def _is_short(number: sp.Expr) -> bool:
+    """Whether a number is a ratio of small numbers, and not 1."""
+    return bool(number.is_Rational and number != 1 and max(number.p, number.q) <= MOST_IN_RATIO)
+
+
+MOST_IN_RATIO = 9
+
+
+def _is_plain(factor: sp.Expr) -> bool:
+    """Whether a factor can be named: a number, a letter, a sine, a sum of two letters."""
+    inner = factor.as_base_exp()[0]
+    if inner.is_Add:
+        return len(inner.args) == 2 and all(a.is_Symbol for a in inner.args)
+    return bool(factor.is_number or inner.is_Symbol or inner.func in (sp.sin, sp.cos, sp.tan))
+
+
 MOST_TERMS = 8
+MOST_OPERATIONS = 30
+"""Of a value whose limit is sought."""
 _FORMS: tuple[tuple[Callable[[sp.Expr], sp.Expr], str], ...] = (
     (lambda e: e, ""),
     (lambda e: e**2, " under the root"),

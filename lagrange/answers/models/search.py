@@ -297,17 +297,17 @@ class _Search:
                 return all(self.rows[n] in space for n in which)
             rows = [self.states[0].row(self.equations[n].xreplace(dict(variation.rule))) for n in which]
             return all(r is not None and r in self.states[0].right for r in rows)
-        if variation.values and not self._is_special(variation):
+        if variation.values and not self._is_special(variation, which):
             return False
         space = self.models.space(number, variation)
         return space is not None and all(self.rows[n] in space for n in which)
 
-    def _is_special(self, variation: Variation) -> bool:
-        """Whether the answer lacks the symbols to which values are given, and the constraints lack them as well."""
+    def _is_special(self, variation: Variation, which: Sequence[int]) -> bool:
+        """Whether these equations lack the symbols to which values are given, and the constraints lack them as well."""
         configuration = self.models.system.configuration
         tied = [e for r in configuration.rows for e in (*r.coefficients, r.drift, r.finite or sp.S.Zero)]
         bound = set().union(*(e.free_symbols for e in (*tied, *configuration.expressed.values())))
-        own = {s for e in self.equations for s in e.free_symbols}
+        own = {s for n in which for s in self.equations[n].free_symbols}
         return not any(s in own or s in bound for s in variation.values) and all(
             e.free_symbols <= own for e in variation.values.values()
         )

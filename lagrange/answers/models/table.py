@@ -58,6 +58,8 @@ MODELS = (
     Model("centrifugal terms", kinetic.squared_terms),
     Model("dT/dq with the wrong sign", kinetic.gradient_reversed),
     Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
+    Model("sine and cosine exchanged in a force", forces.components_exchanged),
+    Model("support taken as fixed in a force", forces.support_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
     Model("force with another factor", forces.force_doubled),
@@ -82,6 +84,7 @@ MODELS = (
     Model("length doubled in a position", kinetic.length_doubled),
     Model("product of velocities in T with another factor", kinetic.product_scaled),
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
+    Model("length taken as given", coordinates.length_for_coordinate),
     Model("factor 2", kinetic.factor_two),
 )
 """In the order of their likelihood. Several may make the same equations; then the first is named."""

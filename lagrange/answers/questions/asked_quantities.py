@@ -104,7 +104,7 @@ class Claim:
         self.asked = asked
         self.unit_fits = unit_fits
         self.solution = solution
-        self.values = dict(reference.values)
+        self.values, self.units = dict(reference.values), reference.units
         self.own = reference.candidates[0] if reference.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
@@ -144,7 +144,12 @@ class Claim:
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         from lagrange.answers.models.letters import letter_variations
-        from lagrange.answers.models.questions import explained_answer, explained_value
+        from lagrange.answers.models.questions import (
+            explained_answer,
+            explained_by_constant_velocity,
+            explained_value,
+        )
+        from lagrange.answers.results.instants import explained_instant
         from lagrange.answers.results.starts import explained_at_start
 
         judged = self._of_expression if self.expression is not None else self._of_equation
@@ -152,8 +157,14 @@ class Claim:
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
         if stated is not None and (changed := self._of_another_body(stated, of)):
             return changed
-        if stated is not None and (lost := explained_answer(self.asked, stated, of)):
+        impact = self.solution.impact
+        before = None if impact is None else impact.kinetic[0]
+        if stated is not None and (lost := explained_answer(self.asked, stated, of, before)):
             return lost
+        if value is not None and (lost := explained_by_constant_velocity(value, self.asked, self.solution.asked)):
+            return lost
+        if value is not None and (other := explained_instant(value, self.asked, self.solution.asked)):
+            return other
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
@@ -169,7 +180,11 @@ class Claim:
             return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
-        return next(filter(None, (explained_value(stated, v, fixed) for v in right)), "")
+        if lost := next(filter(None, (explained_value(stated, v, fixed) for v in right)), ""):
+            return lost
+        from lagrange.answers.results.units import wrong_dimension
+
+        return wrong_dimension(stated, self.units, right[0]) if right else ""
 
     def _of_another_body(self, stated: sp.Expr, of: sp.Expr) -> str:
         """The answer for another moment of inertia, as a sentence; empty if it is none."""

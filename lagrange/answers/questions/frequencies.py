@@ -16,7 +16,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
-from itertools import combinations
+from itertools import combinations, islice
 
 import mpmath
 import sympy as sp
@@ -27,7 +27,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
-from lagrange.answers.models.letters import explained_frequencies
+from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
@@ -88,6 +88,29 @@ class _Place:
             return sign_of(self.at(e))
         except NotAlgebraicError:
             return None
+
+    def held_fast(self, claims: Sequence[sp.Expr], values: Values) -> str:
+        """Whether ω² = K_jj/M_jj for a claim: with the other coordinates held fast; a sentence, or empty."""
+        free, system = self.oscillations.free, self.oscillations.system
+        if len(free) < 2 or not claims:
+            return ""
+        names = []
+        for claim in claims:
+            own = [
+                j for j in range(len(free)) if self._is_own(claim, system.stiffness[j][j], system.mass[j][j], values)
+            ]
+            if not own:
+                return ""
+            names += own[:1]
+        coordinates = self.resting.configuration.slots.coordinates
+        alone = " and ".join(dict.fromkeys(str(coordinates[free[j]]) for j in names))
+        return f"that is the frequency of {alone} with the other coordinates held fast"
+
+    def _is_own(self, claim: sp.Expr, stiffness: sp.Expr, mass: sp.Expr, values: Values) -> bool:
+        try:
+            return claim != 0 and is_zero(self.at(as_written(claim**2 * mass - stiffness)).xreplace(values)) is True
+        except (DivisionByZeroError, NotAlgebraicError):
+            return False
 
     def is_root(self, claim: sp.Expr, values: Values) -> bool | None:
         """Whether a frequency satisfies the characteristic equation; None: undecided."""
@@ -152,14 +175,38 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
     best = max(verdicts, key=lambda v: _BEST.index(v.verdict))
     if best.verdict is not Verdict.WRONG and best.diagnosis != _NOT_ALL_KNOWN:
         return best
-    for sentence, meant in (pair for claims in lists for pair in explained_frequencies(claims)):
-        if _of_list(meant, [""] * len(meant), places, values, complete=complete).verdict in (
-            Verdict.EQUIVALENT,
-            Verdict.INCOMPLETE,
-        ):
-            return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
-    sentence = next(filter(None, (_of_models(claims, places, reference) for claims in lists)), "")
+    wrong = [
+        claims
+        for claims, v in zip(lists, verdicts, strict=True)
+        if v.verdict is Verdict.WRONG or v.diagnosis == _NOT_ALL_KNOWN
+    ]
+    sentence = next(_explained(wrong, places, values, reference), "")
     return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
+
+
+def _explained(
+    lists: Sequence[Sequence[sp.Expr]],
+    places: Sequence[_Place],
+    values: dict[sp.Symbol, sp.Rational],
+    reference: Reference,
+) -> Iterator[str]:
+    """What wrong lists of frequencies are instead, the likeliest first."""
+
+    def right(claims: Sequence[sp.Expr]) -> bool:
+        return any(all(p.is_root(c, values) for c in claims) for p in places)
+
+    plain = explained_frequencies(lists[0]) if len(lists) == 1 else iter(())
+    yield from (sentence for sentence, meant in islice(plain, NUMBER_OF_MEANINGS) if right(meant))
+    for claims in lists:
+        alone = [c for c in claims if not right([c])]
+        if len(alone) == len(claims):
+            yield from filter(None, [_of_models(claims, places, reference)])
+        yield from filter(None, (p.held_fast(alone, values) for p in places))
+        yield from filter(None, (_of_models(stated, places, reference) for stated in (claims, alone) if stated))
+    for claims in lists:
+        alone = [c for c in claims if not right([c])]
+        for stated in (claims, alone):
+            yield from (sentence for sentence, meant in explained_frequencies(stated) if right(meant))
 
 
 _LABELLED = re.compile(

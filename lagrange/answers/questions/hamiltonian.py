@@ -6,7 +6,7 @@ one, exactly; a function that differs by a constant gives the same equations, an
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -70,9 +70,25 @@ def _verdict(claim: sp.Expr, derived: Hamiltonian, reference: Reference) -> tupl
         return Verdict.EQUIVALENT, _TIME if difference.has(t) else _CONSTANT
     if same is None:
         return Verdict.UNDECIDED, UNDECIDED
+    return Verdict.WRONG, _explained(claim, derived, lambda e: vanish([e - derived.function]) is True)
+
+
+def _explained(claim: sp.Expr, derived: Hamiltonian, right: Callable[[sp.Expr], bool]) -> str:
+    """What a wrong function is instead, in a sentence; empty if that is not found."""
+    from lagrange.answers.models.letters import letter_variations
     from lagrange.answers.models.questions import explained_value
 
-    return Verdict.WRONG, explained_value(claim, derived.function, {*slots.coordinates, *derived.momenta})
+    slots = derived.configuration.slots
+    moving = derived.function.free_symbols & {*derived.momenta}
+    potential = derived.function.xreplace(dict.fromkeys(derived.momenta, sp.S.Zero))
+    if moving and right(claim + 2 * potential) and potential != 0:
+        return "this is T - V in the momenta: the Lagrangian, and not T + V"
+    if why := explained_value(claim, derived.function, {*slots.coordinates, *derived.momenta}):
+        return why
+    for variation in letter_variations([claim], [derived.function], slots, derived.momenta):
+        if variation.rule and right(claim.xreplace(dict(variation.rule))):
+            return f"this is the function {variation.clause}"
+    return ""
 
 
 def _scope(scope: Scope, derived: Sequence[Hamiltonian], declared: frozenset[str]) -> Scope:

@@ -76,6 +76,10 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Prob
     why = explained_impact(
         name, claim, values[0][0], found, problem, lambda e: found.surface.is_zero(e.xreplace(values_))
     )
+    if not why:
+        from lagrange.answers.results.units import wrong_dimension
+
+        why = wrong_dimension(claim, reference.units, values[0][0])
     return Verdict.WRONG, why
 
 

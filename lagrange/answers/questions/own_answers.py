@@ -12,7 +12,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.reactions import check_reaction
-from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import (
     WORST_TO_BEST,
     AnswerVerdict,
@@ -25,6 +25,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Answers
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.constraints.classification import Classification
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
@@ -48,25 +49,46 @@ def on_freedom_and_class(solution: Solution, answers: Answers) -> Iterator[Answe
         agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
         why = ""
         if not agrees:
-            from lagrange.answers.models.letters import explained_degrees_of_freedom
+            from lagrange.answers.results.counting import explained_degrees_of_freedom
 
             why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
         yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
     if answers.classification:
-        yield _together("classification", {word: _class(solution, word) for word in answers.classification})
+        stated = {word: _class(solution, word) for word in answers.classification}
+        yield _together("classification", stated, _why_not(stated, classification))
     if answers.integrable:
         derived = {c.constraint.name: c.integrable for c in classification.constraints}
         agree = {n: None if derived.get(n) is None else derived[n] == s for n, s in answers.integrable.items()}
-        yield _together("integrable", agree)
+        yield _together("integrable", agree, _why_not_integrable(answers.integrable, agree, classification))
 
 
-def _together(name: str, parts: Mapping[str, bool | None]) -> AnswerVerdict:
-    """The verdict on several statements, naming those that are not right."""
+def _why_not(parts: Mapping[str, bool | None], classification: Classification) -> str:
+    """Why stated classes are wrong."""
+    if False not in parts.values():
+        return ""
+    from lagrange.answers.results.counting import explained_classes
+
+    return explained_classes([word for word, agrees in parts.items() if agrees is False], classification)
+
+
+def _why_not_integrable(
+    stated: Mapping[str, bool], agree: Mapping[str, bool | None], classification: Classification
+) -> str:
+    """Why statements about what can be integrated are wrong."""
+    if False not in agree.values():
+        return ""
+    from lagrange.answers.results.counting import explained_integrability
+
+    return explained_integrability({n: s for n, s in stated.items() if agree[n] is False}, classification)
+
+
+def _together(name: str, parts: Mapping[str, bool | None], why: str = "") -> AnswerVerdict:
+    """The verdict on several statements, naming those that are not right, and why."""
     verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
     named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
     heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
     diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
-    return AnswerVerdict(verdict, name=name, diagnosis=diagnosis)
+    return AnswerVerdict(verdict, name=name, diagnosis="; ".join(filter(None, (diagnosis, why))))
 
 
 def _agrees(same: bool | None) -> Verdict:
@@ -137,7 +159,7 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         conditions = [v.steady.general for v in solution.views if v.steady is not None]
         if conditions:
             verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
-            why = _about_equilibria(verdict, answers.steady, conditions, reference_of_solution(solution))
+            why = _about_equilibria(verdict, answers.steady, conditions, solution)
             yield replace(verdict, name="steady", diagnosis=why.replace("equilibria", "steady motions"))
         else:
             why = "the problem does not ask for steady motions"
@@ -201,7 +223,7 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
     verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
     verdict = compared_in_numbers(alternatives, verdict, solution)
-    why = _about_equilibria(verdict, alternatives, equilibria, reference_of_solution(solution))
+    why = _about_equilibria(verdict, alternatives, equilibria, solution)
     return replace(verdict, name="equilibrium", diagnosis=why)
 
 
@@ -209,7 +231,7 @@ def _about_equilibria(
     verdict: AnswerVerdict,
     alternatives: Sequence[Sequence[Fragment]],
     equilibria: Sequence[Equilibrium],
-    reference: Reference,
+    solution: Solution,
 ) -> str:
     """What is missing, or of which changed problem these are the equilibria."""
     if verdict.verdict is Verdict.INCOMPLETE:
@@ -218,7 +240,7 @@ def _about_equilibria(
         return ""
     from lagrange.answers.equilibria import explained_equilibria
 
-    return explained_equilibria(alternatives, equilibria, reference)
+    return explained_equilibria(alternatives, equilibria, reference_of_solution(solution), solution.problem)
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:

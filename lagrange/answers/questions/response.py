@@ -45,9 +45,6 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
     together = next(filter(None, (explained_amplitudes(claims, r) for r in found)), "")
     if not together:
         return verdict
-    alone = all(e.diagnosis for e in verdict.equations if e.verdict is Verdict.WRONG)
-    if alone:
-        return verdict
     plain = tuple(replace(e, diagnosis="") for e in verdict.equations)  # one cause for all of them
     return replace(verdict, equations=plain, diagnosis=together)
 
@@ -88,7 +85,11 @@ def judged_amplitude(claim: sp.Expr, name: str, found: Sequence[Response], refer
 
     amplitude = sp.powdenest(sp.sqrt(sp.factor(sp.expand(squares[name]))), force=True)
     why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
-    return Verdict.WRONG, next(filter(None, why), "")
+    if reason := next(filter(None, why), ""):
+        return Verdict.WRONG, reason
+    from lagrange.answers.results.units import wrong_dimension
+
+    return Verdict.WRONG, wrong_dimension(as_written(claim), reference.units, amplitude)
 
 
 def _squares(found: Sequence[Response]) -> dict[str, sp.Expr]:

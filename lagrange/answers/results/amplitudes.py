@@ -107,6 +107,10 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
                 yield f"without the coupling of {coordinates[i]} and {coordinates[j]}", both
                 neither = without.changed(part, j, i, sp.S.Zero).changed(part, j, j, matrix[j][j] + matrix[j][i])
                 yield f"without the force between {coordinates[i]} and {coordinates[j]}", neither
+    yield from _other_drives(own, drive, coordinates)
+    for i, q in enumerate(coordinates):
+        balanced = own.frequency**2 * mass[i][i]
+        yield f"at resonance, where stiffness and inertia of {q} balance", own.changed("stiffness", i, i, balanced)
     for i, j in pairs:
         if drive[i] == 0 != drive[j]:
             forces = [drive[j] if k == i else sp.S.Zero if k == j else f for k, f in enumerate(drive)]
@@ -122,6 +126,28 @@ def _changes(response: Response) -> Iterator[tuple[str, _Equations]]:
             for term in dict.fromkeys(x for j, row in enumerate(terms) if j != i for x in row if x not in terms[i]):
                 if term != 0:
                     yield f"with {term} as well {where}", own.changed(part, i, i, whole + term)
+
+
+def _other_drives(
+    own: _Equations, drive: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]
+) -> Iterator[tuple[str, _Equations]]:
+    """Without what a damper or a spring transmits of the motion of a support; the motion relative to the support."""
+    for i, q in enumerate(coordinates):
+        whole = sp.expand(drive[i])
+        cosine, sine = whole.coeff(sp.I, 0), whole.coeff(sp.I, 1)
+        for kept in (cosine, sp.I * sine) if cosine != 0 and sine != 0 else ():
+            lost = "cos" if kept is not cosine else "sin"
+            forces = [kept if k == i else f for k, f in enumerate(drive)]
+            clause = f"without the {lost}({own.frequency}*t) term of the drive in the equation of {q}"
+            yield clause, _Equations(own.stiffness, own.mass, own.damping, forces, own.frequency)
+    if len(coordinates) == 1:
+        k, m, d, w = own.stiffness[0][0], own.mass[0][0], own.damping[0][0], own.frequency
+        for letter in sorted(drive[0].free_symbols - {w}, key=str):
+            motion = sp.cancel(sp.expand(drive[0]) / sp.expand(k + sp.I * w * d))
+            if letter in motion.free_symbols and motion.free_symbols == {letter}:
+                forces = [sp.expand(m * w**2 * motion)]
+                clause = "of the motion relative to the support, and the one in the fixed frame is asked for"
+                yield clause, _Equations(own.stiffness, own.mass, own.damping, forces, own.frequency)
 
 
 class _Draw:

@@ -54,6 +54,8 @@ def _reasons(
         for energy, when in ((before, "before"), (after, "after")):
             if energy != 0 and vanishes(claim - energy):
                 yield f"this is the whole kinetic energy just {when} the impact, and not what is lost"
+        if claim == 0 and value != 0:
+            yield "some kinetic energy is lost here: it is conserved only where nothing sticks and all is elastic"
         if vanishes(claim + value):
             yield "its sign is wrong: what is lost is positive"
     elif plain in velocities:
@@ -95,6 +97,13 @@ def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, probl
             for d, c in zip(draws, claims, strict=True)
         ):
             return f"without {q}' just before the impact"
+    for group in dict.fromkeys(row.name.partition(".")[0] for row in found.rows):
+        left = [j for j, row in enumerate(found.rows) if row.name.partition(".")[0] != group]
+        if all(
+            (v := d.velocity(m, number, rows=left)) is not None and _close(v, c)
+            for d, c in zip(draws, claims, strict=True)
+        ):
+            return f"without `{group}`, as if nothing were held there"
     for model in MODELS:
         for variation in model.changes(m):
             changed = variation.mechanics
@@ -122,21 +131,28 @@ class _Draw:
         self.drift = [-sum((a * self.numbers.number(after[v]) for a, v in zip(row, after, strict=True)), sp.S.Zero)
                       for row in self.rows]  # fmt: skip
 
-    def velocity(self, m: Mechanics, number: int, without: int | None = None) -> sp.Expr | None:
+    def velocity(
+        self, m: Mechanics, number: int, without: int | None = None, rows: list[int] | None = None
+    ) -> sp.Expr | None:
         """A velocity just after with the inertia of a changed problem, or without one of the velocities just before;
-        None if it is not determined."""
+        None if it is not determined.
+
+        rows  the constraints that act; all of them if not given
+        """
         before = [sp.S.Zero if k == without else v for k, v in enumerate(self.before)]
-        n, r = len(self.before), len(self.rows)
+        chosen = range(len(self.rows)) if rows is None else rows
+        held, drift = [self.rows[j] for j in chosen], [self.drift[j] for j in chosen]
+        n, r = len(self.before), len(held)
         mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
         right = [
             j + sum((g * v for g, v in zip(row, before, strict=True)), sp.S.Zero)
             for j, row in zip(self.blows, mass, strict=True)
         ]
-        rows = [[*mass[i], *(-self.rows[j][i] for j in range(r)), right[i]] for i in range(n)]
-        rows += [[*self.rows[j], *[sp.S.Zero] * r, -self.drift[j]] for j in range(r)]
-        if any(not x.is_number or not x.is_finite for row in rows for x in row):
+        system = [[*mass[i], *(-held[j][i] for j in range(r)), right[i]] for i in range(n)]
+        system += [[*held[j], *[sp.S.Zero] * r, -drift[j]] for j in range(r)]
+        if any(not x.is_number or not x.is_finite for row in system for x in row):
             return None
-        return _solved(rows, number)
+        return _solved(system, number)
 
 
 def _solved(rows: list[list[sp.Expr]], number: int) -> sp.Expr | None:

@@ -102,6 +102,25 @@ class System:
     def _rows(self) -> dict[int, tuple[Point, list[NumberRow]]]:
         return {}
 
+    def spaces(self, moving: Point, known: Sequence[NumberRow], free: int) -> tuple[RowSpace, RowSpace, int]:
+        """The row spaces of `known`, the rows at a state, and of the constraints among them, and the number of
+        independent equations in them; kept with the state unless an answer has unknown forces of its own."""
+        kept = self._spaces.get(id(moving))
+        if free or kept is None or kept[0] is not moving:
+            constraints = known[: len(self.accelerated_constraints)]
+            needed = _rank_without(moving, [*known], free + len(self.multipliers))
+            kept = moving, (RowSpace(moving.arithmetic, known), RowSpace(moving.arithmetic, constraints), needed)
+            if free:
+                return kept[1]
+            if len(self._spaces) >= MOST_STATES_KEPT:
+                self._spaces.clear()
+            self._spaces[id(moving)] = kept
+        return kept[1]
+
+    @cached_property
+    def _spaces(self) -> dict[int, tuple[Point, tuple[RowSpace, RowSpace, int]]]:
+        return {}
+
 
 def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> EquationComparison | None:
     """Compare the equations `answer` (each zero) with a system. None: undecided.
@@ -220,14 +239,14 @@ def _compared(
     zero = [moving.number(0)] * (len(unknowns) + 1)
     rows = [zero if row is None else row for row in affine]
     constraints = known[: len(system.accelerated_constraints)]
-    spaces = _Spaces(moving, constraints, known)
+    all_known, bound, needed = system.spaces(moving, known, len(free))
+    spaces = _Spaces(moving, constraints, all_known, bound)
     standings = [
         Standing.NOT_LINEAR if linear is None else spaces.standing(row, len(free))
         for row, linear in zip(rows, affine, strict=True)
     ]
     _judge_free(moving, standings, rows, spaces.known, len(free))
     counted = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
-    needed = _rank_without(moving, known, eliminated)
     reached = _rank_without(moving, [*constraints, *counted], eliminated)
     return EquationComparison(tuple(standings), max(0, needed - reached))
 
@@ -238,10 +257,10 @@ _COUNTED = (Standing.FOLLOWS, Standing.CONSTRAINT, Standing.REDUNDANT)
 class _Spaces:
     """The row spaces of the derived equations, of the constraints, and of these with the answer so far."""
 
-    def __init__(self, point: Point, constraints: Sequence[NumberRow], known: Sequence[NumberRow]) -> None:
+    def __init__(self, point: Point, constraints: Sequence[NumberRow], known: RowSpace, bound: RowSpace) -> None:
         self._vanishes = point.arithmetic.vanishes
-        self.known = RowSpace(point.arithmetic, known)
-        self._constraints = RowSpace(point.arithmetic, constraints)
+        self.known = known
+        self._constraints = bound
         self._answered = RowSpace(point.arithmetic, constraints)
 
     def standing(self, row: NumberRow, free: int) -> Standing:

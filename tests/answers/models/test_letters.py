@@ -11,8 +11,8 @@ from lagrange.problem.model import Answers
 from tests.support.shared import loaded, solved
 
 EQUILIBRIA = [
-    ("ladder", "P = W*tan(phi)", "W twice as large"),
-    ("ladder", "P = -W/2*tan(phi)", "W with the opposite sign"),
+    ("ladder", "P = W*tan(phi)", "the weight of `G` twice as large, or acting at twice the distance"),
+    ("ladder", "P = -W/2*tan(phi)", "for gravity that acts the other way"),
     ("rod-over-peg", "b*sin(theta)^3 = c", "sine and cosine"),
     ("ladder", "P = W/2*tan(phi)^3", ""),
 ]
@@ -51,8 +51,10 @@ def test_reactions_of_a_changed_problem(name: str, constraint: str, answer: str,
     [
         ("ex18-double-pendulum", 4, "not subtracted"),
         ("rolling-disc", 5, "not subtracted"),
-        ("ex18-double-pendulum", 7, ""),
+        ("ex18-double-pendulum", 7, "determined by 4 coordinates"),
         ("ex18-double-pendulum", 2, ""),
+        ("ex18-double-pendulum", 3, "1 constraint too few is subtracted"),
+        ("ex18-double-pendulum", 1, "1 constraint too many is subtracted"),
     ],
 )
 def test_degrees_of_freedom(name: str, number: int, said: str) -> None:

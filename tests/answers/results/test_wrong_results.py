@@ -70,6 +70,55 @@ RESULTS: list[tuple[str, str, object, str]] = [
     (CAUGHT, "impact", {"energy_lost": "m*v^2/2"}, "the whole kinetic energy just before the impact"),
     ("rear-wheel-drive", "ask", {"behind": "m*g*c/(b + c)"}, "without the force `drive`"),
     ("bowling-ball", "ask", {"speed": "2*v/3"}, "which a disc or solid cylinder has"),
+    ("leaving-a-sphere", "ask", {"speed": "sqrt(2*g*R)"}, "this is the value where theta = pi/2"),
+    ("ballistic-pendulum", "ask", {"swing": "cos(theta) = 1 - m*v^2/(2*(M + m)*g*l)"}, "to be conserved in the impact"),
+    ("ballistic-pendulum", "impact", {"energy_lost": "0"}, "some kinetic energy is lost here"),
+    ("centre-of-percussion", "impact", {"x'": "J/m"}, "without `hinge`, as if nothing were held there"),
+    ("weight-let-go-on-a-spring", "ask", {"lowest": "m*g/k"}, "the middle of the oscillation"),
+    ("weight-let-go-on-a-spring", "ask", {"time": "2*pi*sqrt(m/k)"}, "it is a whole period"),
+    (
+        "weight-let-go-on-a-spring",
+        "ask",
+        {"motion": "m*g/k*cos(sqrt(k/m)*t)"},
+        "at t = 0 this gives x = m*g/k and not 0",
+    ),
+    ("thrown-stone", "ask", {"time": "v*sin(alpha)/g"}, "then y' = 0"),
+    ("thrown-stone", "ask", {"range": "v^2*sin(2*alpha)/(2*g)"}, "there y' = 0"),
+    ("damped-oscillator", "response", {"x": "F/sqrt((c - m*w^2)^2 + b^2)"}, "its terms have different dimensions"),
+    ("damped-oscillator", "response", {"x": "F/(b*w)"}, "at resonance"),
+    ("shaken-support", "response", {"x": "a*m*w^2/sqrt((c - m*w^2)^2 + b^2*w^2)"}, "relative to the support"),
+    ("ladder", "equilibrium", ["P = W/2/tan(phi)"], "sine and cosine"),
+    ("inverted-pendulum-springs", "equilibrium", [["cos(theta) = W/(c*l)"]], "with l in place of b"),
+    ("inverted-pendulum-springs", "equilibrium", [["cos(theta) = W*l/(2*c*b^2)"]], "as from an energy without its 1/2"),
+    ("roberval-balance", "equilibrium", ["P = W*(b + d)/(b + f)"], "do not depend on d, f"),
+    ("beads-on-hoop", "equilibrium", ["tan(theta) = (m_1 + m_2)/(m_1 - m_2)*tan(beta)"], "the other way round"),
+    ("three-weights", "equilibrium", ["y = b*sqrt(4*P^2 - W^2)/W"], "the other way round"),
+    ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "its right side has to be multiplied by 3"),
+    ("masses-on-springs", "equilibrium", ["c_1*x_1 = m_1*g", "x_2 = m_2*g/c_2"], "without the weight of `B` in the"),
+    (
+        "hill-moon",
+        "equilibrium",
+        [["r^3 = K/(2*n^2)", "phi = 0"]],
+        "for a frame, support or length that does not change",
+    ),
+    ("triatomic-molecule", "frequencies", ["0", "sqrt(2*c/M)"], "that is the frequency of x2 with the other"),
+    ("bead-on-rotating-hoop", "frequencies", [["sqrt(g/R)"]], "for a frame or support that does not move"),
+    ("swinging-atwood", "reactions", {"string": "F = 2*M*m*g/(M + m)"}, "the reaction at rest where theta = 0"),
+    ("swinging-atwood", "reactions", {"string": "F = M*g"}, "balances the other forces in the equation of y"),
+    ("shortening-pendulum", "reactions", {"rope": "T = m*g*cos(phi)"}, "at rest with constant l"),
+    (
+        "charge-in-a-magnetic-field",
+        "hamiltonian",
+        "((p_x - q*B*y/2)^2 + (p_y + q*B*x/2)^2)/(2*m) - q*E*y",
+        "for B with the",
+    ),
+    ("pendulum-in-wind", "reactions", {"rod": "W"}, "without F, as if F = 0"),
+    ("pendulum-in-wind", "reactions", {"rod": "F + W"}, "two parts at right angles are added"),
+    ("rolling-coin", "classification", ["holonomic"], "`no_slip.1` and `no_slip.2` cannot be integrated"),
+    ("sphere-in-disguise", "classification", ["nonholonomic"], "`law` can be integrated"),
+    ("skate-on-a-turntable", "classification", ["rheonomic"], "neither in a constraint nor in a position"),
+    ("two-wheels-on-an-axle", "integrable", {"right_wheel": True}, "`right_wheel` fails Frobenius' test"),
+    ("two-wheels-on-an-axle", "degrees_of_freedom", 1, "is not subtracted once more"),
     ("bead-in-a-turning-tube", "hamiltonian", "p_r^2/(2*m) + k*(r - a)^2/2 + m*r^2*Omega^2/2", "is wrong"),
 ]
 
@@ -91,3 +140,44 @@ def test_values_in_floating_point() -> None:
     x = sp.Symbol("x")
     assert approximate(sp.sqrt(x) * sp.tan(x) / 2 + 1, {x: 1.0}) == pytest.approx(1.7787038623)
     assert str(approximate(sp.Function("f")(x), {x: 1.0})) == str(approximate(sp.sqrt(x), {x: -1.0})) == "nan"
+
+
+@pytest.mark.parametrize(
+    ("problem", "constraint", "stated"),
+    [
+        ("ex14-two-particles", "rod", "m1*((x2' - x1')^2 + (y2' - y1')^2 + (z2' - z1')^2)/l"),
+        ("cylinder-in-cylinder", "rolling", "m*g*sin(phi)*3/7"),
+    ],
+)
+def test_a_wrong_reaction_is_not_called_one_at_rest_because_all_of_it_vanishes_there(
+    problem: str, constraint: str, stated: str
+) -> None:
+    _, diagnosis = diagnoses(problem, {"reactions": {constraint: stated}})
+    assert "at rest" not in diagnosis
+    assert "balances" not in diagnosis
+
+
+def test_right_frequencies_in_another_list_explain_nothing() -> None:
+    stated = [["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g/R)"]]  # the first is right, with -Omega for Omega as well
+    _, diagnosis = diagnoses("bead-on-rotating-hoop", {"frequencies": stated})
+    assert "Omega with the opposite sign" not in diagnosis
+
+
+@pytest.mark.parametrize(
+    ("problem", "answers", "where", "why"),
+    [
+        ("leaving-a-sphere", {"ask": {"leaves": "cos(theta) = 1/2"}}, "", "1/2 of T"),
+        ("sphere-in-disguise", {"classification": ["nonholonomic", "scleronomic"]}, "not right: nonholonomic", "law"),
+        ("roberval-balance", {"equilibrium": ["P = 2*W"]}, "", "twice as large"),
+        ("ex14-two-particles", {"degrees_of_freedom": 6}, "", "not subtracted"),
+    ],
+)
+def test_hint_levels_of_results(problem: str, answers: object, where: str, why: str) -> None:
+    read = read_answers(Source("answers", json.dumps(answers)), loaded(problem))
+    judgement = Examiner(loaded(problem), solved(problem, complete=False)).check_answers(read)
+    said = [" ".join(str(judgement.at_hint_level(level)).split()) for level in (1, 2, 3)]
+    assert [why in text for text in said] == [False, False, True]
+    assert where in said[1]
+    assert not where or where not in said[0]
+    [other] = judgement.others
+    assert any(why in cause for cause in other.causes)

@@ -1,0 +1,32 @@
+"""Wrong values whose dimensions betray them: terms that cannot be added, or a length where a speed is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from lagrange.core.units import written
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
+from lagrange.values.dimensions import mismatch
+
+
+def wrong_dimension(claim: sp.Expr, units: Mapping[sp.Symbol, str], right: sp.Expr | None = None) -> str:
+    """What is wrong with the dimensions of a value, in a sentence; empty if nothing is, or that is not known.
+
+    right  a value of the dimension that is expected
+    """
+    inside = mismatch([claim], units)
+    if inside is not None:
+        first, second = (text(e, Notation()) for e in (inside.term, inside.other))
+        return (
+            f"its terms have different dimensions: {first} is in {written(inside.dimension)}, "
+            f"{second} in {written(inside.expected)}"
+        )
+    if right is None or claim == 0 or right == 0 or (apart := mismatch([right, claim], units)) is None:
+        return ""
+    stated, expected = apart.dimension, apart.expected
+    if apart.term == right:
+        stated, expected = expected, stated
+    return f"its dimension is wrong: it is in {written(stated)}, and what is asked for is in {written(expected)}"
