@@ -13,7 +13,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from lagrange.answers.written.approximations import is_about, results, with_equality
+from lagrange.answers.written.notation.matrices import rows_of_lists
+from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
+from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
@@ -80,7 +84,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _RATE_MARKS = "='\u0307\u0308¨˙"
@@ -112,7 +116,7 @@ _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|D
 
 def has_sign_of_equality(line: str) -> bool:
     """Whether a line has an equation: a `=`, or what stands for it."""
-    return _OTHER_EQUALS.search(line) is not None
+    return _OTHER_EQUALS.search(line) is not None or is_about(line)
 
 
 def is_mathematics(line: str) -> bool:
@@ -144,6 +148,7 @@ def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
+    fragment = with_equality(fragment)
     if is_latex(fragment):
         if _MAPLE.search(fragment.text) is None or "\\" in fragment.text:
             yield from _in_latex(fragment, beside)
@@ -154,7 +159,7 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
-    if stated := by_method_of_lagrange(text) or by_comprehension(text[:end]):
+    if stated := _in_other_shape(text[:end]) or by_method_of_lagrange(text) or by_comprehension(text[:end]):
         yield from (_rewritten(fragment, equation) for equation in stated)
         return
     if pairs := list(one_by_one(text[:end])):
@@ -182,6 +187,12 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
             yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
+
+
+def _in_other_shape(text: str) -> list[str]:
+    """The equations that an equation between lists, or between ratios, states; that for `T_max` of one for `max(T)`."""
+    named = name_of_extreme(text)
+    return rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
@@ -462,7 +473,7 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
-    return tuple(e for fragment in answer for e in _separated(fragment))
+    return results([e for fragment in answer for e in _separated(fragment)])
 
 
 def condition_alone(fragment: Fragment) -> Fragment:
@@ -503,6 +514,8 @@ def _separated(fragment: Fragment) -> list[Fragment]:
         return [fragment]
     if is_latex(fragment):
         return list(_in_latex(fragment, "")) or list(equations(fragment))
+    if (decimals := with_decimal_points(fragment.text)) != fragment.text:
+        fragment = replace(fragment, text=decimals)
     lines = []
     at = 0
     for line in fragment.text.split("\n"):

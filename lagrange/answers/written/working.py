@@ -25,12 +25,21 @@ from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matri
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.numbering import number_at_the_end
-from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
+from lagrange.answers.written.other_names import (
+    AT_EQUILIBRIUM,
+    as_virtual,
+    coordinates_at_rest,
+    other_names,
+    rates_without_bar,
+    without_arguments,
+)
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
+from lagrange.answers.written.vector_names import with_names_of_vectors
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -70,7 +79,6 @@ _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
 """The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
-_AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
 _RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
 _APPROXIMATE = re.compile(
@@ -140,6 +148,7 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving)
+    answer = with_names_of_vectors(answer, reference.scope_of_answers)
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -256,7 +265,11 @@ class _Sorting:
             elif not line.definition and line.reading is None:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
-                line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+                try:
+                    stated = with_value_in_si(line.fragment, self.reference)
+                    line.reading = read_as_written(stated, self.scope, line.text, self.rounded)
+                except ProblemError as error:
+                    line.reading = Reading(line.text, error=error)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         waiting = [line for line in waiting if line.reading and not line.definition]
@@ -293,6 +306,8 @@ class _Sorting:
     def _use_other_names(self, lines: list[_Line]) -> None:
         """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
         scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
+        if not self.values_are_asides:
+            scalars = {**scalars, **coordinates_at_rest([line.text for line in lines], self.scope)}
         if not scalars and not vectors:
             return
         self.scope = replace(
@@ -515,7 +530,7 @@ class _Sorting:
         coordinate, _, index = name.partition("_")
         asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
         symbol = next((q for q in asked if q.name == coordinate), None)
-        if symbol is None or not (index in _AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
+        if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
         message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"
