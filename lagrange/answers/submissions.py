@@ -112,7 +112,8 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             continue
         begins = start + _beginning(line, number, _BULLET)
         number += 1
-        kept = fragment.text[begins:end].strip(" $.,;\r")
+        kept = fragment.text[begins:end].strip(" .,;\r")
+        kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
         begins += fragment.text[begins:end].find(kept)
         yield _part(fragment, begins, begins + len(kept))
 
@@ -278,7 +279,7 @@ def _beginning(line: str, number: int, bullet: re.Pattern[str], labels: Collecti
         at = numbered.end()
     elif not numbered and (enumerated := _ENUMERATION.match(line, at)):
         at = enumerated.end()
-    label = None if ratios_of(line[at:]) else _LABEL.match(line, at)
+    label = None if any(map(ratios_of, re.split(r"[,;]\s", line[at:]))) else _LABEL.match(line, at)
     return label.end() if label else at
 
 

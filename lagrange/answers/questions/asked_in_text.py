@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of
+from lagrange.answers.questions.labels import is_used_beside
 from lagrange.answers.questions.chains import NOT_EQUAL, sides_agree
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -67,6 +68,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         named = [
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
+        named = [] if is_used_beside(fragment, answer, reference) else named
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))

@@ -13,7 +13,7 @@ from dataclasses import replace
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.questions.chains import NOT_EQUAL, sides_agree
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
-from lagrange.answers.questions.positions_in_text import period_as_rate, positions_of
+from lagrange.answers.questions.positions_in_text import period_as_rate, positions_of, with_rate_as_omega
 from lagrange.answers.questions.supports_in_text import supports_of
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
@@ -146,7 +146,7 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     reference = reference_of_solution(solution)
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
     answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)] or answer
-    working = understood(answer, reference, moving=False)
+    working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
     }

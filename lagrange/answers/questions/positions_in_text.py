@@ -18,7 +18,7 @@ from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, prime
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.syntax_tree import Role
@@ -69,6 +69,15 @@ def _is_position(fragment: Fragment, reference: Reference) -> bool:
     coordinates = {*reference.scope.slots.coordinates}
     allowed = coordinates | {*reference.parameters.values()}
     return not used.isdisjoint(coordinates) and used <= allowed and all(base(s) == s for s in used)
+
+
+def with_rate_as_omega(reference: Reference, cyclic: Sequence[sp.Symbol]) -> Reference:
+    """omega, and Omega, as the constant rate of the angle of a steady motion, where the problem declares neither."""
+    names = {"omega", "Omega"} - {*reference.declared}
+    if len(cyclic) != 1 or len(names) < 2:
+        return reference
+    rate = prime(cyclic[0])
+    return replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)}))
 
 
 def period_as_rate(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: Reference) -> Fragment:

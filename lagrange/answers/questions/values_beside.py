@@ -7,9 +7,9 @@ questions though it has the dimension of one, is a wrong answer.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
+from lagrange.answers.questions.labels import label_of
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.judging import is_of_motion
@@ -21,34 +21,22 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.units import NO_DIMENSION
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.results import Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
-_LABEL = re.compile(
-    r"[\s$&]*\\?(?P<name>[^\W\d_]+)(?:_(?:\{?\s*(?:\\(?:text|mathrm|rm)\s*\{)?\\?(?P<index>\w{1,12})))?[\s}]*(?:\([^()=]{0,20}\))?\s*&?="
-)
 _UNANSWERED = "it answers none of the questions"
 
 
 def working_beside(rest: Sequence[Fragment], answer: Sequence[Fragment], reference: Reference) -> list[Fragment]:
     """The lines that cannot be read only because of names that other lines state."""
-    labels = {name for f in answer if (name := _label(f))}
+    labels = {name for f in answer if (name := label_of(f))}
     found = []
     for f in rest:
         names = {*undeclared(read_as_written(f, reference.scope_of_answers), f.text)}
         if names and names <= labels:
             found.append(f)
     return found
-
-
-def _label(fragment: Fragment) -> str:
-    match = _LABEL.match(fragment.text)
-    if match is None:
-        return ""
-    name = "".join(GREEK.get(c, c) for c in match["name"])
-    return f"{name}_{match['index']}" if match["index"] else name
 
 
 def only_beside(working: Working, reference: Reference) -> bool:
@@ -73,7 +61,7 @@ def under_another_name(answer: Sequence[Fragment], solution: Solution) -> Answer
     for f in answer:
         try:
             stated = statement(f, reference.scope)
-            if not stated.label or len(stated.sides) != 1 or _label(f) in reference.declared:
+            if not stated.label or len(stated.sides) != 1 or label_of(f) in reference.declared:
                 return None
             value = tried(stated.sides[0], stated.scope, lambda g, s=stated.scope: read_value(g, s, [], latex=True))  # type: ignore[misc]
         except ProblemError:

@@ -14,10 +14,10 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
-from lagrange.answers.written.notation.matrices import rows_of_lists
+from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
-from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of
+from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
@@ -44,6 +44,7 @@ _SEPARATOR = re.compile(
 )
 _LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
+_PIECES = re.compile(r"[,;](?=\s)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
 _NAMED = re.compile(
@@ -162,6 +163,10 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     if stated := _in_other_shape(text[:end]) or by_method_of_lagrange(text) or by_comprehension(text[:end]):
         yield from (_rewritten(fragment, equation) for equation in stated)
         return
+    if len(pieces := cuts(text[:end], _PIECES)) > 1 and any(ratios_of(text[a:b]) for a, b in pieces):
+        for a, b in pieces:
+            yield from equations_of_line(_part(fragment, a, b), beside)
+        return
     if pairs := list(one_by_one(text[:end])):
         yield from (_rewritten(fragment, f"{text[a:b].strip()} = {text[c:d].strip()}") for a, b, c, d in pairs)
         return
@@ -192,7 +197,7 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
 def _in_other_shape(text: str) -> list[str]:
     """The equations that an equation between lists, or between ratios, states; that for `T_max` of one for `max(T)`."""
     named = name_of_extreme(text)
-    return rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
+    return tuples_of(text) or rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
@@ -473,7 +478,19 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
-    return results([e for fragment in answer for e in _separated(fragment)])
+    return results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
+
+
+def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:
+    """`A*[x''; y''] = rhs`, where A and rhs are lists that other lines define, as one equation a row."""
+    made = rows_with_names([f.text for f in answer])
+    return [
+        row for f, rows in zip(answer, made, strict=True) for row in ([f] if rows is None else _in_rows(f, rows))
+    ]
+
+
+def _in_rows(fragment: Fragment, rows: Sequence[str]) -> list[Fragment]:
+    return [_rewritten(fragment, row) for row in rows]
 
 
 def condition_alone(fragment: Fragment) -> Fragment:
@@ -483,6 +500,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
     draft = Draft(fragment)
     draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
     if not is_latex(fragment):
+        if case := _CASE.match(draft.text):
+            draft.keep(case.end(), len(draft.text))
         start = _after_words(draft.text, 0, len(draft.text))
         draft.keep(start, len(draft.text.rstrip(" .,;")))
         if tail := _AFTER_COMMA.search(draft.text):
@@ -497,6 +516,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
+_CASE = re.compile(r"[^:=]*\b(?:if|when|for|falls|wenn|si|pour)\b[^:=]*:\s(?=[^:]*[=<>≤≥])", re.IGNORECASE)
+"""A case, which has a result of its own: `It slides first if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 

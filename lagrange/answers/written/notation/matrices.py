@@ -159,6 +159,32 @@ def rows_of_lists(text: str) -> list[str]:
     return _equations(text.replace("==", "= "), matrices) if len(matrices) > 1 or _is_zero_after(text) else []
 
 
+_NAMED = re.compile(r"\s*(?P<name>[A-Za-z]\w{0,12})\s*(?:\([^()=]{0,20}\))?\s*:?=(?!=)\s*(?P<value>[^=]+?)[\s;.]*\Z")
+
+
+def rows_with_names(texts: Sequence[str]) -> list[list[str] | None]:
+    """The rows of each equation between lists of which some have names, none for their definitions; None: unchanged."""
+    values: dict[str, str] = {}
+    for text in texts:
+        match = _NAMED.match(text) if "[" in text or "{" in text else None
+        lists = _lists(match["value"]) if match else []
+        if match and len(lists) == 1 and (lists[0].start, lists[0].end) == (0, len(match["value"])):
+            values[match["name"]] = match["value"]
+    unchanged: list[list[str] | None] = [None] * len(texts)
+    if not values or len(values) > _MOST:
+        return unchanged
+    token = re.compile(rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?")
+    made: list[list[str] | None] = []
+    for text in texts:
+        match = _NAMED.match(text)
+        if match and match["name"] in values and match["value"] == values[match["name"]]:
+            made.append([])
+        else:
+            rows = rows_of_lists(token.sub(lambda m: values[re.split(r"\(", m[0])[0]], text)) if token.search(text) else []
+            made.append(rows or None)
+    return made if any(made) else unchanged
+
+
 def _is_zero_after(text: str) -> bool:
     return text.rpartition("=")[2].strip(" .;,") == "0"
 

@@ -1,10 +1,11 @@
-r"""Equations between ratios, and the greatest and the least of several values.
+r"""Equations between ratios and between tuples, and the greatest and the least of several values.
 
     h : R = 5 : 2                      (h)/(R) = (5)/(2)
     A_1 : A_2 : A_3 = 1 : 2 : 1        (A_1)/(A_2) = (1)/(2),  (A_2)/(A_3) = (2)/(1)
     N / W = 1 : 2                      N / W = (1)/(2)
     max(a, b), min(a, b)               (a + b + |a - b|)/2, (a + b - |a - b|)/2
     max(T) = ...                       T_max = ...
+    (x, y) = (0, 0), (a, b)            [x, y] = [0, 0],  [x, y] = [a, b]
 """
 
 from __future__ import annotations
@@ -43,6 +44,31 @@ def ratios_of(text: str) -> list[str]:
         return []
     pairs = zip(left, left[1:], right, right[1:], strict=False)
     return [f"({a})/({b}) = ({c})/({d})" for a, b, c, d in pairs]
+
+
+_TUPLE = re.compile(r"\(\s*[^()=]+(?:\([^()]*\)[^()=]*)*\)")
+_TUPLES = re.compile(rf"\s*(?P<names>\((?:[^()=,]+,)+[^()=,]+\))\s*=\s*(?P<values>{_TUPLE.pattern}(?:\s*(?:,|;|or|and|oder|und)\s*{_TUPLE.pattern})*)[\s.]*\Z")
+
+
+def tuples_of(text: str) -> list[str]:
+    """`(x, y) = (0, 0), (1, 2)` as one equation between lists for each value; none if it is no such equation."""
+    match = _TUPLES.match(text)
+    if match is None:
+        return []
+    comma = re.compile(",")
+    names = match["names"][1:-1]
+    values = [match["values"][a + 1 : b] for a, b in closings(match["values"]).items() if _depth(match["values"], a) == 0]
+    number = len(cuts(names, comma))
+    if not 2 <= number <= 3 or any(len(cuts(v, comma)) != number for v in values):
+        return []
+    if len(values) == 1:
+        pairs = zip(cuts(names, comma), cuts(values[0], comma), strict=True)
+        return [f"{names[a:b].strip()} = {values[0][c:d].strip()}" for (a, b), (c, d) in pairs]
+    return [f"[{names}] = [{v}]" for v in values]
+
+
+def _depth(text: str, at: int) -> int:
+    return text.count("(", 0, at) - text.count(")", 0, at)
 
 
 def ratio_as_fractions(text: str) -> Iterator[Edit]:

@@ -35,6 +35,7 @@ _COMMAND_AS_INDEX = re.compile(
     r"_\s*(?:\\(?P<plain>infty|max|min|star)(?![A-Za-z])|\{\s*\\(?P<braced>infty|max|min|star)\s*\})"
 )
 _SIGN_AS_INDEX = re.compile(r"_(?:\{\s*)?(?P<sign>[+−-]|\\pm(?![A-Za-z])|±)(?:\s*\})?(?=\s*(?:\^\s*\{?2\}?|²)?\s*&?(?:=|\Z))")
+_HALF_AS_INDEX = re.compile(r"_(?:1/2|½|\{\s*(?:1/2|½|\\[dt]?frac\s*\{?1\}?\s*\{?2\}?)\s*\})(?=\s*&?=)")
 _BARE_INDEX = re.compile(r"_(max|min|tot|end|top|side|crit|res|eff)(?![A-Za-z])")
 """An index of several letters without its braces, which TeX would not print as it is meant."""
 _WRITTEN_OUT = {
@@ -47,8 +48,9 @@ _LONGEST = 400
 
 
 def signs_as_indices(draft: Draft) -> None:
-    """Name what has a sign as its index, on the left of an equation."""
+    """Name what has a sign, or a half, as its index, on the left of an equation."""
     latex = "\\" in draft.text
+    draft.replace(_HALF_AS_INDEX, "_{half}" if latex else "_half")
     draft.replace(
         _SIGN_AS_INDEX,
         lambda m: ("_{%s}" if latex else "_%s") % {"+": "plus", "-": "minus", "−": "minus"}.get(m["sign"], "pm"),

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from lagrange.core.units import unit_of
 from lagrange.expressions.edits import Edit
+from lagrange.expressions.latex_names import LatexNames
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import Role
 
@@ -33,11 +34,20 @@ def units_in_si(text: str, scope: Scope) -> Iterator[Edit]:
     """The numbers with units in plain text."""
     for match in _UNIT.finditer(text):
         names = _NAME.findall(match["unit"])
-        if not names or all(scope.role(n) is not Role.UNDECLARED for n in names):
+        if not names or all(_is_product(n, scope) for n in names):
+            continue
+        if text[: match.start()].rstrip().endswith("/"):  # 1/2 s
             continue
         made = _in_si(match["number"], match["unit"])
         if made:
             yield match.start(), match.end(), f" {made}"
+
+
+def _is_product(word: str, scope: Scope) -> bool:
+    """Whether letters are a name or several of them: `mg` is a weight beside a mass and g, and no milligram."""
+    names = LatexNames(scope)
+    run = names.run(word)
+    return not run.several and all(names.is_declared(name) for _, name in run.pieces)
 
 
 def units_of_latex_in_si(text: str, scope: Scope) -> Iterator[Edit]:
