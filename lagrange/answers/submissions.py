@@ -33,7 +33,12 @@ from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.macros import macros_of, with_macros
-from lagrange.answers.written.notation.markup import cells_of_row, is_list_of_dashes, text_of_html, without_named_letters
+from lagrange.answers.written.notation.markup import (
+    cells_of_row,
+    is_list_of_dashes,
+    text_of_html,
+    without_named_letters,
+)
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.ratios import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError

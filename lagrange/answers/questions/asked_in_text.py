@@ -15,8 +15,8 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of
-from lagrange.answers.questions.labels import is_used_beside
-from lagrange.answers.questions.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.labels import is_used_beside
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.reading import read_as_written

@@ -151,7 +151,9 @@ def check_frequencies(
 _LABELLED = re.compile(
     r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
 )
-_BETWEEN = re.compile(r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])")
+_BETWEEN = re.compile(
+    r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
+)
 _HIGHEST = 2
 """The degree in ω² of a frequency equation that is solved."""
 

@@ -81,9 +81,12 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
 
 
+_INDEX_OF_LOSS = r"\{?\s*(?:\\(?:text|mathrm)\s*\{)?"
 _LOSS = re.compile(
-    r"[\s$&]*(?:(?:\\Delta\s*|Δ\s*)(?P<change>[ETKWU])(?:_\{?\s*(?:\\(?:text|mathrm)\s*\{)?\w{1,12}[}\s]*)?"
-    r"|(?P<lost>[EWQTK])_\{?\s*(?:\\(?:text|mathrm)\s*\{)?(?:lost|loss|diss|verl|Verl|perdue)\w{0,10}[}\s]*|energy[ _](?:lost|loss)\s*)\s*&?=(?!=)"
+    rf"[\s$&]*(?:(?:\\Delta\s*|Δ\s*)(?P<change>[ETKWU])(?:_{_INDEX_OF_LOSS}\w{{1,12}}[}}\s]*)?"
+    rf"|(?P<lost>[EWQTK])_{_INDEX_OF_LOSS}(?:lost|loss|diss|verl|Verl|perdue)\w{{0,10}}[}}\s]*"
+    r"|energy[ _](?:lost|loss)\s*)"
+    r"\s*&?=(?!=)"
 )
 
 
@@ -190,7 +193,10 @@ def _missing(claims: Sequence[sp.Expr], found: ImpulsiveMotion) -> list[str]:
 
 def with_impulses(reference: Reference, found: ImpulsiveMotion) -> Reference:
     """The names that an answer may use, with those of the impulses and without those of the kinetic energies."""
-    names = {s.name: s for s in _impulses(found)}
+    names: dict[str, sp.Expr] = {s.name: s for s in _impulses(found)}
+    angles = [q for q in found.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
+    if len(angles) == 1 and len(angles) < len(found.slots.coordinates) and "omega" not in reference.declared:
+        names["omega"] = prime(angles[0])
     hidden = {n for n in ("T", "T_0", "K", "K_0") if n not in reference.declared}
     scalars = {n: e for n, e in reference.scope.scalars.items() if n not in hidden} | names
     return replace(

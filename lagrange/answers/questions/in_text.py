@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from lagrange.answers.questions.asked_in_text import asked_in_text
-from lagrange.answers.questions.chains import NOT_EQUAL, sides_agree
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
-from lagrange.answers.questions.positions_in_text import period_as_rate, positions_of, with_rate_as_omega
-from lagrange.answers.questions.supports_in_text import supports_of
+from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
+from lagrange.answers.questions.texts.supports import supports_of
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
@@ -180,10 +180,21 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             by_place = check_frequencies([[f] for f in stated], linearizations, reference)  # one for each equilibrium
             frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
         rest = [f for f in answer if f not in stated]
-        if frequencies.verdict is not Verdict.UNREADABLE and (frequencies.verdict is not Verdict.UNDECIDED or not rest):
+        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
             judged = _beside_frequencies(rest, solution, judge) if rest else None
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
+        if frequencies.verdict is Verdict.UNDECIDED and not rest:
+            return _if_readable(answer, judge) or _only(frequencies, solution)
     return _with_positions(answer, solution, judge)
+
+
+def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
+    """The verdict on an answer as on equations of motion; None if it cannot be read as such."""
+    try:
+        judged = judge(answer)
+    except ProblemError:
+        return None
+    return judged if judged.verdict in (Verdict.EQUIVALENT, Verdict.WRONG) else None
 
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
@@ -297,7 +308,7 @@ def _with_asked(
 ) -> Judgement | None:
     """The verdict on the lines that answer questions and on the others; `first` if there are none of the former."""
     lines = asked_in_text(answer, solution)
-    from lagrange.answers.questions import values_beside
+    from lagrange.answers.questions.texts import values_beside
     from lagrange.answers.written.working import understood
 
     if lines.verdict is None:
@@ -312,7 +323,9 @@ def _with_asked(
     working = understood(rest, reference) if rest else None
     if working is not None and not working.unreadable and values_beside.only_beside(working, reference):
         beside, working = [*beside, *working.judged], None
-    verdict = replace(verdict, notes=(*verdict.notes, *values_beside.not_judged(beside, "is working, and is not judged")))
+    verdict = replace(
+        verdict, notes=(*verdict.notes, *values_beside.not_judged(beside, "is working, and is not judged"))
+    )
     if working is not None and (working.judged or working.unreadable):
         try:
             others = judge(rest)

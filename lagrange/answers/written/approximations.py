@@ -1,9 +1,9 @@
 r"""Numbers beside exact results, and the letters of the parts of a question: what does not belong to an equation.
 
-    cos(theta) = 2/3, i.e. theta ≈ 48.2°            cos(theta) = 2/3
-    \cos\theta = \frac23 \Rightarrow \theta \approx 48{,}2^\circ
-    theta ≈ 48.2°                                   theta = 48.2°, where there is no other sign of equality
-    (a) v = ...                                     v = ..., where another line begins with (b)
+cos(theta) = 2/3, i.e. theta ≈ 48.2°            cos(theta) = 2/3
+\cos\theta = \frac23 \Rightarrow \theta \approx 48{,}2^\circ
+theta ≈ 48.2°                                   theta = 48.2°, where there is no other sign of equality
+(a) v = ...                                     v = ..., where another line begins with (b)
 """
 
 from __future__ import annotations

@@ -14,8 +14,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
-from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
+from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
@@ -23,6 +23,7 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.relations import is_inequality
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
@@ -196,6 +197,8 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
 
 def _in_other_shape(text: str) -> list[str]:
     """The equations that an equation between lists, or between ratios, states; that for `T_max` of one for `max(T)`."""
+    if len(text) > MAX_ANSWER_CHARACTERS:
+        return []
     named = name_of_extreme(text)
     return tuples_of(text) or rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
 
@@ -484,9 +487,7 @@ def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
 def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:
     """`A*[x''; y''] = rhs`, where A and rhs are lists that other lines define, as one equation a row."""
     made = rows_with_names([f.text for f in answer])
-    return [
-        row for f, rows in zip(answer, made, strict=True) for row in ([f] if rows is None else _in_rows(f, rows))
-    ]
+    return [row for f, rows in zip(answer, made, strict=True) for row in ([f] if rows is None else _in_rows(f, rows))]
 
 
 def _in_rows(fragment: Fragment, rows: Sequence[str]) -> list[Fragment]:
@@ -516,8 +517,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-_CASE = re.compile(r"[^:=]*\b(?:if|when|for|falls|wenn|si|pour)\b[^:=]*:\s(?=[^:]*[=<>≤≥])", re.IGNORECASE)
-"""A case, which has a result of its own: `It slides first if mu < b/h: P_max = ...`."""
+_CASE = re.compile(r"[^:=]*[<>≤≥][^:=]*:\s(?=[^:]*[=<>≤≥])")
+"""A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 

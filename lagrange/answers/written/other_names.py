@@ -111,7 +111,9 @@ def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr
             name = f"{symbol}_{match['index']}"
             if symbol is not None and match["index"] in AT_EQUILIBRIUM and scope.role(name) is Role.UNDECLARED:
                 found[name] = symbol
-    alone = {n for n in found if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)}
+    alone = {
+        n for n in found if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
+    }
     return {n: q for n, q in found.items() if n not in alone}
 
 

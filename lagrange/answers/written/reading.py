@@ -12,7 +12,7 @@ import sympy as sp
 from lagrange.answers.readings import GivenEquation, Reading, read_answer
 from lagrange.answers.written.notation.latex import rewritten_latex
 from lagrange.answers.written.notation.plain import rewritten
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -63,6 +63,14 @@ def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:
             yield in_language
         if re.search(r"[_^]\{", fragment.text):
             yield rewritten_latex(in_language, scope)
+
+
+def too_long(fragment: Fragment) -> ProblemError:
+    """The error of a text with more characters than an answer may have."""
+    length = len(fragment.text)
+    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
+    help_ = "write it shorter, or with abbreviations where there is a `let:`"
+    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 
 
 def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:

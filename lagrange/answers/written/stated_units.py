@@ -1,7 +1,7 @@
 """The value of a quantity with its unit, `x = 4.9 cm`, in a problem whose parameters have values.
 
-The dimension of a coordinate or a parameter says what a letter means that may be a unit or a name: `x = 0.049 m` is a length, although m
-is a mass. A unit of another dimension is an error of its own.
+The dimension of a coordinate or a parameter says what a letter means that may be a unit or a name: `x = 0.049 m` is a
+length, although m is a mass. A unit of another dimension is an error.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ _STATED = re.compile(r"[\s$]*\\?(?P<name>[^\W\d_]\w{0,12})\s*&?=\s*(?P<value>[-+
 
 
 def with_value_in_si(fragment: Fragment, reference: Reference) -> Fragment:
-    """`x = 4.9 cm` as x = (4.9)*(1/100); other texts as they are. Raises ProblemError at a unit of another dimension."""
+    """`x = 4.9 cm` as x = (4.9)*(1/100); other texts as they are.
+
+    Raises ProblemError at a unit of another dimension.
+    """
     match = _STATED.match(fragment.text) if reference.values else None
     if match is None:
         return fragment

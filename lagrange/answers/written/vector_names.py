@@ -1,7 +1,7 @@
 r"""Vectors and their magnitudes under one letter: \vec r beside r^3 is r_vec, and r is its magnitude.
 
-The letter is a vector where it has an arrow, a bold face or a bar, and a number where it has none. Where both occur without an index, the
-vector gets a name of its own; where nothing defines the number, `r = |\vec r|` does.
+The letter is a vector where it has an arrow, a bold face or a bar, and a number where it has none. Where both occur
+without an index, the vector gets a name of its own.
 """
 
 from __future__ import annotations
@@ -41,5 +41,7 @@ def with_names_of_vectors(answer: Sequence[Fragment], scope: Scope) -> list[Frag
 def _is_number(letter: str, texts: Sequence[str]) -> bool:
     """Whether a letter that is a vector somewhere occurs without a mark, too."""
     marked = re.compile(_MARKED.replace("NAME", letter))
-    bare = re.compile(rf"(?<![A-Za-z\\_{{]){letter}(?![A-Za-z_{{]|\s*\\?\()|\{{{letter}\^|\{{\s*{letter}\s*\}}(?<!\\vec\{{{letter}\}})")
+    bare = re.compile(
+        rf"(?<![A-Za-z\\_{{]){letter}(?![A-Za-z_{{]|\s*\\?\()|\{{{letter}\^|\{{\s*{letter}\s*\}}(?<!\\vec\{{{letter}\}})"
+    )
     return any(bare.search(marked.sub(" ", text)) for text in texts)

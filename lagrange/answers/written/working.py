@@ -35,7 +35,7 @@ from lagrange.answers.written.other_names import (
 )
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.reading import read_as_written, too_long, tried
 from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
@@ -198,14 +198,6 @@ def _without_braces(draft: Draft) -> None:
     end = len(draft.text.rstrip(" $"))
     if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
         draft.keep(start + 1, end - 1)
-
-
-def too_long(fragment: Fragment) -> ProblemError:
-    """The error of a text with more characters than an answer may have."""
-    length = len(fragment.text)
-    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
-    help_ = "write it shorter, or with abbreviations where there is a `let:`"
-    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 
 
 def _in_place_of(fragment: Fragment, text: str) -> Fragment:

@@ -1,14 +1,17 @@
 """Decimal commas, `2,5 R` for 2.5 R: a comma between two digits, without a space, outside lists and indices.
 
 Each is replaced by a point, so that the text keeps its length and every place in it. A comma in the brackets of a
-function of several arguments, in a list `[1,2]`, in braces `x_{1,2}` or in an enumeration `1,2,3` is none; nor is that of `10,000`, which may separate thousands.
+function of several arguments, in a list `[1,2]`, in braces `x_{1,2}` or in an enumeration `1,2,3` is none; nor is that
+of `10,000`, which may separate thousands.
 """
 
 from __future__ import annotations
 
 import re
 
-_COMMA = re.compile(r"(?<![0-9A-Za-z_,.])(?![1-9][0-9]{0,2},[0-9]{3}(?![0-9]))([0-9]{1,9}),(?=[0-9]{1,12}(?![0-9]*[,.][0-9]))")
+_COMMA = re.compile(
+    r"(?<![0-9A-Za-z_,.])(?![1-9][0-9]{0,2},[0-9]{3}(?![0-9]))([0-9]{1,9}),(?=[0-9]{1,12}(?![0-9]*[,.][0-9]))"
+)
 _CALL = re.compile(r"[A-Za-z0-9_]\s?\Z")
 _OF_ONE = re.compile(r"(?<![A-Za-z])(?:a?(?:rc)?(?:sin|cos|tan)h?|cot|exp|ln|log|sqrt|abs)\s?\Z|[0-9]\s?\Z|\s\Z")
 """What may precede the brackets of one value: a function of one argument, or a factor."""

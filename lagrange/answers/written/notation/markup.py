@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import re
 from html import unescape
+from itertools import pairwise
 
 from lagrange.expressions.characters import GREEK
 
@@ -67,17 +68,16 @@ def without_named_letters(text: str) -> str:
     return _NAMED.sub(letter, text) if "\\[" in text else text
 
 
-_ROW = re.compile(r"\s*\|(?P<inside>.*\|.*)\|\s*\Z")
 _CELL = re.compile(r"(?<!\\)\|")
 _DASH = re.compile(r"\s*[-–—+]\s+(?=\S)")
 
 
 def cells_of_row(line: str) -> list[tuple[int, int]]:
     """Where the cells of a row of a table begin and end; none where a line is no such row."""
-    if _ROW.match(line) is None:
+    bars = [m.start() for m in _CELL.finditer(line)] if line.strip()[:1] == line.strip()[-1:] == "|" else []
+    if len(bars) < 3:
         return []
-    bars = [m.start() for m in _CELL.finditer(line)]
-    cells = [(a + 1, b) for a, b in zip(bars, bars[1:], strict=False) if line[a + 1 : b].strip()]
+    cells = [(a + 1, b) for a, b in pairwise(bars) if line[a + 1 : b].strip()]
     whole = all("=" not in line[a:b] or line[a:b].strip()[0] not in "=+*/^" for a, b in cells)
     return cells if whole and any("=" in line[a:b] for a, b in cells) else []
 

@@ -10,8 +10,9 @@ is (a)(x) + (b)(y) = (p) and (c)(x) + (d)(y) = (q).
 Matrices may have names, `M \ddot q + h = \tau` with `M = \begin{pmatrix} ...`; a bold letter that is not defined, whose
 second derivative occurs, is the column of the coordinates.
 
-In plain text a matrix is a list of rows, `[[a, b], [c, d]]`, `{{a, b}, {c, d}}`, `[a, b; c, d]`, `Matrix([[a, b], [c, d]])` or Word's
-`(■(a&b@c&d))`, and a list of several entries is a column. Between a matrix and a column there may be `*`, `·`, `@` or `.`.
+In plain text a matrix is a list of rows, `[[a, b], [c, d]]`, `{{a, b}, {c, d}}`, `[a, b; c, d]`,
+`Matrix([[a, b], [c, d]])` or Word's `(■(a&b@c&d))`, and a list of several entries is a column. Between a matrix and a
+column there may be `*`, `·`, `@` or `.`. These may have names, too.
 """
 
 from __future__ import annotations
@@ -173,14 +174,18 @@ def rows_with_names(texts: Sequence[str]) -> list[list[str] | None]:
     unchanged: list[list[str] | None] = [None] * len(texts)
     if not values or len(values) > _MOST:
         return unchanged
-    token = re.compile(rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?")
+    token = re.compile(
+        rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?"
+    )
     made: list[list[str] | None] = []
     for text in texts:
         match = _NAMED.match(text)
         if match and match["name"] in values and match["value"] == values[match["name"]]:
             made.append([])
         else:
-            rows = rows_of_lists(token.sub(lambda m: values[re.split(r"\(", m[0])[0]], text)) if token.search(text) else []
+            rows = (
+                rows_of_lists(token.sub(lambda m: values[re.split(r"\(", m[0])[0]], text)) if token.search(text) else []
+            )
             made.append(rows or None)
     return made if any(made) else unchanged
 
@@ -227,7 +232,9 @@ def _rows_of_word(inside: str) -> Matrix | None:
         return None
     rows = [
         [row[c:d].strip() for c, d in cuts(row, re.compile("&"))]
-        for row in (inside[opening + 1 + a : opening + 1 + b] for a, b in cuts(inside[opening + 1 : end], re.compile("@")))
+        for row in (
+            inside[opening + 1 + a : opening + 1 + b] for a, b in cuts(inside[opening + 1 : end], re.compile("@"))
+        )
     ]
     return rows if all(all(row) for row in rows) else None
 
@@ -300,7 +307,7 @@ def _side(text: str, start: int, end: int, matrices: Sequence[_Written]) -> list
     known = [c for c in columns if c is not None]
     if len({len(c) for c in known}) != 1:
         return None
-    return [" ".join(parts) for parts in zip(*known, strict=True)]
+    return [" ".join(parts).removeprefix("+ ") for parts in zip(*known, strict=True)]
 
 
 def _column(factor: str, product: list[Matrix]) -> list[str] | None:
@@ -314,7 +321,5 @@ def _column(factor: str, product: list[Matrix]) -> list[str] | None:
         return [f"{sign} {scaled}({row[0]})" for row in column]
     if any(len(row) != len(column) for row in first[0]):
         return None
-    return [
-        f"{sign} {scaled}(" + " + ".join(f"({a})({b[0]})" for a, b in zip(row, column, strict=True)) + ")"
-        for row in first[0]
-    ]
+    sums = [" + ".join(f"({a})({b[0]})" for a, b in zip(row, column, strict=True)) for row in first[0]]
+    return [f"{sign} {scaled}({e})" if scaled or sign == "-" else f"{sign} {e}" for e in sums]

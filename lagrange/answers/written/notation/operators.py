@@ -1,13 +1,15 @@
 """The time derivative as an operator D: `D^2 x`, `D x`, `(D phi)^2`, `D(m r^2 D phi)`, `(m D^2 + b D + c) x`.
 
-An operator before brackets is applied to what is in them; one before a name, to that name; a sum with operators in brackets is applied
-to the name or the brackets after it, term by term. D is an operator only where the problem declares no `D`.
+An operator before brackets is applied to what is in them; one before a name, to that name; a sum with operators in
+brackets is applied to the name or the brackets after it, term by term. D is an operator only where the problem declares
+no `D`.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings, cuts
@@ -85,7 +87,7 @@ def _polynomials(text: str) -> Iterator[Edit]:
 def _terms(inside: str) -> list[str]:
     places = [start for start, _ in cuts(inside, _SIGN)]
     starts = [0, *(m.start() for m in _SIGN.finditer(inside) if any(m.end() == p for p in places)), len(inside)]
-    return [inside[a:b].strip() for a, b in zip(starts, starts[1:], strict=False)]
+    return [inside[a:b].strip() for a, b in pairwise(starts)]
 
 
 def _applied(term: str, operand: str) -> str:

@@ -1,11 +1,11 @@
 r"""Equations between ratios and between tuples, and the greatest and the least of several values.
 
-    h : R = 5 : 2                      (h)/(R) = (5)/(2)
-    A_1 : A_2 : A_3 = 1 : 2 : 1        (A_1)/(A_2) = (1)/(2),  (A_2)/(A_3) = (2)/(1)
-    N / W = 1 : 2                      N / W = (1)/(2)
-    max(a, b), min(a, b)               (a + b + |a - b|)/2, (a + b - |a - b|)/2
-    max(T) = ...                       T_max = ...
-    (x, y) = (0, 0), (a, b)            [x, y] = [0, 0],  [x, y] = [a, b]
+h : R = 5 : 2                      (h)/(R) = (5)/(2)
+A_1 : A_2 : A_3 = 1 : 2 : 1        (A_1)/(A_2) = (1)/(2),  (A_2)/(A_3) = (2)/(1)
+N / W = 1 : 2                      N / W = (1)/(2)
+max(a, b), min(a, b)               (a + b + |a - b|)/2, (a + b - |a - b|)/2
+max(T) = ...                       T_max = ...
+(x, y) = (0, 0), (a, b)            [x, y] = [0, 0],  [x, y] = [a, b]
 """
 
 from __future__ import annotations
@@ -47,7 +47,9 @@ def ratios_of(text: str) -> list[str]:
 
 
 _TUPLE = re.compile(r"\(\s*[^()=]+(?:\([^()]*\)[^()=]*)*\)")
-_TUPLES = re.compile(rf"\s*(?P<names>\((?:[^()=,]+,)+[^()=,]+\))\s*=\s*(?P<values>{_TUPLE.pattern}(?:\s*(?:,|;|or|and|oder|und)\s*{_TUPLE.pattern})*)[\s.]*\Z")
+_TUPLES = re.compile(
+    rf"\s*(?P<names>\((?:[^()=,]+,)+[^()=,]+\))\s*=\s*(?P<values>{_TUPLE.pattern}(?:\s*(?:,|;|or|and|oder|und)\s*{_TUPLE.pattern})*)[\s.]*\Z"
+)
 
 
 def tuples_of(text: str) -> list[str]:
@@ -57,7 +59,9 @@ def tuples_of(text: str) -> list[str]:
         return []
     comma = re.compile(",")
     names = match["names"][1:-1]
-    values = [match["values"][a + 1 : b] for a, b in closings(match["values"]).items() if _depth(match["values"], a) == 0]
+    values = [
+        match["values"][a + 1 : b] for a, b in closings(match["values"]).items() if _depth(match["values"], a) == 0
+    ]
     number = len(cuts(names, comma))
     if not 2 <= number <= 3 or any(len(cuts(v, comma)) != number for v in values):
         return []
@@ -90,7 +94,11 @@ def name_of_extreme(text: str) -> str:
     if match is None:
         return text
     index = match["which"].lower()
-    return f"{match['name']}_{{{index}}} " + text[match.end() :] if "\\" in text else f"{match['name']}_{index} " + text[match.end() :]
+    return (
+        f"{match['name']}_{{{index}}} " + text[match.end() :]
+        if "\\" in text
+        else f"{match['name']}_{index} " + text[match.end() :]
+    )
 
 
 def extremes(text: str, *, latex: bool = False) -> Iterator[Edit]:

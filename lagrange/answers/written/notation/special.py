@@ -34,7 +34,9 @@ _INVERSE_LATEX = re.compile(
 _COMMAND_AS_INDEX = re.compile(
     r"_\s*(?:\\(?P<plain>infty|max|min|star)(?![A-Za-z])|\{\s*\\(?P<braced>infty|max|min|star)\s*\})"
 )
-_SIGN_AS_INDEX = re.compile(r"_(?:\{\s*)?(?P<sign>[+−-]|\\pm(?![A-Za-z])|±)(?:\s*\})?(?=\s*(?:\^\s*\{?2\}?|²)?\s*&?(?:=|\Z))")
+_SIGN_AS_INDEX = re.compile(
+    r"_(?:\{\s*)?(?P<sign>[+−-]|\\pm(?![A-Za-z])|±)(?:\s*\})?(?=\s*(?:\^\s*\{?2\}?|²)?\s*&?(?:=|\Z))"
+)
 _HALF_AS_INDEX = re.compile(r"_(?:1/2|½|\{\s*(?:1/2|½|\\[dt]?frac\s*\{?1\}?\s*\{?2\}?)\s*\})(?=\s*&?=)")
 _BARE_INDEX = re.compile(r"_(max|min|tot|end|top|side|crit|res|eff)(?![A-Za-z])")
 """An index of several letters without its braces, which TeX would not print as it is meant."""

@@ -1,7 +1,8 @@
 r"""Numbers with units among expressions, in SI: `12 cm` as (12)*(1/100), `9.81\,\mathrm{m/s^2}` as (9.81).
 
-In plain text a unit is one in which at least one letter is no name of the problem: `2 m` beside a mass m is twice a mass, `9.81 m/s^2` is
-a number of metres per second squared where no `s` is declared. In LaTeX a unit is upright, and is meant wherever it stands after a number.
+In plain text a unit is one in which at least one letter is no name of the problem: `2 m` beside a mass m is twice a
+mass, `9.81 m/s^2` is an acceleration where no `s` is declared. In LaTeX a unit is upright, and is meant wherever it
+stands after a number.
 """
 
 from __future__ import annotations
@@ -17,17 +18,36 @@ from lagrange.expressions.syntax_tree import Role
 
 _WORD = r"[A-Za-zµμΩ]{1,6}(?:\s?\^\s?[({]?\s?[-−]?[1-4]\s?[)}]?|[²³]|⁻[¹²³])?"
 _UNIT = re.compile(
-    rf"(?<![A-Za-z_0-9.])(?P<number>[0-9]{{1,12}}(?:\.[0-9]{{1,12}})?)\s?\*?\s?(?P<unit>(?:{_WORD}|1)(?:\s?[/·⋅*]\s?{_WORD}|(?<=[NgJs])\s{_WORD}|\s(?:s|m|kg)(?:\^-[12]|⁻[¹²]))*)(?![A-Za-z0-9_('])"
+    rf"(?<![A-Za-z_0-9.])(?P<number>[0-9]{{1,12}}(?:\.[0-9]{{1,12}})?)\s?\*?\s?"
+    rf"(?P<unit>(?:{_WORD}|1)(?:\s?[/·⋅*]\s?{_WORD}|(?<=[NgJs])\s{_WORD}|\s(?:s|m|kg)(?:\^-[12]|⁻[¹²]))*)(?![A-Za-z0-9_('])"
 )
 _NAME = re.compile(r"[A-Za-zµμΩ]+")
-_UPRIGHT = r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{[^{}]{1,24}(?:\{[^{}]{1,4}\}[^{}]{0,24}){0,3}\}(?:\s*\^\s*(?:\{\s*-?[1-4]\s*\}|[1-4]))?"
+_UPRIGHT = (
+    r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{[^{}]{1,24}(?:\{[^{}]{1,4}\}[^{}]{0,24}){0,3}\}"
+    r"(?:\s*\^\s*(?:\{\s*-?[1-4]\s*\}|[1-4]))?"
+)
+_NUMERAL = r"[0-9]{1,12}(?:\.[0-9]{1,12})?(?:\s*\\(?:cdot|times)\s*10\s*\^\s*(?:\{\s*-?[0-9]{1,2}\s*\}|[0-9]))?"
 _IN_LATEX = re.compile(
-    rf"(?<![A-Za-z0-9.}}])(?<!frac )(?P<number>[0-9]{{1,12}}(?:\.[0-9]{{1,12}})?(?:\s*\\(?:cdot|times)\s*10\s*\^\s*(?:\{{\s*-?[0-9]{{1,2}}\s*\}}|[0-9]))?)(?P<space>(?:\s|~|\\[,;:! ])*)(?P<unit>{_UPRIGHT}(?:(?:\s|\\[,;: ]|~)*(?:/|\\cdot|\\times)?(?:\s|\\[,;: ])*{_UPRIGHT})*"
+    rf"(?<![A-Za-z0-9.}}])(?<!frac )(?P<number>{_NUMERAL})(?P<space>(?:\s|~|\\[,;:! ])*)"
+    rf"(?P<unit>{_UPRIGHT}(?:(?:\s|\\[,;: ]|~)*(?:/|\\cdot|\\times)?(?:\s|\\[,;: ])*{_UPRIGHT})*"
     rf"|\\[dt]?frac\s*\{{\s*{_UPRIGHT}\s*\}}\s*\{{\s*{_UPRIGHT}\s*\}})(?=\s*(?:\Z|[-=+−,;.$)&\]}}]|\\))"
 )
 _SIUNITX = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]{1,24})\}\s*\{(?P<unit>[^{}]{1,40})\}")
-_MACROS = {r"\meter": "m", r"\metre": "m", r"\second": "s", r"\kilogram": "kg", r"\newton": "N", r"\radian": "rad",
-    r"\joule": "J", r"\per": "/", r"\squared": "^2", r"\centi": "c", r"\milli": "m", r"\kilo": "k", r"\hertz": "Hz"}  # fmt: skip
+_MACROS = {
+    r"\kilogram": "kg",
+    r"\newton": "N",
+    r"\radian": "rad",
+    r"\joule": "J",
+    r"\hertz": "Hz",
+    r"\meter": "m",
+    r"\metre": "m",
+    r"\second": "s",
+    r"\per": "/",
+    r"\squared": "^2",
+    r"\centi": "c",
+    r"\milli": "m",
+    r"\kilo": "k",
+}
 
 
 def units_in_si(text: str, scope: Scope) -> Iterator[Edit]:

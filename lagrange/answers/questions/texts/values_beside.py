@@ -1,15 +1,15 @@
 """Lines beside the answers to questions: the working that leads to them, and values under names of their own.
 
-A line that cannot be read only because it contains the label of an answer, `m v^2/2 = m g h` before `v = ...`, is working; so is one
-without accelerations and forces, an energy or a relation of kinematics. A value under a name that nobody declared, which answers none of the
-questions though it has the dimension of one, is a wrong answer.
+A line that cannot be read only because it contains the label of an answer, `m v^2/2 = m g h` before `v = ...`, is
+working; so is one without accelerations and forces, an energy or a relation of kinematics. A value under a name that
+nobody declared, which answers none of the questions though it has the dimension of one, is a wrong answer.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from lagrange.answers.questions.labels import label_of
+from lagrange.answers.questions.texts.labels import label_of
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.judging import is_of_motion

@@ -1,7 +1,7 @@
 """Chains of values, `v = sqrt(2 a d) = sqrt(2*3*4) = 4.9 m/s`: whether their sides agree.
 
-The sides that contain parameters alone are numbers once these have their values; without values they are expressions, which must be equal.
-A decimal stands for all numbers that round to it.
+The sides that contain parameters alone are numbers once these have their values; without values they are expressions,
+which must be equal. A decimal stands for all numbers that round to it.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ NOT_EQUAL = "its sides are not equal to one another"
 
 
 def sides_agree(fragment: Fragment, reference: Reference) -> bool | None:
-    """Whether the sides of a chain that are values agree; None if there are not two of them, or if that is not known."""
+    """Whether the sides of a chain that are values agree; None if there are not two of them, or it is not known."""
     places = cuts(fragment.text, _SIGN)
     if not 2 < len(places) <= _MOST:
         return None

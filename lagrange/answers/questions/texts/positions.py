@@ -1,9 +1,9 @@
 r"""Positions of equilibrium in a text that is also about motion or frequencies, and names of quantities in it.
 
-    Equilibrium: x1 = (c l + kappa (L - l))/(c + 2 kappa), x2 = L - x1
-    theta = 0: omega = sqrt(g/R - Omega^2);   theta = arccos(g/(R Omega^2)): omega = ...
-    T = 2 pi sqrt(l cos(theta)/g)                   phi' = 2 pi/(...), a period of a steady motion
-    cos(theta_0) = g/(l phi'^2)                     cos(theta) = g/(l phi'^2)
+Equilibrium: x1 = (c l + kappa (L - l))/(c + 2 kappa), x2 = L - x1
+theta = 0: omega = sqrt(g/R - Omega^2);   theta = arccos(g/(R Omega^2)): omega = ...
+T = 2 pi sqrt(l cos(theta)/g)                   phi' = 2 pi/(...), a period of a steady motion
+cos(theta_0) = g/(l phi'^2)                     cos(theta) = g/(l phi'^2)
 """
 
 from __future__ import annotations
@@ -47,9 +47,7 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
         return None
     try:
         together = [tuple(understood(a, reference, moving=False).judged) for a in alternatives_of(stated)]
-        each = [
-            tuple(understood(a, reference, moving=False).judged) for f in stated for a in alternatives_of([f])
-        ]
+        each = [tuple(understood(a, reference, moving=False).judged) for f in stated for a in alternatives_of([f])]
         found = [compared_equilibrium(solution, alternatives) for alternatives in (together, each)]
     except ProblemError:
         return None
@@ -77,13 +75,18 @@ def with_rate_as_omega(reference: Reference, cyclic: Sequence[sp.Symbol]) -> Ref
     if len(cyclic) != 1 or len(names) < 2:
         return reference
     rate = prime(cyclic[0])
-    return replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)}))
+    scope = replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)})
+    return replace(reference, scope=scope, declared=reference.declared | names)
 
 
 def period_as_rate(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: Reference) -> Fragment:
     """The period of a steady motion, `T = value`, as the rate of its angle, where there is one cyclic angle."""
     match = _PERIOD.match(fragment.text)
-    if match is None or len(cyclic) != 1 or reference.scope.role("T") is not Role.UNDECLARED and "T" in reference.declared:
+    if (
+        match is None
+        or len(cyclic) != 1
+        or (reference.scope.role("T") is not Role.UNDECLARED and "T" in reference.declared)
+    ):
         return fragment
     [angle] = cyclic
     latex = is_latex(fragment)
@@ -93,5 +96,10 @@ def period_as_rate(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: R
     draft = Draft(fragment)
     end = len(fragment.text.rstrip(" $.,;"))
     between = " " if latex else "*"
-    draft.apply([(0, match.end(), f"{'$' if fragment.text.lstrip().startswith('$') else ''} {rate}{between}("), (end, end, f") = {turn}")])
+    draft.apply(
+        [
+            (0, match.end(), f"{'$' if fragment.text.lstrip().startswith('$') else ''} {rate}{between}("),
+            (end, end, f") = {turn}"),
+        ]
+    )
     return draft.finished(latex=latex)
