@@ -191,12 +191,25 @@ def _missing(claims: Sequence[sp.Expr], found: ImpulsiveMotion) -> list[str]:
     return missing
 
 
+def with_omega(reference: Reference, found: ImpulsiveMotion) -> list[Reference]:
+    """The names that an answer may use, with ω for the only angular velocity just after the impact, in either sense."""
+    angles = [q for q in found.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
+    if len(angles) != 1 or "omega" in reference.declared:
+        return []
+    declared = reference.declared | {"omega"}
+    return [
+        replace(
+            reference,
+            scope=replace(reference.scope, scalars={**reference.scope.scalars, "omega": rate}),
+            declared=declared,
+        )
+        for rate in (prime(angles[0]), -prime(angles[0]))
+    ]
+
+
 def with_impulses(reference: Reference, found: ImpulsiveMotion) -> Reference:
     """The names that an answer may use, with those of the impulses and without those of the kinetic energies."""
-    names: dict[str, sp.Expr] = {s.name: s for s in _impulses(found)}
-    angles = [q for q in found.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
-    if len(angles) == 1 and len(angles) < len(found.slots.coordinates) and "omega" not in reference.declared:
-        names["omega"] = prime(angles[0])
+    names = {s.name: s for s in _impulses(found)}
     hidden = {n for n in ("T", "T_0", "K", "K_0") if n not in reference.declared}
     scalars = {n: e for n, e in reference.scope.scalars.items() if n not in hidden} | names
     return replace(

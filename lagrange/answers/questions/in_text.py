@@ -73,7 +73,13 @@ def _only(verdict: AnswerVerdict, solution: Solution) -> Judgement:
 
 
 def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
-    from lagrange.answers.questions.impact_in_text import check_impact_in_text, check_loss, with_impulses, with_losses
+    from lagrange.answers.questions.impact_in_text import (
+        check_impact_in_text,
+        check_loss,
+        with_impulses,
+        with_losses,
+        with_omega,
+    )
     from lagrange.answers.written.working import understood
 
     found = solution.impact
@@ -85,6 +91,9 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
     reference = with_impulses(reference_of_solution(solution), found)
     verdict = check_impact_in_text(understood(answer, reference), found, reference)
+    if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
+        tried = [check_impact_in_text(understood(answer, r), found, r) for r in with_omega(reference, found)]
+        verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
         return _only(verdict, solution)

@@ -136,7 +136,7 @@ def _solved(
     amplitudes = _amplitudes(dict.fromkeys(names, sp.S.Zero), coordinates)
     if len(names) != 1 or not amplitudes:
         return None
-    unknown = sp.Symbol("amplitude", real=True)
+    unknown = sp.Symbol("amplitude", positive=True)
     scalars = {**reference.scope.scalars, **working.defined, next(iter(names)): unknown}
     reading = read_as_written(Fragment.of(fragment.reading.text), replace(reference.scope, scalars=scalars))
     if reading.error or len(reading.components) != 1:

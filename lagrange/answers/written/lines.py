@@ -66,6 +66,7 @@ _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}[\s,.:]{0,3}){1,8}\Z")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
+_I_GOT = re.compile(r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?)\b(?!\s*[=*/^+])")
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
@@ -77,6 +78,7 @@ where with let set define eom finally which yields yield using since because fro
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
 die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
 est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
+otherwise else sonst sinon ansonsten got hi hello
 its your my follows follow it i.e e.g eq eqn or
  energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
@@ -395,7 +397,7 @@ def _after_words(text: str, start: int, end: int) -> int:
     while at < end:
         if text[at].isspace():
             at += 1
-        elif leading := _LEADING.match(text, at, end):
+        elif leading := _LEADING.match(text, at, end) or _I_GOT.match(text, at, end):
             at = leading.end()
         elif (word := _WORD.match(text, at, end)) and _STANDS_ALONE.match(text, word.end(), end) and word[0][-1] != ":":
             break

@@ -31,7 +31,7 @@ def with_value_in_si(fragment: Fragment, reference: Reference) -> Fragment:
     if match is None:
         return fragment
     symbol = reference.scope.scalar(reference.scope.spelling("".join(GREEK.get(c, c) for c in match["name"])))
-    expected = dimension_of_unit(unit) if (unit := reference.units.get(symbol, "")) else None  # type: ignore[arg-type]
+    expected = dimension_of_unit(unit) if (unit := reference.units.get(symbol, "")) else None
     parts = split_number(plain_unit(match["value"]))
     found = unit_of(parts[1]) if parts else None
     if expected is None or parts is None or found is None or found.is_angle:
