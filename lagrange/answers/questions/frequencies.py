@@ -118,7 +118,7 @@ def check_frequencies(
 ) -> AnswerVerdict:
     """The verdict on all lists together."""
     try:
-        stated = [[e for f in fragments for one in _listed(f) for e in with_both_signs(one)] for fragments in stated]
+        stated = [[e for f in fragments for one in listed(f) for e in with_both_signs(one)] for fragments in stated]
         read = [[(f, value) for f in fragments for value in _values(f, reference)] for fragments in stated]
         stated = [[f for f, _ in pairs] for pairs in read]
         lists = [[value for _, value in pairs] for pairs in read]
@@ -176,7 +176,7 @@ def _has_name(name: str, text: str) -> bool:
     return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
 
 
-def _listed(fragment: Fragment) -> list[Fragment]:
+def listed(fragment: Fragment) -> list[Fragment]:
     """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
     return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]

@@ -208,9 +208,10 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.frequencies import stated_frequencies
+    from lagrange.answers.questions.frequencies import listed, stated_frequencies
 
-    pairs = in_pairs(fragment) if stated_frequencies([fragment]) else []
+    alone = stated_frequencies([fragment]) and len(listed(fragment)) == 1
+    pairs = in_pairs(fragment) if alone else []
     made = [p.finished(latex=is_latex(fragment)) for p in pairs] or [fragment]
     return made[:1] if sides_agree(fragment, reference) else made
 

@@ -35,7 +35,7 @@ from lagrange.answers.written.other_names import (
 )
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, too_long, tried
+from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
 from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
@@ -44,7 +44,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severi
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
-from lagrange.expressions.edits import Draft, closings, cuts
+from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
@@ -148,7 +148,6 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving)
-    answer = with_names_of_vectors(answer, reference.scope_of_answers)
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -157,6 +156,8 @@ def understood(
             for f, text in zip(answer, texts, strict=True)
             if text is not None
         ]
+    else:
+        answer = with_names_of_vectors(answer, sorting.scope)
     return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
 
 
@@ -179,7 +180,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         draft.keep(label.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
-    _without_braces(draft)
+    without_braces(draft)
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -190,14 +191,6 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(whole, text, number)]
     made = [_finished(piece, fragment, latex) for piece in pieces]
     return [_Line(m, m.text.strip(" &$\n")) for m in made]
-
-
-def _without_braces(draft: Draft) -> None:
-    """The equation without the braces of TeX around the whole of it, `{x = 1}`."""
-    start = len(draft.text) - len(draft.text.lstrip(" $"))
-    end = len(draft.text.rstrip(" $"))
-    if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
-        draft.keep(start + 1, end - 1)
 
 
 def _in_place_of(fragment: Fragment, text: str) -> Fragment:
@@ -258,8 +251,8 @@ class _Sorting:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
                 try:
-                    stated = with_value_in_si(line.fragment, self.reference)
-                    line.reading = read_as_written(stated, self.scope, line.text, self.rounded)
+                    line.fragment = with_value_in_si(line.fragment, self.reference)
+                    line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
                 except ProblemError as error:
                     line.reading = Reading(line.text, error=error)
         if eliminating:
