@@ -13,7 +13,9 @@ _COMMA = re.compile(
     r"(?<![0-9A-Za-z_,.])(?![1-9][0-9]{0,2},[0-9]{3}(?![0-9]))([0-9]{1,9}),(?=[0-9]{1,12}(?![0-9]*[,.][0-9]))"
 )
 _CALL = re.compile(r"[A-Za-z0-9_]\s?\Z")
-_OF_ONE = re.compile(r"(?<![A-Za-z])(?:a?(?:rc)?(?:sin|cos|tan)h?|cot|exp|ln|log|sqrt|abs)\s?\Z|(?<![A-Za-z0-9_.])[0-9.]+\s?\Z|\s\Z")
+_OF_ONE = re.compile(
+    r"(?<![A-Za-z])(?:a?(?:rc)?(?:sin|cos|tan)h?|cot|exp|ln|log|sqrt|abs)\s?\Z|(?<![A-Za-z0-9_.])[0-9.]+\s?\Z|\s\Z"
+)
 """What may precede the brackets of one value: a function of one argument, or a factor."""
 _OPENING, _CLOSING = "([{", ")]}"
 
