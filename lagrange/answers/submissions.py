@@ -31,9 +31,16 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
+from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.macros import macros_of, with_macros
-from lagrange.answers.written.notation.markup import text_of_html, without_named_letters
+from lagrange.answers.written.notation.markup import (
+    cells_of_row,
+    is_list_of_dashes,
+    text_of_html,
+    without_named_letters,
+)
 from lagrange.answers.written.notation.programs import declares, equations_of_program
+from lagrange.answers.written.notation.ratios import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
@@ -67,6 +74,8 @@ def equations_in_file(source: Source, ending: str, *, conditions: bool = False) 
     _check_size(fragment)
     if conditions and is_inequality(fragment):
         return tuple(_conditions(fragment))
+    if (decimals := with_decimal_points(source.text)) != source.text:
+        fragment = Fragment(decimals, fragment.whole, 0)
     if macros := macros_of(source.text):
         return tuple(with_macros(e, macros) for e in _found(fragment, source, ending))
     return tuple(_found(fragment, source, ending))
@@ -78,13 +87,13 @@ def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment
         case ".tex" | ".latex" | ".ltx":
             yield from _in_latex(fragment)
         case ".html" | ".htm" | ".xhtml":
-            text = text_of_html(source.text)
+            text = with_decimal_points(text_of_html(source.text))
             yield from _in_lines(Fragment.of(text, source.name))
         case ".md" | ".markdown":
             yield from _in_markdown(fragment)
         case _:
-            text = without_named_letters(source.text)
-            yield from _in_lines(fragment if text == source.text else Fragment.of(text, source.name))
+            text = without_named_letters(fragment.text)
+            yield from _in_lines(fragment if text == fragment.text else Fragment.of(text, source.name))
 
 
 def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
@@ -108,7 +117,8 @@ def _conditions(fragment: Fragment) -> Iterator[Fragment]:
             continue
         begins = start + _beginning(line, number, _BULLET)
         number += 1
-        kept = fragment.text[begins:end].strip(" $.,;\r")
+        kept = fragment.text[begins:end].strip(" .,;\r")
+        kept = kept.strip(" $.,;") if kept.count("$") <= 2 and kept[:1] == kept[-1:] == "$" else kept
         begins += fragment.text[begins:end].find(kept)
         yield _part(fragment, begins, begins + len(kept))
 
@@ -201,6 +211,8 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
     if of_program := equations_of_program(fragment):
         yield from of_program
         return
+    if is_list_of_dashes(fragment.text):
+        bullet = _MARKDOWN_BULLET
     marks = [m for m in marks_of(fragment.text) if m.kind not in _INLINE]
     regions = _regions(fragment, marks)
     next_region = 0
@@ -239,7 +251,12 @@ def _of_block(
     """The equations in lines between empty ones."""
     for start, end in joined(lines):
         line = fragment.text[start:end]
-        if has_sign_of_equality(line):
+        if cells := cells_of_row(line):
+            for a, b in cells:
+                for e in _of_block(fragment, [(start + a, start + b, line[a:b])], number, bullet, words, labels):
+                    number += 1
+                    yield e
+        elif has_sign_of_equality(line):
             begins = start + _beginning(line, number, bullet, labels)
             beside = f"{words} {fragment.text[start:begins]}".strip()
             for e in equations_of_line(_part(fragment, begins, end), beside):
@@ -267,7 +284,7 @@ def _beginning(line: str, number: int, bullet: re.Pattern[str], labels: Collecti
         at = numbered.end()
     elif not numbered and (enumerated := _ENUMERATION.match(line, at)):
         at = enumerated.end()
-    label = _LABEL.match(line, at)
+    label = None if any(map(ratios_of, re.split(r"[,;]\s", line[at:]))) else _LABEL.match(line, at)
     return label.end() if label else at
 
 

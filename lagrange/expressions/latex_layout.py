@@ -15,6 +15,7 @@ from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
+from lagrange.core.units import has_unit
 from lagrange.expressions.latex_names import ENVIRONMENTS
 
 
@@ -88,6 +89,8 @@ _ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
 _WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
 _NUMBER = re.compile(r"\([0-9]{1,3}[a-z]?\)\Z")
 _WORD = re.compile(r"\\[a-z]+\{(?:[A-Za-z0-9_]*)\}")
+_AFTER_NUMBER = re.compile(r"[0-9](?:\s|~|\\[,;:! ])*\Z")
+"""What precedes a unit, 5.78\\,\\text{m/s}, which is no word beside an equation."""
 _CONJUNCTIONS = frozenset(["and", "where", "with", "so", "thus", "hence", "for", "if", "i", "ii", "iii", "iv"])
 _BESIDE = ("label", "thin", "comment", "wide", "cases", "row")
 
@@ -356,4 +359,6 @@ class _Trim:
             return True
         written = self.text[mark.start : mark.end]
         inside = written[written.index("{") + 1 : -1].strip()
+        if _AFTER_NUMBER.search(self.text, max(0, mark.start - 12), mark.start) and has_unit(f"1 {inside}"):
+            return False
         return not _WORD.fullmatch(written) or inside in _CONJUNCTIONS or not inside

@@ -15,6 +15,8 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.questions.asked_quantities import check_asked, claims_of
+from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.labels import is_used_beside
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.reading import read_as_written
@@ -63,9 +65,14 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         found = [*_verdicts(fragment, questions, solution, reference)]
         found = found or [*_verdicts(fragment, questions, solution, wider)]
         right = [(name, v) for name, v in found if v.verdict is Verdict.EQUIVALENT]
-        named = [a.question.name for a in questions if _is_named(fragment, a)]
+        named = [
+            a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
+        ]
+        named = [] if is_used_beside(fragment, answer, reference) else named
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
-        if right:
+        if right and sides_agree(fragment, reference) is False:
+            parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
+        elif right:
             answered |= {name for name, _ in right}
             name, verdict = next(((n, v) for n, v in right if n in named), right[0])
             parts.append(_part(fragment, name, verdict))
@@ -87,6 +94,13 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+def _states_quantity(fragment: Fragment, asked: Asked, reference: Reference) -> bool:
+    """Whether one side of a line is the quantity itself, as in R*theta' = ..."""
+    reading = read_as_written(fragment, reference.scope)
+    quantity = asked.question.quantity
+    return not reading.error and not quantity.is_Symbol and any(s == quantity for s in reading.sides)
 
 
 def _holds_at_a_limit(

@@ -155,7 +155,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
     reference, oscillating = reference_of_solution(solution), _oscillating(solution)
     linearizations = [f for f, _ in oscillating]
     try:
-        stated = [[e for f in fragments for one in _listed(f) for e in with_both_signs(one)] for fragments in stated]
+        stated = [[e for f in fragments for one in listed(f) for e in with_both_signs(one)] for fragments in stated]
         read = [[(f, value) for f in fragments for value in _values(f, reference)] for fragments in stated]
         stated = [[f for f, _ in pairs] for pairs in read]
         lists = [[value for _, value in pairs] for pairs in read]
@@ -210,9 +210,11 @@ def _explained(
 
 
 _LABELLED = re.compile(
-    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*=(?!=)"
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
 )
-_BETWEEN = re.compile(r"[,;]|\b(?:and|und)\b|\\q?quad(?![A-Za-z])")
+_BETWEEN = re.compile(
+    r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
+)
 _HIGHEST = 2
 """The degree in ω² of a frequency equation that is solved."""
 
@@ -223,14 +225,19 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
     for f in answer:
         match = _LABELLED.match(f.text)
         name = match[0].strip(" $=") if match else ""
-        others = [g.text for g in answer if g is not f]
+        others = [_LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
-        if match and not is_natural and not any(name.split("^")[0].rstrip("² ") in text for text in others):
+        if match and not is_natural and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
             found.append(f)
     return found
 
 
-def _listed(fragment: Fragment) -> list[Fragment]:
+def _has_name(name: str, text: str) -> bool:
+    """Whether a name occurs in a text, and is no part of another one."""
+    return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
+
+
+def listed(fragment: Fragment) -> list[Fragment]:
     """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
     return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]

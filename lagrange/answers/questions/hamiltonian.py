@@ -94,6 +94,7 @@ def _explained(claim: sp.Expr, derived: Hamiltonian, right: Callable[[sp.Expr], 
 def _scope(scope: Scope, derived: Sequence[Hamiltonian], declared: frozenset[str]) -> Scope:
     """The names that an answer may use, with the momenta, and without the derived H unless the file has one."""
     momenta = {p.name: p for d in derived for p in d.momenta}
+    momenta |= {n.replace("phi", "varphi"): p for n, p in momenta.items() if n.startswith("p_phi")}
     if len(momenta) == 1 and "p" not in declared:
         momenta |= {"p": next(iter(momenta.values()))}
     return replace(scope, scalars={n: e for n, e in scope.scalars.items() if n != "H" or n in declared} | momenta)

@@ -10,6 +10,7 @@ answer alike. A letter that the problem does not declare, V = m v/(m + M), may b
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import product
@@ -23,8 +24,12 @@ from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.answers.written.working import Working
+from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import prime, velocity_before
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
+from lagrange.mechanics.results import Solution
 
 MOST_IMPULSES = 4
 """So many names of impulses may each stand for the opposite one."""
@@ -74,6 +79,36 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
     if not parts:
         verdict, why = Verdict.UNDECIDED, "there is nothing in it that could be compared with the impact"
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+
+
+_INDEX_OF_LOSS = r"\{?\s*(?:\\(?:text|mathrm)\s*\{)?"
+_LOSS = re.compile(
+    rf"[\s$&]*(?:(?:\\Delta\s*|Δ\s*)(?P<change>[ETKWU])(?:_{_INDEX_OF_LOSS}\w{{1,12}}[}}\s]*)?"
+    rf"|(?P<lost>[EWQTK])_{_INDEX_OF_LOSS}(?:lost|loss|diss|verl|Verl|perdue)\w{{0,10}}[}}\s]*"
+    r"|energy[ _](?:lost|loss)\s*)"
+    r"\s*&?=(?!=)"
+)
+
+
+def with_losses(answer: Sequence[Fragment]) -> list[tuple[Fragment, bool]]:
+    """Each line, and whether it states the energy that is lost: `ΔE = ...`, `E_lost = ...`."""
+    return [(f, _LOSS.match(f.text) is not None) for f in answer]
+
+
+def check_loss(stated: Fragment, solution: Solution) -> AnswerVerdict:
+    """The verdict on the energy that is lost; ΔE may be the change, which is its opposite."""
+    from lagrange.answers.questions.impact import ENERGY_LOST, check_impact_answers
+
+    match = _LOSS.match(stated.text)
+    assert match is not None
+    found = []
+    latex, end = is_latex(stated), len(stated.text.rstrip(" $.,;"))
+    for sign in ("", "-") if match["change"] else ("",):
+        draft = Draft(stated)
+        draft.keep(match.end(), end)
+        draft.apply([(0, 0, f"{sign}("), (len(draft.text), len(draft.text), ")")])
+        found.append(check_impact_answers({ENERGY_LOST: draft.finished(latex=latex)}, solution))
+    return next((v for v in found if v.verdict is Verdict.EQUIVALENT), found[0])
 
 
 def _right(parts: Sequence[EquationVerdict]) -> int:
@@ -154,6 +189,22 @@ def _missing(claims: Sequence[sp.Expr], found: ImpulsiveMotion) -> list[str]:
         if rank is not None and with_it is not None and with_it > rank:
             missing.append(q.name)
     return missing
+
+
+def with_omega(reference: Reference, found: ImpulsiveMotion) -> list[Reference]:
+    """The names that an answer may use, with ω for the only angular velocity just after the impact, in either sense."""
+    angles = [q for q in found.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
+    if len(angles) != 1 or "omega" in reference.declared:
+        return []
+    declared = reference.declared | {"omega"}
+    return [
+        replace(
+            reference,
+            scope=replace(reference.scope, scalars={**reference.scope.scalars, "omega": rate}),
+            declared=declared,
+        )
+        for rate in (prime(angles[0]), -prime(angles[0]))
+    ]
 
 
 def with_impulses(reference: Reference, found: ImpulsiveMotion) -> Reference:

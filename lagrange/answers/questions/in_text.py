@@ -12,11 +12,15 @@ from dataclasses import replace
 
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
-from lagrange.answers.references import reference_of_solution
-from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
-from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
+from lagrange.answers.questions.texts.supports import supports_of
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
 from lagrange.answers.written.listed_values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 from lagrange.problem.values import values_of
@@ -28,6 +32,8 @@ _SECOND_VARIATION = re.compile(
     r"\s*\$?\s*(?:[VUEΠ](?:''|″|_\{?\w\w\}?\s)|d\s*(?:\^\s*2|²)\s*[VUEΠ]|\\frac\s*\{\s*d\s*\^\s*\{?2\}?\s*[VUE])"
 )
 """The second derivative of a potential energy, which is working."""
+_KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
+"""theta = const, which says no more than that the motion is steady."""
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -56,6 +62,12 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
         answer = with_all_values(answer, solution.problem.scope.names())
         answer = [f for f in answer if not _SECOND_VARIATION.match(f.text)] or answer
+        if (of_supports := supports_of(answer, solution)) is not None:
+            forces, answer = of_supports
+            if not answer:
+                return _only(forces, solution)
+            judged = judge(answer)
+            return replace(judged, others=(*judged.others, forces))
     return judge(answer)
 
 
@@ -65,13 +77,27 @@ def _only(verdict: AnswerVerdict, solution: Solution) -> Judgement:
 
 
 def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
-    from lagrange.answers.questions.impact_in_text import check_impact_in_text, with_impulses
+    from lagrange.answers.questions.impact_in_text import (
+        check_impact_in_text,
+        check_loss,
+        with_impulses,
+        with_losses,
+        with_omega,
+    )
     from lagrange.answers.written.working import understood
 
     found = solution.impact
     assert found is not None
+    lines = with_losses(answer)
+    if losses := [check_loss(f, solution) for f, is_loss in lines if is_loss]:
+        rest = [f for f, is_loss in lines if not is_loss]
+        judged = _impact(rest, solution) if rest else None
+        return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
     reference = with_impulses(reference_of_solution(solution), found)
     verdict = check_impact_in_text(understood(answer, reference), found, reference)
+    if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
+        tried = [check_impact_in_text(understood(answer, r), found, r) for r in with_omega(reference, found)]
+        verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
         return _only(verdict, solution)
@@ -109,6 +135,7 @@ def _hamiltonian(
 ) -> Judgement:
     from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
 
+    functions = [pairs[-1].finished(latex=is_latex(f)) if (pairs := in_pairs(f)) else f for f in functions]
     verdicts = tuple(check_hamiltonian_answer(f, solution) for f in functions)
     alone = Judgement(AnswerVerdict(Verdict.EQUIVALENT), verdicts[-1:], problem=solution.problem)
     if not rest:
@@ -130,7 +157,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
     from lagrange.core.symbols import base, prime
 
     reference = reference_of_solution(solution)
-    working = understood(answer, reference, moving=False)
+    cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
+    answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)] or answer
+    working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols
     }
@@ -154,14 +183,71 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
     """The verdict on equations of motion, and on the frequencies beside them."""
     from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
 
+    reference = reference_of_solution(solution)
+    answer = [e for f in answer for e in _sides_of_label(f, reference)]
     stated = stated_frequencies(answer)
     if stated:
         frequencies = check_frequencies([stated], solution)
+        if frequencies.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and len(stated) > 1:
+            by_place = check_frequencies([[f] for f in stated], solution)  # one for each equilibrium
+            frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
         rest = [f for f in answer if f not in stated]
         if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
-            judged = _with_frequencies(rest, solution, judge) if rest else _only(frequencies, solution)
-            return replace(judged, others=(*judged.others, frequencies)) if rest else judged
-    return judge(answer)
+            judged = _beside_frequencies(rest, solution, judge) if rest else None
+            return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
+        if frequencies.verdict is Verdict.UNDECIDED and not rest:
+            return _if_readable(answer, judge) or _only(frequencies, solution)
+    return _with_positions(answer, solution, judge)
+
+
+def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
+    """The verdict on an answer as on equations of motion; None if it cannot be read as such."""
+    try:
+        judged = judge(answer)
+    except ProblemError:
+        return None
+    return judged if judged.verdict in (Verdict.EQUIVALENT, Verdict.WRONG) else None
+
+
+def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
+    """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
+    from lagrange.answers.questions.frequencies import listed, stated_frequencies
+
+    alone = stated_frequencies([fragment]) and len(listed(fragment)) == 1
+    pairs = in_pairs(fragment) if alone else []
+    made = [p.finished(latex=is_latex(fragment)) for p in pairs] or [fragment]
+    return made[:1] if sides_agree(fragment, reference) else made
+
+
+def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement | None:
+    """The verdict on what stands beside right frequencies; None on equations of small oscillations, as working."""
+    from lagrange.answers.written.working import understood
+
+    working = understood(rest, reference_of_solution(solution))
+    if working.judged and len(working.approximate) == len(working.judged) and not working.unreadable:
+        return None
+    return _with_positions(rest, solution, judge) if working.judged or working.unreadable else None
+
+
+def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of motion, and on positions of equilibrium beside them."""
+    failed: ProblemError | None = None
+    try:
+        first = judge(answer)
+        if first.verdict is Verdict.EQUIVALENT:
+            return first
+    except ProblemError as error:
+        failed = error
+    found = positions_of(answer, solution)
+    if found is None:
+        if failed is not None:
+            raise failed
+        return first
+    verdict, rest = found
+    if not rest:
+        return _only(verdict, solution)
+    judged = judge(rest)
+    return replace(judged, others=(*judged.others, verdict))
 
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
@@ -177,12 +263,26 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
         for f in lines.rest
     )
     verdict = replace(lines.verdict, notes=(*lines.verdict.notes, *unasked))
+    reference = reference_of_solution(solution)
+    chains = [(f, sides_agree(f, reference)) for f, n in found if n is not None and n[1] is not None]
+    wrong = [EquationVerdict(f.text.strip(), Verdict.WRONG, NOT_EQUAL) for f, agree in chains if agree is False]
+    if wrong:
+        verdict = replace(verdict, verdict=Verdict.WRONG, equations=(*verdict.equations, *wrong))
+    consistent = [f for f, agree in chains if agree is not None]
     try:
-        formulas = [f if n is None else n[1] for f, n in found]
+        formulas = [f if n is None else _first_of(n[1]) if f in consistent else n[1] for f, n in found]
         others = _asked_in_formulas([f for f in formulas if f is not None], solution, judge)
     except ProblemError:
         return _only(_if_complete(verdict, lines.missing), solution)
+    if others.verdict is Verdict.INCOMPLETE and not lines.missing:  # what it leaves out is answered in numbers
+        return _only(verdict, solution)
     return replace(others, others=(*others.others, verdict))
+
+
+def _first_of(chain: Fragment | None) -> Fragment | None:
+    """`v = sqrt(2 a d)` of `v = sqrt(2 a d) = sqrt(24)`."""
+    pairs = in_pairs(chain) if chain is not None else []
+    return pairs[0].finished(latex=is_latex(pairs[0].outer)) if pairs else chain
 
 
 def _if_complete(verdict: AnswerVerdict, missing: Sequence[str]) -> AnswerVerdict:
@@ -221,16 +321,27 @@ def _with_asked(
 ) -> Judgement | None:
     """The verdict on the lines that answer questions and on the others; `first` if there are none of the former."""
     lines = asked_in_text(answer, solution)
-    if lines.verdict is None:
-        return first
+    from lagrange.answers.questions.texts import values_beside
     from lagrange.answers.written.working import understood
 
+    if lines.verdict is None:
+        unread = first is None or first.verdict is Verdict.UNREADABLE
+        foreign = values_beside.under_another_name(answer, solution) if unread else None
+        return _only(foreign, solution) if foreign is not None else first
     verdict = lines.verdict
     others: Judgement | None = None
-    working = understood(lines.rest, reference_of_solution(solution)) if lines.rest else None
+    reference = reference_of_solution(solution)
+    beside = values_beside.working_beside(lines.rest, answer, reference)
+    rest = [f for f in lines.rest if f not in beside]
+    working = understood(rest, reference) if rest else None
+    if working is not None and not working.unreadable and values_beside.only_beside(working, reference):
+        beside, working = [*beside, *working.judged], None
+    verdict = replace(
+        verdict, notes=(*verdict.notes, *values_beside.not_judged(beside, "is working, and is not judged"))
+    )
     if working is not None and (working.judged or working.unreadable):
         try:
-            others = judge(lines.rest)
+            others = judge(rest)
         except ProblemError:
             others = None
     if others is not None and others.verdict in (Verdict.EQUIVALENT, Verdict.WRONG):
@@ -240,4 +351,4 @@ def _with_asked(
         why = f"there is no answer to {', '.join(f'`{name}`' for name in lines.missing)}"
         verdict = replace(verdict, verdict=Verdict.UNREADABLE if unread else Verdict.INCOMPLETE, diagnosis=why)
     messages = others.messages if others is not None else ()
-    return _only(replace(verdict, notes=tuple(d.as_note() for d in messages)), solution)
+    return _only(replace(verdict, notes=(*verdict.notes, *(d.as_note() for d in messages))), solution)

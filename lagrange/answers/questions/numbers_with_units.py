@@ -48,7 +48,7 @@ def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragm
     expected = _dimensions(asked, reference)
     fits = tuple(sp.Integer(n) for n in unit.dimension) in expected if expected else True
     own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
-    if own and not (fits and expected):
+    if own and not (fits and expected) and not _TEXTS.search(text, start):
         return fragment, True  # 2 m is twice a mass
     number = f" ({parts[0]})" if unit.factor == 1 else f" ({parts[0]})*({unit.factor})"
     latex = is_latex(fragment)

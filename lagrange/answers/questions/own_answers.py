@@ -116,7 +116,7 @@ def readable(answer: AnswerVerdict) -> AnswerVerdict:
 def answers_besides_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
     """The verdicts on answers about equilibria, frequencies and reactions."""
     if answers.equilibrium:
-        yield _equilibrium(solution, answers.equilibrium)
+        yield compared_equilibrium(solution, answers.equilibrium)
     if answers.rest:
         yield compared_rest(solution, answers.rest)
     if answers.frequencies or answers.decay:
@@ -208,7 +208,7 @@ def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragm
     return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
 
 
-def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
+def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
     from lagrange.answers.questions.positions_in_numbers import compared_in_numbers

@@ -33,6 +33,8 @@ from lagrange.mechanics.equilibrium.driven.response import Response
 
 _HAT = re.compile(r"\\(?:hat|widehat|bar|overline|tilde|underline)\s*(?:\{\s*(\\?[A-Za-z]+)\s*\}|(\\?[A-Za-z]+))")
 _HAT_ABOVE = re.compile(r"([^\W\d_])[\u0302\u0304\u0303]")
+_LAG = re.compile(r"\\delta(?![A-Za-z]|\s*[A-Za-z({\\])|δ(?!\s*[\w(])|(?<![A-Za-z\\])delta(?![A-Za-z0-9_]|\s*[\w(])")
+"""A lag that is called δ, and is no virtual displacement."""
 _LAGS = ("phi", "varphi", "psi", "epsilon", "alpha", "beta", "gamma")
 _AMPLITUDES = re.compile(r"(?:A|X|Amp|amp|amplitude|a|R|C|B)(?:_?\w{1,12})?")
 _STRONG = re.compile(r"(?:A|X|[Aa]mp)")
@@ -47,6 +49,7 @@ def without_hats(fragment: Fragment) -> Fragment:
     draft = Draft(fragment)
     changed = draft.replace(_HAT, lambda m: f"{m[1] or m[2]}_{{max}}")
     changed = draft.replace(_HAT_ABOVE, r"\1_max") or changed
+    changed = draft.replace(_LAG, lambda m: "\\psi " if m[0][0] == "\\" else "psi") or changed
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
@@ -133,7 +136,7 @@ def _solved(
     amplitudes = _amplitudes(dict.fromkeys(names, sp.S.Zero), coordinates)
     if len(names) != 1 or not amplitudes:
         return None
-    unknown = sp.Symbol("amplitude", real=True)
+    unknown = sp.Symbol("amplitude", positive=True)
     scalars = {**reference.scope.scalars, **working.defined, next(iter(names)): unknown}
     reading = read_as_written(Fragment.of(fragment.reading.text), replace(reference.scope, scalars=scalars))
     if reading.error or len(reading.components) != 1:

@@ -100,7 +100,11 @@ def _without_asides(
             result = _without_asides(kept, again, rest, reference, check)
             return result[0], result[1], [*notes, *result[2]]
     about = [
-        n for n in wrong if not _is_of_motion(equations[n], reference) or _is_kinetic_energy(equations[n], reference)
+        n
+        for n in wrong
+        if not is_of_motion(equations[n], reference)
+        or _is_kinetic_energy(equations[n], reference)
+        or _is_kinematic(equations[n], reference)
     ]
     if len(about) < len(wrong):
         return unchanged
@@ -149,7 +153,7 @@ def _has_acceleration(equation: Fragment) -> bool:
     return any(base(s) != s and prime(base(s)) != s for s in used)
 
 
-def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
+def is_of_motion(equation: Fragment, reference: Reference) -> bool:
     """Whether a statement is about what is asked for: it has an acceleration or a force of constraint."""
     if not isinstance(equation, GivenEquation) or _has_acceleration(equation):
         return True
@@ -159,6 +163,16 @@ def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
     used = {s.name for c in components for s in c.free_symbols}
     forces = {s.name for c in reference.candidates for s in (*c.multipliers, *c.meanings)}
     return not used.isdisjoint(forces | {u.name for u in reference.unknowns})
+
+
+def _is_kinematic(equation: Fragment, reference: Reference) -> bool:
+    """Whether an equation is about a lapse of time, as 0 = v + a t: accelerations occur with t as a factor only."""
+    if not isinstance(equation, GivenEquation):
+        return False
+    components = equation.reading.components
+    rates = [s for e in components for s in e.free_symbols if base(s) != s and prime(base(s)) != s]
+    derived = {s for c in reference.candidates for e in c.system.equations for s in e.free_symbols}
+    return t not in derived and bool(rates) and all(sp.diff(e, s).subs(t, 0) == 0 for e in components for s in rates)
 
 
 def _is_kinetic_energy(equation: Fragment, reference: Reference) -> bool:

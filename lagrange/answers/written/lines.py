@@ -13,12 +13,17 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+from lagrange.answers.written.approximations import is_about, results, with_equality
+from lagrange.answers.written.notation.decimal_commas import with_decimal_points
+from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
+from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.relations import is_inequality
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
@@ -40,6 +45,7 @@ _SEPARATOR = re.compile(
 )
 _LEADS_ON = re.compile(_BETWEEN)
 _ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
+_PIECES = re.compile(r"[,;](?=\s)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
 _NAMED = re.compile(
@@ -60,6 +66,7 @@ _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}[\s,.:]{0,3}){1,8}\Z")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
+_I_GOT = re.compile(r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?)\b(?!\s*[=*/^+])")
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
@@ -71,6 +78,7 @@ where with let set define eom finally which yields yield using since because fro
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
 die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
 est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
+otherwise else sonst sinon ansonsten got hi hello
 its your my follows follow it i.e e.g eq eqn or
  energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
@@ -80,7 +88,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _RATE_MARKS = "='\u0307\u0308¨˙"
@@ -112,7 +120,7 @@ _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|D
 
 def has_sign_of_equality(line: str) -> bool:
     """Whether a line has an equation: a `=`, or what stands for it."""
-    return _OTHER_EQUALS.search(line) is not None
+    return _OTHER_EQUALS.search(line) is not None or is_about(line)
 
 
 def is_mathematics(line: str) -> bool:
@@ -144,6 +152,7 @@ def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
+    fragment = with_equality(fragment)
     if is_latex(fragment):
         if _MAPLE.search(fragment.text) is None or "\\" in fragment.text:
             yield from _in_latex(fragment, beside)
@@ -154,8 +163,12 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
     text = fragment.text
     comment = _COMMENT.search(text)
     end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
-    if stated := by_method_of_lagrange(text) or by_comprehension(text[:end]):
+    if stated := _in_other_shape(text[:end]) or by_method_of_lagrange(text) or by_comprehension(text[:end]):
         yield from (_rewritten(fragment, equation) for equation in stated)
+        return
+    if len(pieces := cuts(text[:end], _PIECES)) > 1 and any(ratios_of(text[a:b]) for a, b in pieces):
+        for a, b in pieces:
+            yield from equations_of_line(_part(fragment, a, b), beside)
         return
     if pairs := list(one_by_one(text[:end])):
         yield from (_rewritten(fragment, f"{text[a:b].strip()} = {text[c:d].strip()}") for a, b, c, d in pairs)
@@ -182,6 +195,14 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
             yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
+
+
+def _in_other_shape(text: str) -> list[str]:
+    """The equations that an equation between lists, or between ratios, states; that for `T_max` of one for `max(T)`."""
+    if len(text) > MAX_ANSWER_CHARACTERS:
+        return []
+    named = name_of_extreme(text)
+    return tuples_of(text) or rows_of_lists(text) or ratios_of(text) or ([named] if named != text else [])
 
 
 def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str]]) -> str:
@@ -376,7 +397,7 @@ def _after_words(text: str, start: int, end: int) -> int:
     while at < end:
         if text[at].isspace():
             at += 1
-        elif leading := _LEADING.match(text, at, end):
+        elif leading := _LEADING.match(text, at, end) or _I_GOT.match(text, at, end):
             at = leading.end()
         elif (word := _WORD.match(text, at, end)) and _STANDS_ALONE.match(text, word.end(), end) and word[0][-1] != ":":
             break
@@ -462,7 +483,17 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
-    return tuple(e for fragment in answer for e in _separated(fragment))
+    return results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
+
+
+def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:
+    """`A*[x''; y''] = rhs`, where A and rhs are lists that other lines define, as one equation a row."""
+    made = rows_with_names([f.text for f in answer])
+    return [row for f, rows in zip(answer, made, strict=True) for row in ([f] if rows is None else _in_rows(f, rows))]
+
+
+def _in_rows(fragment: Fragment, rows: Sequence[str]) -> list[Fragment]:
+    return [_rewritten(fragment, row) for row in rows]
 
 
 def condition_alone(fragment: Fragment) -> Fragment:
@@ -472,6 +503,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
     draft = Draft(fragment)
     draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
     if not is_latex(fragment):
+        if case := _CASE.match(draft.text):
+            draft.keep(case.end(), len(draft.text))
         start = _after_words(draft.text, 0, len(draft.text))
         draft.keep(start, len(draft.text.rstrip(" .,;")))
         if tail := _AFTER_COMMA.search(draft.text):
@@ -486,6 +519,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
+_CASE = re.compile(r"[^:=]*[<>≤≥][^:=]*:\s(?=[^:]*[=<>≤≥])")
+"""A case, which has a result of its own: `if mu < b/h: P_max = ...`."""
 _WORDS_IN_BRACKETS = re.compile(r"\(\s*[^()<>=≤≥0-9*/^\\]*[^\W\d_]{3,}[^()<>=≤≥*/^\\]*\)")
 _BETWEEN_DOLLARS = re.compile(r"\$+([^$]+)(?:\$+|\Z)")
 
@@ -503,6 +538,8 @@ def _separated(fragment: Fragment) -> list[Fragment]:
         return [fragment]
     if is_latex(fragment):
         return list(_in_latex(fragment, "")) or list(equations(fragment))
+    if (decimals := with_decimal_points(fragment.text)) != fragment.text:
+        fragment = replace(fragment, text=decimals)
     lines = []
     at = 0
     for line in fragment.text.split("\n"):

@@ -57,6 +57,11 @@ _STATIONARY = re.compile(
     rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
     rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?=\s*0[\s.,;$]*\Z"
 )
+AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
+"""The index of a coordinate at rest."""
+_WITH_INDEX = re.compile(
+    rf"(?<![A-Za-z0-9_])\\?(?P<name>[A-Za-z]+|[{''.join(GREEK)}])_(?:\{{\s*(?:\\(?:text|mathrm|rm)\s*\{{?)?)?(?P<index>[0-9A-Za-z]{{1,12}})(?![A-Za-z0-9])"
+)
 _RATE_SIGN = re.compile(r"['\u0307\u0308¨˙′]|\\d?dot|_?d?dot|/\s*d")
 
 
@@ -94,6 +99,22 @@ def other_names(
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
         scalars.update(_of_states(max(states), reference))
     return scalars, _positions(whole, scope)
+
+
+def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr]:
+    """theta_0 inside an equation as theta, in statics; what stands alone on a side is defined there."""
+    coordinates = {q.name: q for q in scope.slots.coordinates}
+    found: dict[str, sp.Expr] = {}
+    for text in texts:
+        for match in _WITH_INDEX.finditer(text):
+            symbol = coordinates.get(GREEK.get(match["name"], match["name"]))
+            name = f"{symbol}_{match['index']}"
+            if symbol is not None and match["index"] in AT_EQUILIBRIUM and scope.role(name) is Role.UNDECLARED:
+                found[name] = symbol
+    alone = {
+        n for n in found if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
+    }
+    return {n: q for n, q in found.items() if n not in alone}
 
 
 def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:

@@ -12,8 +12,9 @@ import sympy as sp
 from lagrange.answers.readings import GivenEquation, Reading, read_answer
 from lagrange.answers.written.notation.latex import rewritten_latex
 from lagrange.answers.written.notation.plain import rewritten
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.vectors import Vector
+from lagrange.expressions.edits import Draft, closings
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_otherwise
@@ -63,6 +64,22 @@ def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:
             yield in_language
         if re.search(r"[_^]\{", fragment.text):
             yield rewritten_latex(in_language, scope)
+
+
+def too_long(fragment: Fragment) -> ProblemError:
+    """The error of a text with more characters than an answer may have."""
+    length = len(fragment.text)
+    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
+    help_ = "write it shorter, or with abbreviations where there is a `let:`"
+    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
+
+
+def without_braces(draft: Draft) -> None:
+    """The equation without the braces of TeX around the whole of it, `{x = 1}`."""
+    start = len(draft.text) - len(draft.text.lstrip(" $"))
+    end = len(draft.text.rstrip(" $"))
+    if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
+        draft.keep(start + 1, end - 1)
 
 
 def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:

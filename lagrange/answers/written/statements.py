@@ -18,8 +18,7 @@ import sympy as sp
 
 from lagrange.answers.written.notation.plain import cleaned
 from lagrange.answers.written.other_names import without_arguments
-from lagrange.answers.written.reading import tried
-from lagrange.answers.written.working import too_long
+from lagrange.answers.written.reading import too_long, tried
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector

@@ -25,17 +25,26 @@ from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matri
 from lagrange.answers.written.notation.plain import cleaned, is_rate
 from lagrange.answers.written.notation.programs import as_equation
 from lagrange.answers.written.numbering import number_at_the_end
-from lagrange.answers.written.other_names import as_virtual, other_names, rates_without_bar, without_arguments
+from lagrange.answers.written.other_names import (
+    AT_EQUILIBRIUM,
+    as_virtual,
+    coordinates_at_rest,
+    other_names,
+    rates_without_bar,
+    without_arguments,
+)
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, tried
+from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
+from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
+from lagrange.answers.written.vector_names import with_names_of_vectors
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
-from lagrange.expressions.edits import Draft, closings, cuts
+from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
@@ -70,7 +79,6 @@ _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
 """The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
-_AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
 _RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
 _APPROXIMATE = re.compile(
@@ -148,6 +156,8 @@ def understood(
             for f, text in zip(answer, texts, strict=True)
             if text is not None
         ]
+    else:
+        answer = with_names_of_vectors(answer, sorting.scope)
     return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
 
 
@@ -170,7 +180,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         draft.keep(label.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
-    _without_braces(draft)
+    without_braces(draft)
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -181,22 +191,6 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(whole, text, number)]
     made = [_finished(piece, fragment, latex) for piece in pieces]
     return [_Line(m, m.text.strip(" &$\n")) for m in made]
-
-
-def _without_braces(draft: Draft) -> None:
-    """The equation without the braces of TeX around the whole of it, `{x = 1}`."""
-    start = len(draft.text) - len(draft.text.lstrip(" $"))
-    end = len(draft.text.rstrip(" $"))
-    if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
-        draft.keep(start + 1, end - 1)
-
-
-def too_long(fragment: Fragment) -> ProblemError:
-    """The error of a text with more characters than an answer may have."""
-    length = len(fragment.text)
-    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
-    help_ = "write it shorter, or with abbreviations where there is a `let:`"
-    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 
 
 def _in_place_of(fragment: Fragment, text: str) -> Fragment:
@@ -256,7 +250,11 @@ class _Sorting:
             elif not line.definition and line.reading is None:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
-                line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+                try:
+                    line.fragment = with_value_in_si(line.fragment, self.reference)
+                    line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+                except ProblemError as error:
+                    line.reading = Reading(line.text, error=error)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         waiting = [line for line in waiting if line.reading and not line.definition]
@@ -293,6 +291,8 @@ class _Sorting:
     def _use_other_names(self, lines: list[_Line]) -> None:
         """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
         scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
+        if not self.values_are_asides:
+            scalars = {**scalars, **coordinates_at_rest([line.text for line in lines], self.scope)}
         if not scalars and not vectors:
             return
         self.scope = replace(
@@ -515,7 +515,7 @@ class _Sorting:
         coordinate, _, index = name.partition("_")
         asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
         symbol = next((q for q in asked if q.name == coordinate), None)
-        if symbol is None or not (index in _AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
+        if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
         message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"

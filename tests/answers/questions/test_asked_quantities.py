@@ -219,6 +219,10 @@ def sloping() -> tuple[Problem, Solution]:
         ([r"$v=\sqrt{2ad}=5.98\,\text{m/s}$"], Verdict.WRONG),
         (["x'' = g*(sin(alpha) - mu*cos(alpha))", "v = 5.98 m/s"], Verdict.WRONG),
         (["x'' = g*(sin(alpha) + mu*cos(alpha)) = 2.781 m/s^2", "v = 5.78 m/s"], Verdict.WRONG),
+        (["a = 2.781 m/s^2", "v = sqrt(2 a d) = sqrt(2*2.781*6) = 5.78 m/s", "t = 2.08 s", "N = 340 N"],
+         Verdict.EQUIVALENT),
+        (["v = sqrt(2*3*4) = 4.898 = 5.78 m/s", "t = 2.08 s", "N = 340 N"], Verdict.WRONG),  # the middle
+        ([r"$v=\sqrt{2\cdot 2.781\cdot 6}=5.777=5.78\,\text{km/s}$"], Verdict.WRONG),  # its unit is not dropped
     ],
 )  # fmt: skip
 def test_values_in_a_text(lines: list[str], expected: Verdict) -> None:

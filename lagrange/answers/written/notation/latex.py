@@ -11,7 +11,9 @@ import re
 from collections.abc import Iterator
 
 from lagrange.answers.written.notation.plain import characters, is_velocity, of_argument
+from lagrange.answers.written.notation.ratios import extremes, ratio_as_fractions
 from lagrange.answers.written.notation.special import special_latex
+from lagrange.answers.written.notation.units import units_of_latex_in_si
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -66,6 +68,9 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     characters(draft)
     special_latex(draft)
     draft.replace(_L_COLOUR, "")
+    draft.apply(units_of_latex_in_si(draft.text, scope))
+    draft.apply(ratio_as_fractions(draft.text))
+    draft.apply(extremes(draft.text, latex=True))
     draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
     draft.replace(_L_SIGNS, "=")
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")

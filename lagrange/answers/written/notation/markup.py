@@ -3,6 +3,8 @@ r"""Answers as HTML, as Moodle stores what is typed into its editor: the text, o
 Tags are left out, line breaks and paragraphs end lines, raised and lowered characters get their `^` and `_`. One pass
 over the text; nothing of it is ever shown as HTML.
 
+A row of a table in Markdown, `| radial | m r'' = ... |`, is its cells; lines of which all begin with a dash are a list.
+
 Letters of Mathematica, `\[Theta]` and `\[CapitalOmega]`, are written as the Greek letters that they are.
 """
 
@@ -10,6 +12,7 @@ from __future__ import annotations
 
 import re
 from html import unescape
+from itertools import pairwise
 
 from lagrange.expressions.characters import GREEK
 
@@ -63,3 +66,23 @@ def without_named_letters(text: str) -> str:
         return _LETTERS.get(f"var{name}" if match["kind"] == "Curly" else name, _LETTERS.get(name, match[0]))
 
     return _NAMED.sub(letter, text) if "\\[" in text else text
+
+
+_CELL = re.compile(r"(?<!\\)\|")
+_DASH = re.compile(r"\s*[-–—+]\s+(?=\S)")
+
+
+def cells_of_row(line: str) -> list[tuple[int, int]]:
+    """Where the cells of a row of a table begin and end; none where a line is no such row."""
+    bars = [m.start() for m in _CELL.finditer(line)] if line.strip()[:1] == line.strip()[-1:] == "|" else []
+    if len(bars) < 3:
+        return []
+    cells = [(a + 1, b) for a, b in pairwise(bars) if line[a + 1 : b].strip()]
+    whole = all("=" not in line[a:b] or line[a:b].strip()[0] not in "=+*/^" for a, b in cells)
+    return cells if whole and any("=" in line[a:b] for a, b in cells) else []
+
+
+def is_list_of_dashes(text: str) -> bool:
+    """Whether all lines with equations, of which there are several, begin with a dash and a space."""
+    lines = [line for line in text.split("\n") if "=" in line]
+    return len(lines) > 1 and all(_DASH.match(line) for line in lines)

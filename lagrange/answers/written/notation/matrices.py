@@ -9,12 +9,19 @@ is (a)(x) + (b)(y) = (p) and (c)(x) + (d)(y) = (q).
 
 Matrices may have names, `M \ddot q + h = \tau` with `M = \begin{pmatrix} ...`; a bold letter that is not defined, whose
 second derivative occurs, is the column of the coordinates.
+
+In plain text a matrix is a list of rows, `[[a, b], [c, d]]`, `{{a, b}, {c, d}}`, `[a, b; c, d]`,
+`Matrix([[a, b], [c, d]])` or Word's `(■(a&b@c&d))`, and a list of several entries is a column. Between a matrix and a
+column there may be `*`, `·`, `@` or `.`. These may have names, too.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
+
+from lagrange.core.records import record
+from lagrange.expressions.edits import closings, cuts
 
 _MATRIX = re.compile(
     r"\\begin\s*\{(?P<kind>[pbvBV]?matrix|smallmatrix)\}(?P<inside>.*?)\\end\s*\{(?P=kind)\}", re.DOTALL
@@ -36,7 +43,24 @@ _DERIVED = re.compile(
 _MOST = 6
 """Rows of a column."""
 
+_WRAPPER = re.compile(
+    r"(?:(?:sp|sympy|sym|np|numpy)\.)?(?:[Mm]atrix|[Aa]rray|[Vv]ector|asarray|asmatrix|transpose)\s*\(\s*\Z"
+)
+_AFTER = re.compile(r"\s*(?:\^\s*\{?\s*[T⊤]\s*\}?|\.T(?![A-Za-z])|ᵀ)")
+_OF_WORD = re.compile(r"\s*■\s*")
+_BETWEEN = "*·⋅∙@ "
+_CELLS_OF_MATLAB = re.compile(r"(?<![-+*/^(\s])\s+(?![-+*/^)\s](?:\s|\Z)|[*/^)])")
+
 Matrix = list[list[str]]
+
+
+@record
+class _Written:
+    """A matrix in a text: where it begins and ends, and its entries."""
+
+    start: int
+    end: int
+    rows: Matrix
 
 
 def with_named_matrices(texts: Sequence[str], sets: Sequence[Sequence[str]]) -> list[str | None]:
@@ -115,8 +139,139 @@ def has_matrix(text: str) -> bool:
 
 def rows_of_matrices(text: str) -> list[str]:
     """The equations of the rows; none where the text is no equation between columns."""
-    matrices = list(_MATRIX.finditer(text))
-    blank = _MATRIX.sub(lambda m: "\x00" * len(m[0]), text)
+    return _equations(
+        text,
+        [
+            _Written(
+                m.start(),
+                m.end(),
+                [[c.strip() or "0" for c in row.split("&")] for row in _ROW.split(m["inside"]) if row.strip()],
+            )
+            for m in _MATRIX.finditer(text)
+        ],
+    )
+
+
+def rows_of_lists(text: str) -> list[str]:
+    """The equations of the rows of lists in plain text; none where the text is no equation between columns."""
+    if not any(sign in text for sign in ("[", "{", "■")) or text.count("=") != 1 + text.count("=="):
+        return []
+    matrices = _lists(text.replace("==", "= "))
+    return _equations(text.replace("==", "= "), matrices) if len(matrices) > 1 or _is_zero_after(text) else []
+
+
+_NAMED = re.compile(r"\s*(?P<name>[A-Za-z]\w{0,12})\s*(?:\([^()=]{0,20}\))?\s*:?=(?!=)\s*(?P<value>[^=]+?)[\s;.]*\Z")
+
+
+def rows_with_names(texts: Sequence[str]) -> list[list[str] | None]:
+    """The rows of each equation between lists of which some have names, none for their definitions; None: unchanged."""
+    values: dict[str, str] = {}
+    for text in texts:
+        match = _NAMED.match(text) if "[" in text or "{" in text else None
+        lists = _lists(match["value"]) if match else []
+        if match and len(lists) == 1 and (lists[0].start, lists[0].end) == (0, len(match["value"])):
+            values[match["name"]] = match["value"]
+    unchanged: list[list[str] | None] = [None] * len(texts)
+    if not values or len(values) > _MOST:
+        return unchanged
+    token = re.compile(
+        rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?"
+    )
+    made: list[list[str] | None] = []
+    for text in texts:
+        match = _NAMED.match(text)
+        if match and match["name"] in values and match["value"] == values[match["name"]]:
+            made.append([])
+        else:
+            rows = (
+                rows_of_lists(token.sub(lambda m: values[re.split(r"\(", m[0])[0]], text)) if token.search(text) else []
+            )
+            made.append(rows or None)
+    return made if any(made) else unchanged
+
+
+def _is_zero_after(text: str) -> bool:
+    return text.rpartition("=")[2].strip(" .;,") == "0"
+
+
+def _lists(text: str) -> list[_Written]:
+    """The outermost lists of several entries."""
+    found: list[_Written] = []
+    ends = closings(text)
+    at = 0
+    for start in sorted(ends):
+        if start < at:
+            continue
+        word = _OF_WORD.match(text, start + 1) if text[start] in "([" else None
+        if text[start] == "(" and word is None:
+            continue
+        before = text[:start].rstrip()[-1:]
+        wrapper = _WRAPPER.search(text, max(0, start - 30), start)
+        if wrapper is None and word is None and (before.isalnum() or before in ("_", "'")):
+            continue  # theta[t]
+        inside = text[start + 1 : ends[start]]
+        rows = _rows_of_word(inside) if word else _rows_of_list(inside)
+        if rows is None or (len(rows) < 2 and not found):
+            continue
+        end = ends[start] + 1
+        if wrapper is not None:
+            close = re.compile(r"\s*\)").match(text, end)
+            end, start = (close.end() if close else end), wrapper.start()
+        if transposed := _AFTER.match(text, end):
+            end = transposed.end()
+        found.append(_Written(start, end, rows))
+        at = end
+    return found
+
+
+def _rows_of_word(inside: str) -> Matrix | None:
+    """The rows of Word's `■(a&b@c&d)`."""
+    opening = inside.index("(") if "(" in inside else -1
+    end = closings(inside).get(opening)
+    if end is None or inside[end + 1 :].strip():
+        return None
+    rows = [
+        [row[c:d].strip() for c, d in cuts(row, re.compile("&"))]
+        for row in (
+            inside[opening + 1 + a : opening + 1 + b] for a, b in cuts(inside[opening + 1 : end], re.compile("@"))
+        )
+    ]
+    return rows if all(all(row) for row in rows) else None
+
+
+def _rows_of_list(inside: str) -> Matrix | None:
+    """The rows of `[a, b], [c, d]`, of `a, b; c, d` and of a column `a, b` or `a; b`; None if it is no list."""
+    ends = closings(inside)
+    pieces = [inside[a:b].strip() for a, b in cuts(inside, re.compile("[,;]"))]
+    if not all(pieces):
+        return None
+    if all(p[0] in "[{" and closings(p).get(0) == len(p) - 1 for p in pieces):
+        return [[p[1:-1][a:b].strip() for a, b in cuts(p[1:-1], re.compile(","))] for p in pieces]
+    if any(p[0] in "[{" for p in pieces):
+        return None
+    by_rows = [inside[a:b].strip() for a, b in cuts(inside, re.compile(";"))]
+    if len(by_rows) == 1 and len(pieces) > 1:
+        return [[p] for p in pieces]
+    if len(by_rows) == 1:
+        cells = _cells(inside) if ends or not re.search(r"\s[-+*/]", inside) else [inside]
+        return [[c] for c in cells] if len(cells) > 1 else None
+    rows = [[r[a:b].strip() for a, b in cuts(r, re.compile(","))] for r in by_rows]
+    if all(len(row) == 1 for row in rows):
+        spaced = [_cells(row[0]) for row in rows]
+        rows = spaced if len({len(row) for row in spaced}) == 1 and len(spaced[0]) == len(spaced) else rows
+    return rows if all(all(row) for row in rows) else None
+
+
+def _cells(row: str) -> list[str]:
+    """The entries of a row of MATLAB, which spaces separate."""
+    return [row[a:b].strip() for a, b in cuts(row.strip(), _CELLS_OF_MATLAB)]
+
+
+def _equations(text: str, matrices: Sequence[_Written]) -> list[str]:
+    """The equations of the rows of an equation between matrices."""
+    blank = text
+    for m in reversed(matrices):
+        blank = f"{blank[: m.start]}{chr(0) * (m.end - m.start)}{blank[m.end :]}"
     signs = list(_EQUALS.finditer(blank))
     if len(signs) != 1 or not matrices:
         return []
@@ -129,21 +284,21 @@ def rows_of_matrices(text: str) -> list[str]:
     return [f"{a} = {b}" for a, b in zip(left, right, strict=True)] if len(left) == len(right) else []
 
 
-def _side(text: str, start: int, end: int, matrices: list[re.Match[str]]) -> list[str] | None:
+def _side(text: str, start: int, end: int, matrices: Sequence[_Written]) -> list[str] | None:
     """The rows of one side; empty if it is 0, and None if it cannot be understood."""
-    inside = [m for m in matrices if start <= m.start() < end]
+    inside = [m for m in matrices if start <= m.start < end]
     if not inside:
         return [] if re.sub(r"[\\{}\s$.,;]|vec|mathbf|mathbb", "", text[start:end]) == "0" else None
     terms: list[tuple[str, list[Matrix]]] = []
     at = start
     for m in inside:
-        before = _SPACE.sub(" ", text[at : m.start()]).strip(" $&")
-        matrix = [[c.strip() or "0" for c in row.split("&")] for row in _ROW.split(m["inside"]) if row.strip()]
-        if before or not terms:
-            terms.append((before, [matrix]))
+        before = _SPACE.sub(" ", text[at : m.start]).strip(" $&")
+        joint = before.strip(_BETWEEN) if "\\" not in text else before
+        if (joint not in ("", ".")) or not terms:
+            terms.append((before.rstrip(_BETWEEN), [m.rows]))
         else:
-            terms[-1][1].append(matrix)
-        at = m.end()
+            terms[-1][1].append(m.rows)
+        at = m.end
     if _SPACE.sub("", text[at:end]).strip("$&.,;"):
         return None
     columns = [_column(factor, product) for factor, product in terms]
@@ -152,7 +307,7 @@ def _side(text: str, start: int, end: int, matrices: list[re.Match[str]]) -> lis
     known = [c for c in columns if c is not None]
     if len({len(c) for c in known}) != 1:
         return None
-    return [" ".join(parts) for parts in zip(*known, strict=True)]
+    return [" ".join(parts).removeprefix("+ ") for parts in zip(*known, strict=True)]
 
 
 def _column(factor: str, product: list[Matrix]) -> list[str] | None:
@@ -166,7 +321,5 @@ def _column(factor: str, product: list[Matrix]) -> list[str] | None:
         return [f"{sign} {scaled}({row[0]})" for row in column]
     if any(len(row) != len(column) for row in first[0]):
         return None
-    return [
-        f"{sign} {scaled}(" + " + ".join(f"({a})({b[0]})" for a, b in zip(row, column, strict=True)) + ")"
-        for row in first[0]
-    ]
+    sums = [" + ".join(f"({a})({b[0]})" for a, b in zip(row, column, strict=True)) for row in first[0]]
+    return [f"{sign} {scaled}({e})" if scaled or sign == "-" else f"{sign} {e}" for e in sums]

@@ -17,8 +17,11 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
+from lagrange.answers.written.notation.operators import with_operators
 from lagrange.answers.written.notation.programs import as_functions
+from lagrange.answers.written.notation.ratios import extremes
 from lagrange.answers.written.notation.special import special
+from lagrange.answers.written.notation.units import units_in_si
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -102,6 +105,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft = Draft(fragment)
     characters(draft)
     special(draft, scope)
+    draft.apply(units_in_si(draft.text, scope))
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
     draft.apply(_exponentials(draft.text, scope))
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
@@ -124,6 +128,10 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_PREFIX, lambda m: _prefixed(m, scope))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     draft.replace(_INVERSE, r"a\1")
+    if scope.role("D") is Role.UNDECLARED:
+        with_operators(draft, frozenset(q.name for q in scope.slots.coordinates))
+    if scope.role("max") is scope.role("min") is Role.UNDECLARED:
+        draft.apply(extremes(draft.text))
     _derivatives(draft, scope)
     _displacements(draft, scope)
     draft.apply(of_argument(draft.text, scope))

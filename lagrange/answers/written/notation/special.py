@@ -4,6 +4,7 @@ m1, θ1                              m_1, theta_1, where these are declared and 
 ∛(c/b)                              (c/b)^(1/3)
 arcosh(x), acosh(x), \cosh^{-1} x   log(x + sqrt(x^2 - 1)), and so for the other inverse hyperbolic functions
 v_\infty, v_{\max}                  v_{inf}, v_{max}
+ω_+ = ..., \omega_- = ...           ω_plus = ..., \omega_{minus} = ...
 """
 
 from __future__ import annotations
@@ -33,6 +34,10 @@ _INVERSE_LATEX = re.compile(
 _COMMAND_AS_INDEX = re.compile(
     r"_\s*(?:\\(?P<plain>infty|max|min|star)(?![A-Za-z])|\{\s*\\(?P<braced>infty|max|min|star)\s*\})"
 )
+_SIGN_AS_INDEX = re.compile(
+    r"_(?:\{\s*)?(?P<sign>[+−-]|\\pm(?![A-Za-z])|±)(?:\s*\})?(?=\s*(?:\^\s*\{?2\}?|²)?\s*&?(?:=|\Z))"
+)
+_HALF_AS_INDEX = re.compile(r"_(?:1/2|½|\{\s*(?:1/2|½|\\[dt]?frac\s*\{?1\}?\s*\{?2\}?)\s*\})(?=\s*&?=)")
 _BARE_INDEX = re.compile(r"_(max|min|tot|end|top|side|crit|res|eff)(?![A-Za-z])")
 """An index of several letters without its braces, which TeX would not print as it is meant."""
 _WRITTEN_OUT = {
@@ -42,6 +47,16 @@ _WRITTEN_OUT = {
 }
 _LONGEST = 400
 """Characters of an argument that is written several times."""
+
+
+def signs_as_indices(draft: Draft) -> None:
+    """Name what has a sign, or a half, as its index, on the left of an equation."""
+    latex = "\\" in draft.text
+    draft.replace(_HALF_AS_INDEX, "_{half}" if latex else "_half")
+    draft.replace(
+        _SIGN_AS_INDEX,
+        lambda m: ("_{%s}" if latex else "_%s") % {"+": "plus", "-": "minus", "−": "minus"}.get(m["sign"], "pm"),
+    )
 
 
 def special(draft: Draft, scope: Scope) -> None:

@@ -1,0 +1,105 @@
+r"""Positions of equilibrium in a text that is also about motion or frequencies, and names of quantities in it.
+
+Equilibrium: x1 = (c l + kappa (L - l))/(c + 2 kappa), x2 = L - x1
+theta = 0: omega = sqrt(g/R - Omega^2);   theta = arccos(g/(R Omega^2)): omega = ...
+T = 2 pi sqrt(l cos(theta)/g)                   phi' = 2 pi/(...), a period of a steady motion
+cos(theta_0) = g/(l phi'^2)                     cos(theta) = g/(l phi'^2)
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.answers.readings import GivenEquation
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, Verdict
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.symbols import base, prime
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.syntax_tree import Role
+from lagrange.mechanics.results import Solution
+
+_GOOD = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
+_SAID = re.compile(r"equilibri|at rest|gleichgewicht|ruhelage|équilibre|stationary", re.IGNORECASE)
+_PERIOD = re.compile(r"[\s$&]*(?:T|\\tau|tau|τ|P)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
+
+
+def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, list[Fragment]] | None:
+    """The verdict on positions of equilibrium, and the other lines; None if there are none."""
+    from lagrange.answers.equilibria import alternatives_of, with_both_signs
+    from lagrange.answers.questions.own_answers import compared_equilibrium
+    from lagrange.answers.written.working import understood
+
+    reference = reference_of_solution(solution)
+    stated: list[Fragment] = []
+    rest: list[Fragment] = []
+    for f in answer:
+        both = with_both_signs(f)
+        working = understood(both, reference, moving=False)
+        is_position = len(working.judged) >= len(both) and all(_is_position(g, reference) for g in working.judged)
+        (stated if is_position else rest).append(f)
+    if not stated:
+        return None
+    try:
+        together = [tuple(understood(a, reference, moving=False).judged) for a in alternatives_of(stated)]
+        each = [tuple(understood(a, reference, moving=False).judged) for f in stated for a in alternatives_of([f])]
+        found = [compared_equilibrium(solution, alternatives) for alternatives in (together, each)]
+    except ProblemError:
+        return None
+    order = (*_GOOD, Verdict.UNDECIDED, Verdict.WRONG)
+    verdict = min(found, key=lambda v: order.index(v.verdict) if v.verdict in order else len(order))
+    said = any(_SAID.search(f"{getattr(f, 'beside', '')} {f.whole.source.text[: f.whole.end]}"[-400:]) for f in stated)
+    if verdict.verdict not in _GOOD and not said:
+        return None
+    return replace(verdict, name="equilibrium"), rest
+
+
+def _is_position(fragment: Fragment, reference: Reference) -> bool:
+    """Whether an equation is one between coordinates and parameters."""
+    if not isinstance(fragment, GivenEquation) or fragment.reading.error:
+        return False
+    used = {s for e in fragment.reading.components for s in e.free_symbols}
+    coordinates = {*reference.scope.slots.coordinates}
+    allowed = coordinates | {*reference.parameters.values()}
+    return not used.isdisjoint(coordinates) and used <= allowed and all(base(s) == s for s in used)
+
+
+def with_rate_as_omega(reference: Reference, cyclic: Sequence[sp.Symbol]) -> Reference:
+    """omega, and Omega, as the constant rate of the angle of a steady motion, where the problem declares neither."""
+    names = {"omega", "Omega"} - {*reference.declared}
+    if len(cyclic) != 1 or len(names) < 2:
+        return reference
+    rate = prime(cyclic[0])
+    scope = replace(reference.scope, scalars={**reference.scope.scalars, **dict.fromkeys(names, rate)})
+    return replace(reference, scope=scope, declared=reference.declared | names)
+
+
+def period_as_rate(fragment: Fragment, cyclic: Sequence[sp.Symbol], reference: Reference) -> Fragment:
+    """The period of a steady motion, `T = value`, as the rate of its angle, where there is one cyclic angle."""
+    match = _PERIOD.match(fragment.text)
+    if (
+        match is None
+        or len(cyclic) != 1
+        or (reference.scope.role("T") is not Role.UNDECLARED and "T" in reference.declared)
+    ):
+        return fragment
+    [angle] = cyclic
+    latex = is_latex(fragment)
+    rate, turn = (rf"\dot{{\{angle.name}}}", r"2\pi") if latex and len(angle.name) > 1 else (f"{angle.name}'", "2*pi")
+    if latex and len(angle.name) == 1:
+        rate = rf"\dot{{{angle.name}}}"
+    draft = Draft(fragment)
+    end = len(fragment.text.rstrip(" $.,;"))
+    between = " " if latex else "*"
+    draft.apply(
+        [
+            (0, match.end(), f"{'$' if fragment.text.lstrip().startswith('$') else ''} {rate}{between}("),
+            (end, end, f") = {turn}"),
+        ]
+    )
+    return draft.finished(latex=latex)

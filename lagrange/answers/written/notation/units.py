@@ -1,0 +1,101 @@
+r"""Numbers with units among expressions, in SI: `12 cm` as (12)*(1/100), `9.81\,\mathrm{m/s^2}` as (9.81).
+
+In plain text a unit is one in which at least one letter is no name of the problem: `2 m` beside a mass m is twice a
+mass, `9.81 m/s^2` is an acceleration where no `s` is declared. In LaTeX a unit is upright, and is meant wherever it
+stands after a number.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from lagrange.core.units import unit_of
+from lagrange.expressions.edits import Edit
+from lagrange.expressions.latex_names import LatexNames
+from lagrange.expressions.scope import Scope
+from lagrange.expressions.syntax_tree import Role
+
+_WORD = r"[A-Za-zµμΩ]{1,6}(?:\s?\^\s?[({]?\s?[-−]?[1-4]\s?[)}]?|[²³]|⁻[¹²³])?"
+_UNIT = re.compile(
+    rf"(?<![A-Za-z_0-9.])(?P<number>[0-9]{{1,12}}(?:\.[0-9]{{1,12}})?)\s?\*?\s?"
+    rf"(?P<unit>(?:{_WORD}|1)(?:\s?[/·⋅*]\s?{_WORD}|(?<=[NgJs])\s{_WORD}|\s(?:s|m|kg)(?:\^-[12]|⁻[¹²]))*)(?![A-Za-z0-9_('])"
+)
+_NAME = re.compile(r"[A-Za-zµμΩ]+")
+_UPRIGHT = (
+    r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{[^{}]{1,24}(?:\{[^{}]{1,4}\}[^{}]{0,24}){0,3}\}"
+    r"(?:\s*\^\s*(?:\{\s*-?[1-4]\s*\}|[1-4]))?"
+)
+_NUMERAL = r"[0-9]{1,12}(?:\.[0-9]{1,12})?(?:\s*\\(?:cdot|times)\s*10\s*\^\s*(?:\{\s*-?[0-9]{1,2}\s*\}|[0-9]))?"
+_IN_LATEX = re.compile(
+    rf"(?<![A-Za-z0-9.}}])(?<!frac )(?P<number>{_NUMERAL})(?P<space>(?:\s|~|\\[,;:! ])*)"
+    rf"(?P<unit>{_UPRIGHT}(?:(?:\s|\\[,;: ]|~)*(?:/|\\cdot|\\times)?(?:\s|\\[,;: ])*{_UPRIGHT})*"
+    rf"|\\[dt]?frac\s*\{{\s*{_UPRIGHT}\s*\}}\s*\{{\s*{_UPRIGHT}\s*\}})(?=\s*(?:\Z|[-=+−,;.$)&\]}}]|\\))"
+)
+_SIUNITX = re.compile(r"\\(?:SI|qty)\s*\{(?P<number>[^{}]{1,24})\}\s*\{(?P<unit>[^{}]{1,40})\}")
+_MACROS = {
+    r"\kilogram": "kg",
+    r"\newton": "N",
+    r"\radian": "rad",
+    r"\joule": "J",
+    r"\hertz": "Hz",
+    r"\meter": "m",
+    r"\metre": "m",
+    r"\second": "s",
+    r"\per": "/",
+    r"\squared": "^2",
+    r"\centi": "c",
+    r"\milli": "m",
+    r"\kilo": "k",
+}
+
+
+def units_in_si(text: str, scope: Scope) -> Iterator[Edit]:
+    """The numbers with units in plain text."""
+    for match in _UNIT.finditer(text):
+        names = _NAME.findall(match["unit"])
+        if not names or all(_is_product(n, scope) for n in names):
+            continue
+        if text[: match.start()].rstrip().endswith("/"):  # 1/2 s
+            continue
+        made = _in_si(match["number"], match["unit"])
+        if made:
+            yield match.start(), match.end(), f" {made}"
+
+
+def _is_product(word: str, scope: Scope) -> bool:
+    """Whether letters are a name or several of them: `mg` is a weight beside a mass and g, and no milligram."""
+    names = LatexNames(scope)
+    run = names.run(word)
+    return not run.several and all(names.is_declared(name) for _, name in run.pieces)
+
+
+def units_of_latex_in_si(text: str, scope: Scope) -> Iterator[Edit]:
+    """The numbers with upright units in LaTeX."""
+    for match in (*_SIUNITX.finditer(text), *_IN_LATEX.finditer(text)):
+        names = _NAME.findall(plain_unit(match["unit"]))
+        spaced = match.re is _SIUNITX or match["space"] or "text" in match["unit"]
+        if not spaced and all(scope.role(n) is not Role.UNDECLARED for n in names):
+            continue
+        made = _in_si(match["number"], plain_unit(match["unit"]))
+        if made:
+            yield match.start(), match.end(), made.replace("*", r" \cdot ")
+
+
+def plain_unit(unit: str) -> str:
+    r"""`\mathrm{m}/\mathrm{s}^{2}` as m/s^2."""
+    for macro, written in _MACROS.items():
+        unit = unit.replace(macro, written)
+    unit = re.sub(r"\\[dt]?frac\s*\{(.*)\}\s*\{(.*)\}\Z", r"\1/\2", unit)
+    unit = re.sub(r"\^\s*\{([^{}]*)\}", r"^\1", unit)
+    unit = re.sub(r"\\(?:text|textrm|mathrm|mbox|rm|si|unit|textup)\s*\{([^{}]*)\}", r"\1", unit)
+    unit = re.sub(r"\\(?:cdot|times)", "*", re.sub(r"\\[,;:! ]|~", " ", unit))
+    return re.sub(r"[{}]", "", unit).strip()
+
+
+def _in_si(number: str, unit: str) -> str:
+    """A number in SI, as text; empty if the unit is not known."""
+    found = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
+    if found is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
+        return ""
+    return f"({number.strip()})" if found.factor == 1 else f"({number.strip()})*({found.factor})"
