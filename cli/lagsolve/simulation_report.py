@@ -43,6 +43,9 @@ def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[s
     if start.pushed:
         yield ""
         yield "This state would stay as it is: the motion was started a little beside it."
+    if start.orbits:
+        yield ""
+        yield "There is an attraction: the velocities assumed are those of a nearly circular orbit."
     if simulation.events:
         yield ""
         yield "Events"

@@ -64,6 +64,7 @@ class MovingFigure:
     rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
     pushed       whether it begins a little beside an equilibrium
+    orbits       whether it begins in a nearly circular orbit that nobody has asked for
     assumed      what the page takes for functions that the file leaves open
     driven       prescribed motions that the file leaves open, which oscillate
     """
@@ -80,5 +81,6 @@ class MovingFigure:
     rests: bool
     released: bool
     pushed: bool = False
+    orbits: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     driven: tuple[sp.Symbol, ...] = ()

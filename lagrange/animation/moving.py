@@ -29,7 +29,7 @@ from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OP
 from lagrange.animation.samples import UNDECLARED_GRAVITY, sampled, samples, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.operations import count_operations
+from lagrange.core.operations import count_distinct
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -367,8 +367,7 @@ class _Maker:
     ) -> MovingFigure:
         problem, configuration = self.solution.problem, self.view.configuration
         slots = configuration.slots
-        operations = sum(count_operations(e) for group in expressions.values() for e in group)
-        if operations > MOST_OPERATIONS:
+        if count_distinct(e for group in expressions.values() for e in group) > MOST_OPERATIONS:
             raise UnmovableError("its equations are too long")
         code = [self._function(name, group, parameters) for name, group in expressions.items()]
         written = "{\n" + ",\n".join(code) + "\n}"
@@ -440,6 +439,7 @@ class _Maker:
             rests=self.view.equilibrium is not None,
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,
+            orbits=begun is not None and begun.orbits,
             assumed=self._assumed(),
             driven=tuple(u for u in slots.prescribed if u.name not in self.given),
         )

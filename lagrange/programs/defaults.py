@@ -17,6 +17,7 @@ from itertools import product
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from lagrange.core.operations import distinct_parts
 from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.energies import potential_energy
@@ -39,7 +40,8 @@ SPIN, ROLLING_SPIN = 14.0, 5.0
 
 def angles_in(expressions: Iterable[sp.Expr]) -> frozenset[sp.Symbol]:
     """The symbols that are a term of the argument of a sine or cosine, up to a factor."""
-    terms = (a for e in expressions for f in e.atoms(TrigonometricFunction) for a in sp.Add.make_args(f.args[0]))
+    functions = (f for f in distinct_parts(expressions) if isinstance(f, TrigonometricFunction))
+    terms = (a for f in functions for a in sp.Add.make_args(f.args[0]))
     return frozenset(s for a in terms if (s := a.as_coeff_Mul()[1]).is_Symbol)
 
 

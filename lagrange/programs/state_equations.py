@@ -23,6 +23,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.operations import distinct_parts
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, base, partial, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -204,7 +205,7 @@ class StateEquations:
     @cached_property
     def functions(self) -> tuple[str, ...]:
         """The names of undefined functions f(X, Y) and prescribed motions u(t) that occur."""
-        found = {f.name: None for e in self.expressions for f in e.atoms(Unspecified)}
+        found = {f.name: None for f in distinct_parts(self.expressions) if isinstance(f, Unspecified)}
         prescribed = {*self.equations.slots.prescribed}
         moved = {base(s).name: None for s in sorted(_symbols(self.expressions), key=str) if base(s) in prescribed}
         return (*found, *moved)
@@ -274,7 +275,7 @@ def filled(e: sp.Expr, given: Mapping[str, sp.Expr], slots: Slots, problem: Prob
 
 
 def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
-    return set().union(*(e.free_symbols for e in expressions))
+    return {s for s in distinct_parts(expressions) if isinstance(s, sp.Symbol)}
 
 
 def state_equations(solution: Solution, choice: str | None = None) -> StateEquations:
@@ -286,11 +287,7 @@ def state_equations(solution: Solution, choice: str | None = None) -> StateEquat
     Raises ProblemError where there is no such choice, or nothing moves.
     """
     if solution.long_equations is not None:
-        message = (
-            "the equations of motion are too long to be solved for the accelerations, and cannot be integrated here"
-        )
-        help_ = "`--format json` has them, with their abbreviations, under `equations` and `definitions`"
-        raise ProblemError(Diagnostic("no-equations", message, help=help_))
+        return _of_long(solution)
     views = [v for v in solution.views if v.dynamics is not None]
     if solution.law is None or not views:
         message = "there are no equations of motion"
@@ -344,6 +341,21 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     )
     _refuse_accelerations(states)
     return states
+
+
+def _of_long(solution: Solution) -> StateEquations:
+    """The equations in the file's coordinates, too long to be printed; without reactions other than multipliers."""
+    from lagrange.programs.special.long_motion import long_energy, long_first_order
+
+    energy = long_energy(solution)
+    return StateEquations(
+        problem=solution.problem,
+        view=solution.own,
+        configuration=solution.own.configuration,
+        equations=long_first_order(solution),
+        energy=energy,
+        conserved={} if energy is None else {"energy": energy},
+    )
 
 
 def _energy(found: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:
