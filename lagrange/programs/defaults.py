@@ -32,8 +32,9 @@ from lagrange.programs.limits import MOST_TRIED, SLOWEST_SLIP
 GRAVITY = 9.81
 _BY_UNIT = {"m/s^2": GRAVITY, "N/m": 20.0, "N*s/m": 0.4, "1/s": 2.0, "rad/s": 2.0, "m/s": 1.0, "N": 5.0, "kg*m^2": 0.5}
 _BY_LETTER = {"g": GRAVITY, "k": 20.0, "c": 0.4, "mu": 0.3, "omega": 2.0, "Omega": 2.0, "w": 2.0, "F": 5.0}
-SPEED = 1.0
-"""Of a coordinate that the potential energy does not contain."""
+SPEED, SLOWER = 1.0, 0.2
+"""Of the first coordinate that the potential energy does not contain; each one after it is slower by so much, because
+particles with the same velocity would not turn about each other."""
 SPIN, ROLLING_SPIN = 14.0, 5.0
 """Of a body in space about its own axis under gravity, in radians per second: without constraints, and with them."""
 
@@ -100,8 +101,9 @@ def default_velocities(problem: Problem, configuration: Configuration) -> dict[s
     bound = bool(configuration.rows)
     others = 0.0 if turning and bound else SPEED
     spin = ROLLING_SPIN if bound else SPIN
+    free = [q for q in slots.coordinates if not potential.has(q) and q not in turning]
     return {
-        v: 0.0 if potential.has(q) else spin if q in turning else others
+        v: spin if q in turning else others * max(1 - SLOWER * free.index(q), SLOWER) if q in free else 0.0
         for q, v in zip(slots.coordinates, slots.velocities, strict=True)
     }
 

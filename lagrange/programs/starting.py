@@ -187,7 +187,7 @@ def _numbers(
 ) -> dict[sp.Symbol, float]:
     problem, angles = states.problem, angles_in(states.expressions)
     values: dict[sp.Symbol, float] = {}
-    used = {p.symbol for p in states.parameters}
+    used = {p.symbol for p in states.parameters}.union(*(v.value.free_symbols for v in problem.initial))
     for symbol, p in {p.symbol: p for p in (*problem.parameters, *states.parameters)}.items():
         if symbol.name in given:
             values[symbol] = float(given[symbol.name])

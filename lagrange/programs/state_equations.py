@@ -205,7 +205,8 @@ class StateEquations:
     @cached_property
     def functions(self) -> tuple[str, ...]:
         """The names of undefined functions f(X, Y) and prescribed motions u(t) that occur."""
-        found = {f.name: None for f in distinct_parts(self.expressions) if isinstance(f, Unspecified)}
+        occurring = {f.name for f in distinct_parts(self.expressions) if isinstance(f, Unspecified)}
+        found = [f.name for f in self.problem.functions if f.name in occurring]
         prescribed = {*self.equations.slots.prescribed}
         moved = {base(s).name: None for s in sorted(_symbols(self.expressions), key=str) if base(s) in prescribed}
         return (*found, *moved)

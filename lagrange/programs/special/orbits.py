@@ -143,12 +143,16 @@ class _Orbits:
 
         matrix = self.slopes.reshape(-1, self.slopes.shape[2])
         found = numpy.linalg.lstsq(matrix, wanted.ravel(), rcond=None)[0]
-        return found if numpy.abs(matrix @ found - wanted.ravel()).max() < 1e-9 * (1 + numpy.abs(wanted).max()) else None
+        return (
+            found if numpy.abs(matrix @ found - wanted.ravel()).max() < 1e-9 * (1 + numpy.abs(wanted).max()) else None
+        )
 
     def _rate(self, value: sp.Expr, pattern: Any) -> float | None:
         """The ω with which the distance would not change: a + b ω + c ω² = 0, a < 0 where there is attraction."""
         slopes = [partial(value, q) for q in self.coordinates]
-        change = self.system.function(sp.Add(*(g * v for g, v in zip(slopes, self.states.equations.speeds, strict=True))))
+        change = self.system.function(
+            sp.Add(*(g * v for g, v in zip(slopes, self.states.equations.speeds, strict=True)))
+        )
         n = len(self.coordinates)
 
         def grows(rate: float) -> float:
