@@ -218,14 +218,21 @@ def _write(result: Simulation, output: str, ending: str) -> None:
 
 def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
     """The page of the problem, on which the figure goes through the motion that was computed."""
+    from dataclasses import replace
     from pathlib import Path
 
     from lagrange.animation.moving import moving_figure
+    from lagrange.core.diagnostics import ProblemError
     from lagrange.explain.report import report
+    from lagrange.problem.model import Find
     from lagrange.render import html
     from lagsolve.written_files import write_file
 
-    solved = report(problem, choice or None, complete=False)
+    try:
+        solved = report(problem, choice or None, complete=False)
+    except ProblemError:  # a steady motion that the file asks about need not begin as the command line says
+        find = tuple(f for f in problem.find if f not in (Find.LINEARIZATION, Find.STEADY))
+        solved = report(replace(problem, find=find), choice or None, complete=False)
     moving = moving_figure(solved.solution, result)
     write_file(Path(output), html.render([(solved.derivation, solved.notation)], moving=[moving]))
 
