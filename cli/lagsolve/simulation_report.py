@@ -17,6 +17,7 @@ from lagsolve.output import terminal_width, wrapped
 
 DIGITS = 5
 ROUNDED = 1e-14
+"""A component of the state that is so much smaller than the others, and than 1, is a rounding error of 0."""
 
 
 def report_text(
@@ -50,11 +51,13 @@ def _lines(simulation: Simulation, until: float, sampled: Mapping[str, sp.Expr],
             mark = "    assumed; --set changes it" if name in sampled else ""
             yield f"  {name}({', '.join(arguments.get(name, ('t',)))}) = {text(e)}{mark}"
     final = simulation.states[:, -1].tolist() if len(simulation.times) else list(start.state)
-    largest = max(map(abs, start.state), default=0.0)
+    n = len(states.equations.slots.coordinates)
+    sizes = [max(map(abs, part), default=0.0) for part in (start.state[:n], start.state[n:])]
+    least = [ROUNDED * min(1.0, sizes[k >= n]) for k in range(len(start.state))]
     last = simulation.times[-1] if len(simulation.times) else 0.0
     state: list[tuple[str, tuple[float, ...], str, str]] = [
-        (s.name, (_or_zero(a, largest), _or_zero(b, largest)), units.of(s), _mark(simulation, s.name))
-        for s, a, b in zip(states.state, start.state, final, strict=True)
+        (s.name, (_or_zero(a, e), _or_zero(b, e)), units.of(s), _mark(simulation, s.name))
+        for s, a, b, e in zip(states.state, start.state, final, least, strict=True)
     ]
     yield from _table(f"State at t = 0 and at t = {last:.5g} s", state)
     if start.pushed:
@@ -103,9 +106,8 @@ def _table(title: str, rows: list[tuple[str, tuple[float, ...], str, str]]) -> I
         yield f"  {name:{width}}  {columns} {unit:8} {mark}".rstrip()
 
 
-def _or_zero(x: float, largest: float) -> float:
-    """A component of the state; 0 where it is the rounding error of the largest one at the start."""
-    return 0.0 if abs(x) < ROUNDED * largest else x
+def _or_zero(x: float, least: float) -> float:
+    return 0.0 if abs(x) < least else x
 
 
 def _number(x: float) -> str:
