@@ -736,14 +736,29 @@ const lagsolveFigure = (() => {
       paint();
       readings();
     }
-    // The picture follows a system that leaves it.
+    const solid = ["line", "capsule", "disc", "sphere", "box", "cone", "string", "spring", "damper", "dot"];
+    // The boxes on the page of all that may move: [left, right, top, bottom] of each point with what is around it.
+    function boxes(v) {
+      const found = [];
+      const add = (q, r = 0) => { const [x, y] = page(q); if (isFinite(x) && isFinite(y) && isFinite(r)) found.push([x - r, x + r, y - r, y + r]); };
+      for (const e of data.items) {
+        if (!solid.includes(e.k)) continue;
+        if (Array.isArray(e.p)) e.p.forEach(k => Array.isArray(k) ? add(three(v, k[0]), Math.abs(v[k[1]]) * scale) : add(three(v, k)));
+        else add(three(v, e.p), e.k == "dot" ? 0 : scale * (e.k == "box" ? Math.max(v[e.w[0]], v[e.w[1]]) / 2 : e.k == "cone" ? v[e.h] * 0.75 : Math.abs(v[e.r])));
+      }
+      return found;
+    }
+    // The picture follows a system that leaves it: all of it where it fits, otherwise its particles and mass centres.
     function keepInView(v) {
-      const q = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite));
-      if (!q.length) return;
-      for (const [i, size] of [[0, width], [1, height]]) {
-        const low = Math.min(...q.map(x => x[i])), high = Math.max(...q.map(x => x[i])), room = Math.min(MARGIN * 0.7, size / 6);
-        const shift = high - low > size - 2 * room ? 0 : low < room ? low - room : high > size - room ? high - size + room : 0;
+      const centres = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      if (!centres.length) return;
+      const all = [...centres, ...boxes(v)];
+      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [centres, MARGIN * 0.7]]) {
+        const low = Math.min(...list.map(b => b[2 * i])), high = Math.max(...list.map(b => b[2 * i + 1])), room = Math.min(least, size / 6);
+        if (high - low > size - 2 * room) continue;
+        const shift = low < room ? low - room : high > size - room ? high - size + room : 0;
         if (shift) centre[i] += (i ? -shift : shift) / scale;
+        break;
       }
     }
     const pool = [], written = new WeakMap();
