@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
-
-import sympy as sp
+from collections.abc import Collection, Iterator
 
 from lagrange.core.printable import printable
 from lagrange.document.math_writer import text
@@ -20,18 +18,16 @@ ROUNDED = 1e-14
 """A component of the state that is so much smaller than the others, and than 1, is a rounding error of 0."""
 
 
-def report_text(
-    simulation: Simulation, until: float, sampled: Mapping[str, sp.Expr] | None = None, *, by_default: bool
-) -> str:
+def report_text(simulation: Simulation, until: float, sampled: Collection[str] = (), *, by_default: bool) -> str:
     """The report, without an end of line; no line is wider than the terminal unless it has no blanks.
 
-    sampled  what was taken for functions that nobody has given
+    sampled  the names of functions that nobody has given
     """
     width = terminal_width()
-    return "\n".join(wrapped(line, width, "    ") for line in _lines(simulation, until, sampled or {}, by_default))
+    return "\n".join(wrapped(line, width, "    ") for line in _lines(simulation, until, sampled, by_default))
 
 
-def _lines(simulation: Simulation, until: float, sampled: Mapping[str, sp.Expr], by_default: bool) -> Iterator[str]:
+def _lines(simulation: Simulation, until: float, sampled: Collection[str], by_default: bool) -> Iterator[str]:
     states, start, units = simulation.equations, simulation.start, Units(simulation.equations)
     names = ", ".join(q.name for q in states.equations.slots.coordinates)
     where = f" (choice {states.name})" if states.name else ""

@@ -42,10 +42,11 @@ from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
 from lagrange.programs.contacts import coefficients_at_rest, guards
 from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
+from lagrange.programs.first_order import in_coordinates
 from lagrange.programs.languages import JAVASCRIPT, Argument, Function
 from lagrange.programs.special.samples import AMPLITUDE, FREQUENCY, UNDECLARED_GRAVITY, samples
 from lagrange.programs.starting import Start, start
-from lagrange.programs.state_equations import StateEquations, filled, in_coordinates, state_equations
+from lagrange.programs.state_equations import StateEquations, filled, state_equations
 
 if TYPE_CHECKING:
     from lagrange.programs.simulation import Simulation

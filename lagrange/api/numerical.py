@@ -31,7 +31,7 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Assumption, Parameter
 from lagrange.programs import state_equations
-from lagrange.programs.state_equations import FirstOrder
+from lagrange.programs.first_order import FirstOrder
 
 
 def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrder:

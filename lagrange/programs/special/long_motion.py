@@ -19,7 +19,7 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.results import Solution
-from lagrange.programs.state_equations import FirstOrder
+from lagrange.programs.first_order import FirstOrder
 
 
 def long_first_order(solution: Solution) -> FirstOrder:
