@@ -72,7 +72,7 @@ def test_the_table_goes_to_standard_output_alone() -> None:
 
 
 def test_a_motion_that_cannot_be_followed_has_status_3() -> None:
-    result = run("simulate", "escape-from-a-planet")
+    result = run("simulate", "escape-from-a-planet", "--set", "v=1")
     assert result.exit_code == 3
     assert "cannot be followed any further" in result.stdout
 

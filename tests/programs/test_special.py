@@ -9,11 +9,12 @@ import pytest
 import sympy as sp
 
 import lagrange
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.operations import count_distinct
 from lagrange.mechanics.nearby.long_equations import long_equations
 from lagrange.programs.languages import Target
 from lagrange.programs.numerical_system import NumericalSystem
-from lagrange.programs.prepared import prepared
+from lagrange.programs.prepared import prepared, require_functions
 from lagrange.programs.simulation import EventKind, simulated
 from lagrange.programs.source import source_file
 from lagrange.programs.state_equations import state_equations
@@ -113,4 +114,7 @@ def test_functions_that_nobody_has_given_are_taken_from_samples() -> None:
     assert simulated(made.states, made.start, 1.0).is_accurate
     bowl = prepared(loaded("ex12-smooth-surface"), complete=True)
     assert bowl.sampled["f"] == sp.sympify("Z - (X**2 + Y**2)/4", {n: sp.Symbol(n, real=True) for n in "XYZ"})
-    assert prepared(loaded("pole-on-cart")).states.functions == ("F",)  # an exported file leaves it open
+    left = prepared(loaded("pole-on-cart")).states
+    assert left.functions == ("F",)  # an exported file leaves it open, and Python has to give it
+    with pytest.raises(ProblemError, match="the motion depends on F"):
+        require_functions(left, {})
