@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from lagrange.problem.model import Problem
     from lagrange.programs.prepared import Prepared
     from lagrange.programs.simulation import Simulation
-    from lagrange.programs.starting import Settings
 
 LANGUAGES = ("python", "c", "matlab", "julia")
 PLOTS = (".svg", ".png", ".pdf")
@@ -70,21 +69,18 @@ def simulate(
     from lagsolve.progress_line import stage_shown
 
     with stage_shown() as on_stage, bounded(timeout, None):
-        made, given = _prepared(
-            problem, settings, choice, on_stage, ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
-        )
+        libraries = ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
+        made = _prepared(problem, settings, choice, on_stage, libraries, complete=True)
         from lagrange.core.effort import allowed_for
-        from lagrange.programs.prepared import require_functions
         from lagrange.programs.simulation import longest_time, simulated
 
-        require_functions(made.states, given.functions)
         on_stage("integrating")
         end = until or longest_time(made.states, made.start)
         with allowed_for("integrating the motion", math.inf):
             result = simulated(made.states, made.start, end, questions=made.problem.questions, samples=samples)
         from lagsolve.simulation_report import report_text
 
-        text = report_text(result, end, by_default=until is None)
+        text = report_text(result, end, made.sampled, by_default=until is None)
         if output is not None:
             on_stage("writing")
             if ending == PAGE:
@@ -129,7 +125,7 @@ def export(problem: str, target: str | None, settings: tuple[str, ...], choice: 
     from lagsolve.progress_line import stage_shown
 
     with stage_shown() as on_stage:
-        made, _ = _prepared(problem, settings, choice, on_stage, ())
+        made = _prepared(problem, settings, choice, on_stage, (), complete=False)
         from lagrange.programs.languages import Target
         from lagrange.programs.names import RESERVED, legal_name
         from lagrange.programs.source import source_file
@@ -172,9 +168,15 @@ def _ending(problem: str, output: str | None, known: tuple[str, ...]) -> str:
 
 
 def _prepared(
-    name: str, settings: tuple[str, ...], choice: str | None, on_stage: OnStage, libraries: tuple[str, ...]
-) -> tuple[Prepared, Settings]:
-    """The problem with its equations of motion, and what the command line sets."""
+    name: str,
+    settings: tuple[str, ...],
+    choice: str | None,
+    on_stage: OnStage,
+    libraries: tuple[str, ...],
+    *,
+    complete: bool,
+) -> Prepared:
+    """The problem with its equations of motion, and what the command line sets; if `complete`, samples of functions."""
     gc.disable()
     from lagrange.problem.loader import read_problem
     from lagrange.programs.prepared import prepared, require
@@ -190,7 +192,7 @@ def _prepared(
     given = settings_of(problem, settings_read(settings))
     if given.parameters:
         problem = read_problem(source, given.parameters)
-    return prepared(problem, choice, given, on_stage), given
+    return prepared(problem, choice, given, on_stage, complete=complete)
 
 
 def _write(result: Simulation, output: str, ending: str) -> None:
@@ -216,14 +218,21 @@ def _write(result: Simulation, output: str, ending: str) -> None:
 
 def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
     """The page of the problem, on which the figure goes through the motion that was computed."""
+    from dataclasses import replace
     from pathlib import Path
 
     from lagrange.animation.moving import moving_figure
+    from lagrange.core.diagnostics import ProblemError
     from lagrange.explain.report import report
+    from lagrange.problem.model import Find
     from lagrange.render import html
     from lagsolve.written_files import write_file
 
-    solved = report(problem, choice or None, complete=False)
+    try:
+        solved = report(problem, choice or None, complete=False)
+    except ProblemError:  # a steady motion that the file asks about need not begin as the command line says
+        find = tuple(f for f in problem.find if f not in (Find.LINEARIZATION, Find.STEADY))
+        solved = report(replace(problem, find=find), choice or None, complete=False)
     moving = moving_figure(solved.solution, result)
     write_file(Path(output), html.render([(solved.derivation, solved.notation)], moving=[moving]))
 

@@ -61,9 +61,11 @@ class MovingFigure:
     conserved    what is constant along the motion
     equilibria   where it can be at rest
     moves        whether there are equations of motion
+    long         whether there are, but too long for a page that nobody has asked to move
     rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
     pushed       whether it begins a little beside an equilibrium
+    orbits       whether it begins in a nearly circular orbit that nobody has asked for
     assumed      what the page takes for functions that the file leaves open
     driven       prescribed motions that the file leaves open, which oscillate
     """
@@ -80,5 +82,7 @@ class MovingFigure:
     rests: bool
     released: bool
     pushed: bool = False
+    orbits: bool = False
+    long: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     driven: tuple[sp.Symbol, ...] = ()

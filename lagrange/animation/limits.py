@@ -2,8 +2,8 @@
 
 MOST_COORDINATES = 16
 """Sliders that a reader can find their way in."""
-MOST_OPERATIONS = 60_000
-"""Of all expressions together: the page is written in a moment, and a step takes milliseconds at most."""
+MOST_OPERATIONS = 20_000
+"""Different parts of all expressions together: the page is written in a moment, and a step takes milliseconds."""
 LONGEST_PROGRAM = 400_000
 """Characters of JavaScript, so that a page stays below a megabyte. The pages of all shipped problems have less than
 300,000 characters, the derivation included."""

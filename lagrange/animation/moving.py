@@ -26,10 +26,10 @@ from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
 from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still, UnmovableError
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
-from lagrange.animation.samples import UNDECLARED_GRAVITY, sampled, samples, surfaces
+from lagrange.animation.samples import sampled, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.operations import count_operations
+from lagrange.core.operations import count_distinct
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -42,9 +42,11 @@ from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
 from lagrange.programs.contacts import coefficients_at_rest, guards
 from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
+from lagrange.programs.first_order import in_coordinates
 from lagrange.programs.languages import JAVASCRIPT, Argument, Function
+from lagrange.programs.special.samples import AMPLITUDE, FREQUENCY, UNDECLARED_GRAVITY, samples
 from lagrange.programs.starting import Start, start
-from lagrange.programs.state_equations import StateEquations, filled, in_coordinates, state_equations
+from lagrange.programs.state_equations import StateEquations, filled, state_equations
 
 if TYPE_CHECKING:
     from lagrange.programs.simulation import Simulation
@@ -103,7 +105,7 @@ class _Maker:
         view = self.view
         self.taken = {**samples(self.solution), **self.given}
         system, pose = drawn_system(sampled(self.solution, self.taken), self.view)
-        if system is None and view.dynamics is None:
+        if system is None and self.states is None:
             raise UnmovableError("there is no drawing of this system")
         drawn = dict(system.pose.values) if system else {}
         slots = view.configuration.slots
@@ -136,8 +138,8 @@ class _Maker:
             place = drawn.get(u, 0.5)
             for symbol, what, number, low, high in (
                 (mean, "mean of", place, -2 * abs(place) - 0.5, 2 * abs(place) + 0.5),
-                (size, "amplitude of", 0.3, 0.0, 1.0),
-                (rate, "frequency of", 2.0, 0.0, 6.0),
+                (size, "amplitude of", AMPLITUDE, 0.0, 1.0),
+                (rate, "frequency of", FREQUENCY, 0.0, 6.0),
             ):
                 self.drives[symbol] = Slider(u, number, low, high, meaning=what)
 
@@ -177,7 +179,7 @@ class _Maker:
         out: dict[str, list[sp.Expr]] = {}
         if not view.is_own:
             out["own"] = self._own()
-        if view.dynamics is not None:
+        if self.states is not None:
             out["eq"] = self._equations(view, "eq")
             out["con"] = self._constraints(view)
             if not view.is_own and self.own.dynamics is not None:
@@ -192,7 +194,7 @@ class _Maker:
             out["pla"] = [self.put(c) for c in planes[0].fixed().components]
         potential = potential_energy(configuration)
         self.potential = self.put(potential)
-        kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
+        kinetic = kinetic_energy(configuration) if self.states is not None else sp.S.Zero
         integrals = view.conserved.integrals if view.conserved else ()
         fast = {*configuration.slots.accelerations}
         self.integrals = [i for i in integrals if not i.expression.free_symbols & fast]
@@ -228,14 +230,17 @@ class _Maker:
         return [*places, *speeds, t, *view.slots.coordinates]
 
     def _equations(self, view: InCoordinates, name: str) -> list[sp.Expr]:
-        assert view.dynamics is not None
-        form = in_coordinates(view.dynamics)
+        assert self.states is not None
+        form = self.states.equations if view.dynamics is None else in_coordinates(view.dynamics)
         self.shape[name] = [len(form.force), len(form.bias)]
         parts = [*chain.from_iterable(form.mass), *form.force, *chain.from_iterable(form.constraint_matrix), *form.bias]
         return [self.put(e) for e in parts]
 
     def _used(self, view: InCoordinates) -> list[int]:
-        return [n for n in range(len(view.configuration.rows)) if n not in view.elimination.unused]
+        rows = view.configuration.rows
+        if self.solution.long_equations is not None:
+            return [n for n, row in enumerate(rows) if row.name not in self.solution.classification.redundant]
+        return [n for n in range(len(rows)) if n not in view.elimination.unused]
 
     def _constraints(self, view: InCoordinates) -> list[sp.Expr]:
         """g (0 for constraints on velocities), their rates, ∂g/∂t or a_t, and A."""
@@ -367,8 +372,7 @@ class _Maker:
     ) -> MovingFigure:
         problem, configuration = self.solution.problem, self.view.configuration
         slots = configuration.slots
-        operations = sum(count_operations(e) for group in expressions.values() for e in group)
-        if operations > MOST_OPERATIONS:
+        if count_distinct(e for group in expressions.values() for e in group) > MOST_OPERATIONS:
             raise UnmovableError("its equations are too long")
         code = [self._function(name, group, parameters) for name, group in expressions.items()]
         written = "{\n" + ",\n".join(code) + "\n}"
@@ -396,7 +400,7 @@ class _Maker:
             "p": [k.value for k in knobs],
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
-            "rest": int(self.view.dynamics is not None and not self.buttons and self._may_rest(expressions)),
+            "rest": int(self.states is not None and not self.buttons and self._may_rest(expressions)),
             "traced": [
                 [self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced
             ]
@@ -423,7 +427,7 @@ class _Maker:
                 [slots.coordinates.index(s) if s in slots.coordinates else -1 - parameters.index(s) for s in values]
                 for values in self.button_parts
             ],
-            "moves": int(self.view.dynamics is not None),
+            "moves": int(self.states is not None),
             "newton": int(any("kg" in (p.unit or p.stated_unit) for p in problem.parameters)),
             "rheonomic": int(any(e.has(t) for name in ("own", "con") for e in expressions.get(name, ()) if e != t)),
         }
@@ -436,10 +440,12 @@ class _Maker:
             reactions=tuple(_force(r) for r in self.reaction_list),
             conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
             equilibria=tuple(self.buttons),
-            moves=self.view.dynamics is not None,
+            moves=self.states is not None,
+            long=self.states is None and self.solution.long_equations is not None,
             rests=self.view.equilibrium is not None,
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,
+            orbits=begun is not None and begun.orbits,
             assumed=self._assumed(),
             driven=tuple(u for u in slots.prescribed if u.name not in self.given),
         )

@@ -256,7 +256,7 @@ class Formulation:
         a number or a function is missing or not admissible, ProblemError if there are no equations of motion.
         """
         from lagrange.api.numerical import in_coordinates
-        from lagrange.programs.state_equations import in_speeds
+        from lagrange.programs.first_order import in_speeds
 
         if stabilised < 0:
             raise ValueError(f"`stabilised` is a rate, 0 or more, and not {stabilised!r}")

@@ -30,13 +30,13 @@ from lagrange.core.symbols import Slots, t
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Assumption, Parameter
-from lagrange.programs import state_equations
-from lagrange.programs.state_equations import FirstOrder
+from lagrange.programs import first_order
+from lagrange.programs.first_order import FirstOrder
 
 
 def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrder:
     """The equations in coordinates and velocities; α pulls back what is lost of the constraints."""
-    equations = state_equations.in_coordinates(motion)
+    equations = first_order.in_coordinates(motion)
     if not stabilised:
         return equations
     configuration = motion.matrices.configuration

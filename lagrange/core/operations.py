@@ -7,6 +7,7 @@ occurrences: additions and subtractions, multiplications, divisions, powers, fun
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 import sympy as sp
@@ -36,6 +37,23 @@ def count_operations(expression: sp.Expr) -> int:
         elif not e.is_Symbol:
             total += int(e.count_ops())
     return total
+
+
+def distinct_parts(expressions: Iterable[sp.Basic]) -> Iterator[sp.Basic]:
+    """Every part of some expressions, each once: `atoms` would visit a common part as often as it occurs."""
+    known: set[sp.Basic] = set()
+    rest = list(expressions)
+    while rest:
+        e = rest.pop()
+        if e not in known:
+            known.add(e)
+            yield e
+            rest.extend(e.args)
+
+
+def count_distinct(expressions: Iterable[sp.Expr]) -> int:
+    """How many different parts some expressions have: what a program takes that evaluates each of them once."""
+    return sum(1 for e in distinct_parts(expressions) if e.args)
 
 
 def _of_sum(e: sp.Expr, rest: list[sp.Expr]) -> int:

@@ -17,6 +17,7 @@ from itertools import product
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
+from lagrange.core.operations import distinct_parts
 from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.energies import potential_energy
@@ -31,15 +32,17 @@ from lagrange.programs.limits import MOST_TRIED, SLOWEST_SLIP
 GRAVITY = 9.81
 _BY_UNIT = {"m/s^2": GRAVITY, "N/m": 20.0, "N*s/m": 0.4, "1/s": 2.0, "rad/s": 2.0, "m/s": 1.0, "N": 5.0, "kg*m^2": 0.5}
 _BY_LETTER = {"g": GRAVITY, "k": 20.0, "c": 0.4, "mu": 0.3, "omega": 2.0, "Omega": 2.0, "w": 2.0, "F": 5.0}
-SPEED = 1.0
-"""Of a coordinate that the potential energy does not contain."""
+SPEED, SLOWER = 1.0, 0.2
+"""Of the first coordinate that the potential energy does not contain; each one after it is slower by so much, because
+particles with the same velocity would not turn about each other."""
 SPIN, ROLLING_SPIN = 14.0, 5.0
 """Of a body in space about its own axis under gravity, in radians per second: without constraints, and with them."""
 
 
 def angles_in(expressions: Iterable[sp.Expr]) -> frozenset[sp.Symbol]:
     """The symbols that are a term of the argument of a sine or cosine, up to a factor."""
-    terms = (a for e in expressions for f in e.atoms(TrigonometricFunction) for a in sp.Add.make_args(f.args[0]))
+    functions = (f for f in distinct_parts(expressions) if isinstance(f, TrigonometricFunction))
+    terms = (a for f in functions for a in sp.Add.make_args(f.args[0]))
     return frozenset(s for a in terms if (s := a.as_coeff_Mul()[1]).is_Symbol)
 
 
@@ -98,8 +101,9 @@ def default_velocities(problem: Problem, configuration: Configuration) -> dict[s
     bound = bool(configuration.rows)
     others = 0.0 if turning and bound else SPEED
     spin = ROLLING_SPIN if bound else SPIN
+    free = [q for q in slots.coordinates if not potential.has(q) and q not in turning]
     return {
-        v: 0.0 if potential.has(q) else spin if q in turning else others
+        v: spin if q in turning else others * max(1 - SLOWER * free.index(q), SLOWER) if q in free else 0.0
         for q, v in zip(slots.coordinates, slots.velocities, strict=True)
     }
 

@@ -3,8 +3,8 @@
 # Unknowns of a mass matrix that is eliminated in symbols; a larger one is solved by a routine with pivoting.
 LARGEST_ELIMINATED = 4
 
-# Operations of all expressions of a program. The largest of a shipped problem has about 2,000.
-LONGEST_PROGRAM = 200_000
+# Different parts of all expressions of a program. The largest of a shipped problem, the bicycle's, has 2,300.
+LONGEST_PROGRAM = 20_000
 
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
@@ -21,6 +21,8 @@ ROUNDING = 1e-15
 LARGEST_CONTRADICTION = 1e-8
 # How far from an equilibrium a motion starts that would otherwise stay there, in units of SI.
 PUSH = 1e-3
+# The angular velocity of an orbit that nobody has described, relative to that of a circle.
+NEARLY_CIRCULAR = 0.9
 # Relative tolerance of a step; components smaller than 1 count as 1.
 TOLERANCE = 1e-10
 # How much larger the tolerance of a motion is with which one is compared that conserves nothing.

@@ -21,6 +21,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.core.operations import distinct_parts
 from lagrange.core.symbols import partial, t
 from lagrange.programs.compiled import Compiled, compiled
 from lagrange.programs.integrator import Rate, State
@@ -233,12 +234,8 @@ def indicators(states: StateEquations) -> tuple[sp.Expr, ...]:
     """The expressions of the state on whose signs the equations depend."""
     moving = {t, *states.state}
     more = (*states.reactions.values(), *(c.value for c in states.contacts))
-    found = {
-        s.args[0]: None
-        for e in (*states.expressions, *more)
-        for s in sorted(e.atoms(sp.sign), key=str)
-        if not s.free_symbols.isdisjoint(moving)
-    }
+    signs = (s for s in distinct_parts((*states.expressions, *more)) if isinstance(s, sp.sign))
+    found = {s.args[0]: None for s in sorted(signs, key=str) if not s.free_symbols.isdisjoint(moving)}
     return (*found, *states.signs.values())
 
 

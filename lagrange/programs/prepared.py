@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import field, replace
 from importlib.util import find_spec
 
 import sympy as sp
@@ -13,6 +13,8 @@ from lagrange.core.records import record
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Find, Problem
+from lagrange.programs.defaults import GRAVITY, drawn_position
+from lagrange.programs.special.samples import UNDECLARED_GRAVITY, oscillation, samples
 from lagrange.programs.starting import Settings, Start, start
 from lagrange.programs.state_equations import StateEquations, state_equations
 
@@ -35,18 +37,27 @@ class Prepared:
     """A problem, its equations of motion alone, and where the motion starts.
 
     problem  as the file has it, with the values and the initial state of the command line
+    sampled  what is taken for functions and prescribed motions that nobody has given, by name
     """
 
     problem: Problem
     solution: Solution
     states: StateEquations
     start: Start
+    sampled: Mapping[str, sp.Expr] = field(default_factory=dict)
 
 
 def prepared(
-    problem: Problem, choice: str | None = None, settings: Settings | None = None, on_stage: OnStage = silent
+    problem: Problem,
+    choice: str | None = None,
+    settings: Settings | None = None,
+    on_stage: OnStage = silent,
+    *,
+    complete: bool = False,
 ) -> Prepared:
     """The equations of a problem in a choice of coordinates, or in those in which they are best integrated.
+
+    complete  whether functions and motions that nobody has given are taken from samples, so that everything has numbers
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
@@ -60,10 +71,24 @@ def prepared(
         stage, _, why = solution.given_up.rpartition(", ")
         raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
+    taken = _samples(states, solution) if complete else {}
+    states = states.with_functions(taken)
     initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
     problem = replace(problem, initial=tuple(initial.values()))
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
-    return Prepared(problem, solution, states, start(states, solution))
+    return Prepared(problem, solution, states, start(states, solution), taken)
+
+
+def _samples(states: StateEquations, solution: Solution) -> dict[str, sp.Expr]:
+    """What is taken for the functions and prescribed motions that the equations still contain."""
+    missing = states.functions
+    if not missing:
+        return {}
+    drawn = drawn_position(solution, states.view, states.configuration)
+    gravity = {UNDECLARED_GRAVITY: sp.Float(GRAVITY)}
+    moving = {u.name: oscillation(u, drawn) for u in states.equations.slots.prescribed}
+    known = {**samples(solution), **moving}
+    return {name: known[name].xreplace(gravity) for name in missing if name in known}
 
 
 def require_functions(

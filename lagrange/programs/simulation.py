@@ -572,7 +572,8 @@ def longest_time(states: StateEquations, start: Start) -> float:
     if acceleration > 1e-9 * (place + speed):
         change = math.sqrt(place / acceleration) if place > 1e-9 else speed / acceleration
     else:
-        change = place / speed if speed > 0 else 0.0
+        pairs = zip(start.state[:n], rate[:n], strict=True)
+        change = min((abs(q or place) / abs(v) for q, v in pairs if v != 0), default=0.0)
     if not 1e-6 < change < 1e9:
         return DEFAULT_TIME
     wanted = 30 * change

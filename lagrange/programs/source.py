@@ -17,7 +17,7 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
+from lagrange.core.operations import count_distinct
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, t
 from lagrange.document.math_writer import text
@@ -47,7 +47,7 @@ def source_file(states: StateEquations, start: Start, target: Target, name: str 
 
     Raises NotCoveredError where an expression cannot be written, or the program would be very long.
     """
-    if sum(count_operations(e) for e in states.expressions) > LONGEST_PROGRAM:
+    if count_distinct(states.expressions) > LONGEST_PROGRAM:
         raise NotCoveredError("a program of so many operations")
     return "\n".join(_File(states, start, target, name).lines()) + "\n"
 

@@ -15,6 +15,7 @@ from importlib.util import find_spec
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Span, suggestion
+from lagrange.core.operations import distinct_parts
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.units import split_number
@@ -34,6 +35,7 @@ from lagrange.programs.defaults import (
 )
 from lagrange.programs.limits import LARGEST_CONTRADICTION, PUSH
 from lagrange.programs.numerical_system import NumericalSystem, Values, solved_near
+from lagrange.programs.special.orbits import orbit
 from lagrange.programs.state_equations import StateEquations
 
 
@@ -59,12 +61,14 @@ class Start:
     state    y at t = 0
     assumed  names of what nobody has given, with the numbers taken: parameters, components of the state
     pushed   whether the state was moved away from an equilibrium
+    orbits   whether velocities are those of a nearly circular orbit, because something attracts
     """
 
     values: Values
     state: tuple[float, ...]
     assumed: Mapping[str, float]
     pushed: bool = False
+    orbits: bool = False
 
 
 # -- the command line --------------------------------------------------------------------------------------------------
@@ -167,13 +171,15 @@ def start(
     guess = _guess(states, values, drawn, stated=bool(wanted))
     if states.functions or find_spec("numpy") is None:  # nothing can be brought to the constraints then
         return Start(values, tuple(guess), assumed | {s.name: x for s, x in zip(states.state, guess, strict=True)})
-    state, named = _state(states, values, list(wanted.values()), guess)
+    turned = None if wanted else orbit(states, values, guess)
+    system = NumericalSystem(states, values)
+    state, named = _state(system, list(wanted.values()), turned or guess)
     assumed |= {s.name: x for s, x in zip(states.state, state, strict=True) if s.name not in named}
-    pushed = _rests(states, values, state)
+    pushed = _rests(system, state)
     if pushed:
-        state = _pushed(states, values, state, at_rest=bool(named))
+        state = _pushed(system, state, at_rest=bool(named))
         assumed |= {n: x for s, x in zip(states.state, state, strict=True) if (n := s.name) in assumed}
-    return Start(values, tuple(state), assumed, pushed)
+    return Start(values, tuple(state), assumed, pushed, orbits=turned is not None)
 
 
 def _numbers(
@@ -181,7 +187,7 @@ def _numbers(
 ) -> dict[sp.Symbol, float]:
     problem, angles = states.problem, angles_in(states.expressions)
     values: dict[sp.Symbol, float] = {}
-    used = {p.symbol for p in states.parameters}
+    used = {p.symbol for p in states.parameters}.union(*(v.value.free_symbols for v in problem.initial))
     for symbol, p in {p.symbol: p for p in (*problem.parameters, *states.parameters)}.items():
         if symbol.name in given:
             values[symbol] = float(given[symbol.name])
@@ -215,12 +221,13 @@ def _known(e: sp.Expr, at: Mapping[sp.Symbol, float]) -> float:
 
 
 def _state(
-    states: StateEquations, values: Values, wanted: Sequence[InitialValue], guess: Sequence[float]
+    system: NumericalSystem, wanted: Sequence[InitialValue], guess: Sequence[float]
 ) -> tuple[list[float], set[str]]:
     """The state with these initial values, and the names of its components that they determine one by one.
 
     Coordinates of other choices are unknowns too, related to the present ones by the coordinates of the file.
     """
+    states, values = system.states, system.values
     e = states.equations
     slots, numbers = e.slots, {**values, t: 0.0}
     direct = {v.symbol: v for v in wanted}
@@ -245,7 +252,7 @@ def _state(
     for first in (different,) if nonlinear else (usual, different):
         found, error = solved_near(forms, moving, first, at)
         rates = found[: len(e.speeds)]
-        if error < LARGEST_CONTRADICTION and _has_rate(states, values, [*positions, *rates]):
+        if error < LARGEST_CONTRADICTION and _has_rate(system, [*positions, *rates]):
             break
     _refuse(error, rates, wanted, [v for _, v in speeds])
     return [*positions, *rates], {v.symbol.name for v in wanted}
@@ -326,30 +333,31 @@ def _refuse(error: float, state: Sequence[float], wanted: Sequence[InitialValue]
     raise ProblemError(Diagnostic("initial-contradicts", message, span, help=help_))
 
 
-def _rests(states: StateEquations, values: Values, state: Sequence[float]) -> bool:
+def _rests(system: NumericalSystem, state: Sequence[float]) -> bool:
     """Whether nothing would change: the system is at rest in a position of equilibrium."""
+    states = system.states
     try:
-        rate = NumericalSystem(states, values).rate(0.0, *state)
+        rate = system.rate(0.0, *state)
     except (ArithmeticError, ValueError, NotCoveredError):  # a function that is still to be given
         return False
-    moving = {s for e in states.expressions for s in e.free_symbols} & {t, *states.equations.slots.prescribed}
-    return not moving and max(map(abs, rate), default=0.0) < PUSH * 1e-6
+    if max(map(abs, rate), default=0.0) >= PUSH * 1e-6:
+        return False
+    return {t, *states.equations.slots.prescribed}.isdisjoint(distinct_parts(states.expressions))
 
 
-def _has_rate(states: StateEquations, values: Values, state: Sequence[float]) -> bool:
+def _has_rate(system: NumericalSystem, state: Sequence[float]) -> bool:
     try:
-        NumericalSystem(states, values).rate(0.0, *state)
+        system.rate(0.0, *state)
     except (ArithmeticError, ValueError):
         return False
     return True
 
 
-def _pushed(states: StateEquations, values: Values, state: Sequence[float], *, at_rest: bool) -> list[float]:
+def _pushed(system: NumericalSystem, state: Sequence[float], *, at_rest: bool) -> list[float]:
     """A state next to an equilibrium: a little aside where the file wants rest, otherwise with speeds of 1."""
-    e = states.equations
+    e = system.states.equations
     n = len(e.slots.coordinates)
     moved = [y + PUSH for y in state[:n]] + list(state[n:]) if at_rest else [*state[:n], *(1.0 for _ in e.speeds)]
-    system = NumericalSystem(states, values)
     try:
         return list(system.projected(0.0, tuple(moved)) or moved)
     except ArithmeticError:

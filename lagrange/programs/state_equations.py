@@ -23,117 +23,18 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.operations import distinct_parts
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, Unspecified, base, partial, prime, t
+from lagrange.core.symbols import Sign, Slots, Unspecified, base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import Conserved, conserved
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw, motion
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Assumption, Parameter, Problem
 from lagrange.programs.contacts import Contact, contacts
-
-
-@record
-class FirstOrder:
-    """First-order equations, in symbols.
-
-    slots        the coordinates, and the prescribed motions u(t)
-    speeds       s: velocities or quasi-velocities, shape (p,)
-    rates        q' in q, s and t, shape (n,)
-    mass         M; in quasi-velocities each row is divided by a common factor, so that M need not be symmetric
-    force        f
-    constraint_matrix  A, without rows that follow from others
-    bias         b
-    multipliers  λ, shape (m,)
-    finite       g of the finite relations g = 0
-    velocity_forms     A s + a_t of each row, zero along the motion; empty in quasi-velocities. A constraint that is not
-                 linear in the velocities is φ = 0, with A = ∂φ/∂s
-    """
-
-    slots: Slots
-    speeds: tuple[sp.Symbol, ...]
-    rates: tuple[sp.Expr, ...]
-    mass: tuple[tuple[sp.Expr, ...], ...]
-    force: tuple[sp.Expr, ...]
-    constraint_matrix: tuple[tuple[sp.Expr, ...], ...] = ()
-    bias: tuple[sp.Expr, ...] = ()
-    multipliers: tuple[sp.Symbol, ...] = ()
-    finite: tuple[sp.Expr, ...] = ()
-    velocity_forms: tuple[sp.Expr, ...] = ()
-
-    @property
-    def state(self) -> tuple[sp.Symbol, ...]:
-        """The components of y, shape (n + p,)."""
-        return (*self.slots.coordinates, *self.speeds)
-
-    @property
-    def speed_rates(self) -> tuple[sp.Symbol, ...]:
-        """s', shape (p,)."""
-        return tuple(prime(s) for s in self.speeds)
-
-    @property
-    def unknowns(self) -> tuple[sp.Symbol, ...]:
-        """What the linear equations determine: s', then λ, shape (p + m,)."""
-        return (*self.speed_rates, *self.multipliers)
-
-    @property
-    def matrix(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """The rows M, −Aᵀ and A, 0 of the linear equations, shape (p + m, p + m)."""
-        a = self.constraint_matrix
-        upper = [(*row, *(-each[k] for each in a)) for k, row in enumerate(self.mass)]
-        return (*upper, *((*row, *(sp.S.Zero for _ in a)) for row in a))
-
-    @property
-    def right(self) -> tuple[sp.Expr, ...]:
-        """Their right sides f, b, shape (p + m,)."""
-        return (*self.force, *self.bias)
-
-    @cached_property
-    def finite_slopes(self) -> tuple[tuple[sp.Expr, ...], ...]:
-        """∂g/∂q of each finite relation, with which positions are brought back to it."""
-        return tuple(tuple(partial(g, q) for q in self.slots.coordinates) for g in self.finite)
-
-    @property
-    def kept(self) -> tuple[sp.Expr, ...]:
-        """All that vanishes along the motion: finite relations, then constraints on speeds."""
-        return (*self.finite, *self.velocity_forms)
-
-
-def in_coordinates(dynamics: Motion) -> FirstOrder:
-    """The equations in coordinates and velocities."""
-    form = dynamics.matrices
-    slots, rows = form.configuration.slots, form.configuration.rows
-    used = [n for n in range(len(rows)) if n not in dynamics.equations.elimination.unused]
-    return FirstOrder(
-        slots=slots,
-        speeds=slots.velocities,
-        rates=slots.velocities,
-        mass=form.mass,
-        force=form.force,
-        constraint_matrix=tuple(form.constraint_matrix[n] for n in used),
-        bias=tuple(form.constraint_vector[n] for n in used),
-        multipliers=tuple(dynamics.multipliers[rows[n].name] for n in used),
-        finite=tuple(rows[n].finite for n in used if rows[n].finite is not None),
-        velocity_forms=tuple(rows[n].velocity_form(slots) for n in used),
-    )
-
-
-def in_speeds(equations: QuasiEquations) -> FirstOrder:
-    """The equations in coordinates and quasi-velocities, which satisfy the constraints on velocities identically."""
-    quasi = equations.quasi
-    slots = quasi.configuration.slots
-    unknowns = tuple(prime(s) for s in quasi.symbols)
-    at_rest = dict.fromkeys(unknowns, sp.S.Zero)
-    return FirstOrder(
-        slots=slots,
-        speeds=quasi.symbols,
-        rates=tuple(quasi.shown(quasi.rates[v]) for v in slots.velocities),
-        mass=tuple(tuple(e.diff(a) for a in unknowns) for e in equations.expressions),
-        force=tuple(-e.xreplace(at_rest) for e in equations.expressions),
-        finite=quasi.configuration.finite_constraints,
-    )
+from lagrange.programs.first_order import FirstOrder, in_coordinates, in_speeds
+from lagrange.programs.special.long_motion import long_energy, long_first_order
 
 
 @record
@@ -204,7 +105,8 @@ class StateEquations:
     @cached_property
     def functions(self) -> tuple[str, ...]:
         """The names of undefined functions f(X, Y) and prescribed motions u(t) that occur."""
-        found = {f.name: None for e in self.expressions for f in e.atoms(Unspecified)}
+        occurring = {f.name for f in distinct_parts(self.expressions) if isinstance(f, Unspecified)}
+        found = [f.name for f in self.problem.functions if f.name in occurring]
         prescribed = {*self.equations.slots.prescribed}
         moved = {base(s).name: None for s in sorted(_symbols(self.expressions), key=str) if base(s) in prescribed}
         return (*found, *moved)
@@ -274,7 +176,7 @@ def filled(e: sp.Expr, given: Mapping[str, sp.Expr], slots: Slots, problem: Prob
 
 
 def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
-    return set().union(*(e.free_symbols for e in expressions))
+    return {s for s in distinct_parts(expressions) if isinstance(s, sp.Symbol)}
 
 
 def state_equations(solution: Solution, choice: str | None = None) -> StateEquations:
@@ -286,11 +188,7 @@ def state_equations(solution: Solution, choice: str | None = None) -> StateEquat
     Raises ProblemError where there is no such choice, or nothing moves.
     """
     if solution.long_equations is not None:
-        message = (
-            "the equations of motion are too long to be solved for the accelerations, and cannot be integrated here"
-        )
-        help_ = "`--format json` has them, with their abbreviations, under `equations` and `definitions`"
-        raise ProblemError(Diagnostic("no-equations", message, help=help_))
+        return _of_long(solution)
     views = [v for v in solution.views if v.dynamics is not None]
     if solution.law is None or not views:
         message = "there are no equations of motion"
@@ -344,6 +242,19 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     )
     _refuse_accelerations(states)
     return states
+
+
+def _of_long(solution: Solution) -> StateEquations:
+    """The equations in the file's coordinates, too long to be printed; without reactions other than multipliers."""
+    energy = long_energy(solution)
+    return StateEquations(
+        problem=solution.problem,
+        view=solution.own,
+        configuration=solution.own.configuration,
+        equations=long_first_order(solution),
+        energy=energy,
+        conserved={} if energy is None else {"energy": energy},
+    )
 
 
 def _energy(found: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:

@@ -404,20 +404,41 @@ const lagsolveFigure = (() => {
     // ---- Drawing: `out` collects paths, those with a depth first
 
     let out = [], labels = [], edges = [];
-    const path = (points, closed) => "M" + points.map(q => `${q[0].toFixed(1)} ${q[1].toFixed(1)}`).join("L") + (closed ? "Z" : "");
+    const tenth = x => Math.round(10 * x) / 10;
+    const path = (points, closed) => "M" + points.map(q => `${tenth(q[0])} ${tenth(q[1])}`).join("L") + (closed ? "Z" : "");
     const draw = (cls, points, closed = false, depth = null) => {
       if (!points.every(q => isFinite(q[0]) && isFinite(q[1]))) return;
       out.push([cls, path(points, closed), depth]);
       if (!/^(face|grid|trail|virtual|possible)/.test(cls)) edges.push(points);
     };
-    // Whether a line from a to b meets a box.
+    // Whether a line from a to b meets a box [left, right, top, bottom].
     function crosses(a, b, box) {
       let from = 0, to = 1;
-      for (const i of [0, 1]) {
-        const d = b[i] - a[i], x = [box[2 * i] - a[i], box[2 * i + 1] - a[i]].map(v => d ? v / d : v * Infinity).sort((v, w) => v - w);
-        from = Math.max(from, x[0]); to = Math.min(to, x[1]);
+      for (let i = 0; i < 2; i++) {
+        const d = b[i] - a[i], low = box[2 * i] - a[i], high = box[2 * i + 1] - a[i];
+        if (d === 0) { if (low > 0 || high < 0) return false; continue; }
+        const u = d > 0 ? low / d : high / d, v = d > 0 ? high / d : low / d;
+        if (u > from) from = u;
+        if (v < to) to = v;
+        if (from > to) return false;
       }
-      return from <= to;
+      return true;
+    }
+    const overlap = (a, b) => a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
+    function framed(points) {
+      const box = [Infinity, -Infinity, Infinity, -Infinity];
+      for (const [x, y] of points) { if (x < box[0]) box[0] = x; if (x > box[1]) box[1] = x; if (y < box[2]) box[2] = y; if (y > box[3]) box[3] = y; }
+      return box;
+    }
+    // How many lines a box meets; three count as more.
+    function met(box, bounds) {
+      let count = 0;
+      for (let e = 0; e < edges.length && count < 3; e++) {
+        if (!overlap(box, bounds[e])) continue;
+        const points = edges[e];
+        for (let j = 1; j < points.length; j++) if (crosses(points[j - 1], points[j], box)) { count++; break; }
+      }
+      return count;
     }
     const label = (k, at, w, clear = 0) => { if (k >= 0) labels.push([k, at, w, clear]); };
     function arrow(cls, a, b, tip = 8.4) {
@@ -689,6 +710,11 @@ const lagsolveFigure = (() => {
     let tags = [];
     const tag = (text, at, w) => tags.push([text, at, w]);
 
+    // The points of a trace that are a pixel apart, and the last one.
+    function thinned(points) {
+      let last = points[0];
+      return points.filter((q, i) => { const kept = !i || i + 1 == points.length || far(q, last) > 1; if (kept) last = q; return kept; });
+    }
     function render() {
       out = []; labels = []; edges = []; tags = [];
       const v = cells(y);
@@ -698,7 +724,7 @@ const lagsolveFigure = (() => {
         const o = page([0, 0, 0]);
         data.shown.forEach((k, i) => { const e = [0, 0, 0]; e[k] = 1; const w = way(e), end = beyond(o, data.planar ? toward([0, 0], w) : w, 40); arrow("axis", o, end); tag("ijk"[k], end, toward(o, end), 1); });
       }
-      if (on("trace") && trace.length > 1) data.points.forEach((_, i) => draw("trail", trace.map(q => page(q[i]))));
+      if (on("trace") && trace.length > 1) data.points.forEach((_, i) => draw("trail", thinned(trace.map(q => page(q[i])))));
       if (on("forces")) {
         const f = M.forces(y, p);
         for (const [at, vector] of f.loads) { const a = page(at), w = way(vector); arrow("force", a, beyond(a, w, force)); }
@@ -710,50 +736,81 @@ const lagsolveFigure = (() => {
       paint();
       readings();
     }
-    // The picture follows a system that leaves it.
+    const solid = ["line", "capsule", "disc", "sphere", "box", "cone", "string", "spring", "damper", "dot"];
+    // The boxes on the page of all that may move: [left, right, top, bottom] of each point with what is around it.
+    function boxes(v) {
+      const found = [];
+      const add = (q, r = 0) => { const [x, y] = page(q); if (isFinite(x) && isFinite(y) && isFinite(r)) found.push([x - r, x + r, y - r, y + r]); };
+      for (const e of data.items) {
+        if (!solid.includes(e.k)) continue;
+        if (Array.isArray(e.p)) e.p.forEach(k => Array.isArray(k) ? add(three(v, k[0]), Math.abs(v[k[1]]) * scale) : add(three(v, k)));
+        else add(three(v, e.p), e.k == "dot" ? 0 : scale * (e.k == "box" ? Math.max(v[e.w[0]], v[e.w[1]]) / 2 : e.k == "cone" ? v[e.h] * 0.75 : Math.abs(v[e.r])));
+      }
+      return found;
+    }
+    // The picture follows a system that leaves it: all of it where it fits, otherwise its particles and mass centres.
     function keepInView(v) {
-      const q = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite));
-      if (!q.length) return;
-      for (const [i, size] of [[0, width], [1, height]]) {
-        const low = Math.min(...q.map(x => x[i])), high = Math.max(...q.map(x => x[i])), room = Math.min(MARGIN * 0.7, size / 6);
-        const shift = high - low > size - 2 * room ? 0 : low < room ? low - room : high > size - room ? high - size + room : 0;
+      const centres = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      if (!centres.length) return;
+      const all = [...centres, ...boxes(v)];
+      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [centres, MARGIN * 0.7]]) {
+        const low = Math.min(...list.map(b => b[2 * i])), high = Math.max(...list.map(b => b[2 * i + 1])), room = Math.min(least, size / 6);
+        if (high - low > size - 2 * room) continue;
+        const shift = low < room ? low - room : high > size - room ? high - size + room : 0;
         if (shift) centre[i] += (i ? -shift : shift) / scale;
+        break;
       }
     }
-    const pool = [];
+    const pool = [], written = new WeakMap();
+    // Sets an attribute that differs from what was set before: to set one costs much more than to compare.
+    function assign(e, name, value) {
+      let known = written.get(e);
+      if (!known) written.set(e, known = {});
+      if (known[name] === value) return;
+      known[name] = value;
+      if (value === null) e.removeAttribute(name); else e.setAttribute(name, value);
+    }
+    const shown = (e, visible) => assign(e, "display", visible ? null : "none");
     function paint() {
       const behind = out.filter(o => o[2] !== null).sort((a, b) => a[2] - b[2]), list = [...behind, ...out.filter(o => o[2] === null)];
       while (pool.length < list.length) pool.push(lines.appendChild(document.createElementNS(SVG, "path")));
-      list.forEach((o, i) => { const e = pool[i]; if (e.cls !== o[0]) { e.setAttribute("class", o[0]); e.cls = o[0]; } if (e.d !== o[1]) { e.setAttribute("d", o[1]); e.d = o[1]; } if (e.off) { e.removeAttribute("display"); e.off = false; } });
-      for (let i = list.length; i < pool.length; i++) if (!pool[i].off) { pool[i].setAttribute("display", "none"); pool[i].off = true; }
+      list.forEach((o, i) => { assign(pool[i], "class", o[0]); assign(pool[i], "d", o[1]); shown(pool[i], true); });
+      for (let i = list.length; i < pool.length; i++) shown(pool[i], false);
       const used = new Set(), taken = [], marks = one("g.tags");
+      const bounds = edges.map(framed);
       // A text beside a place, first in the direction w, where it covers least; it stays on its side if that is as good.
       function put(e, at, w, clear, a, b) {
         let least = Infinity, box, spot;
         for (let i = 0; i < 16; i++) {
-          const k = i % 8, turn = (k % 2 ? 1 : -1) * Math.ceil(k / 2) * Math.PI / 4, c = Math.cos(turn), s = Math.sin(turn), u = [w[0] * c - w[1] * s, w[0] * s + w[1] * c];
+          const k = i % 8, extra = 0.3 * k + (i < 8 ? 0 : 1.5) - (e.spot === i ? 0.9 : 0);
+          if (extra >= least) continue;
+          const turn = (k % 2 ? 1 : -1) * Math.ceil(k / 2) * Math.PI / 4, c = Math.cos(turn), s = Math.sin(turn), u = [w[0] * c - w[1] * s, w[0] * s + w[1] * c];
           const q = beyond(at, u, clear + (i < 8 ? 5 : 17) + Math.abs(u[0]) * a / 2 + Math.abs(u[1]) * b / 2), here = [q[0] - a / 2 - 1, q[0] + a / 2 + 1, q[1] - b / 2, q[1] + b / 2];
-          const hidden = taken.filter(o => o[0] < here[1] && here[0] < o[1] && o[2] < here[3] && here[2] < o[3]).length + (here[0] < 0 || here[1] > width || here[2] < 0 || here[3] > height);
-          const cost = 8 * hidden + Math.min(6, 2 * edges.filter(points => points.some((p, j) => j && crosses(points[j - 1], p, here))).length) + 0.3 * k + (i < 8 ? 0 : 1.5) - (e.spot === i ? 0.9 : 0);
+          let cost = extra + (here[0] < 0 || here[1] > width || here[2] < 0 || here[3] > height ? 8 : 0);
+          for (const o of taken) if (overlap(o, here)) cost += 8;
+          if (cost < least) cost += Math.min(6, 2 * met(here, bounds));
           if (cost < least) { least = cost; box = here; spot = i; }
         }
-        e.spot = spot; taken.push(box); e.removeAttribute("display");
-        e.setAttribute("x", ((box[0] + box[1]) / 2).toFixed(1)); e.setAttribute("y", ((box[2] + box[3]) / 2 + 5).toFixed(1));
+        e.spot = spot; taken.push(box); shown(e, true);
+        assign(e, "x", ((box[0] + box[1]) / 2).toFixed(1)); assign(e, "y", ((box[2] + box[3]) / 2 + 5).toFixed(1));
       }
       while (marks.childNodes.length < tags.length) marks.append(document.createElementNS(SVG, "text"));
-      [...marks.childNodes].forEach((e, i) => {
-        if (i >= tags.length) { e.setAttribute("display", "none"); return; }
+      marks.childNodes.forEach((e, i) => {
+        shown(e, i < tags.length);
+        if (i >= tags.length) return;
         const [text, at, w] = tags[i];
-        e.textContent = text; e.setAttribute("class", text.length == 1 ? "b" : "");
+        if (e.textContent !== text) e.textContent = text;
+        assign(e, "class", text.length == 1 ? "b" : "");
         put(e, at, w, 0, 6.8 * text.length, 13);
       });
       for (const [k, at, w, clear] of labels) {
         const e = texts[k];
         if (!e || !at.every(isFinite)) continue;
+        shown(e, true);
         if (!e.size) e.size = Math.max(e.getBBox().width, 8);
         put(e, at, w, clear, e.size, 15); used.add(k);
       }
-      texts.forEach((e, k) => { if (!used.has(k)) e.setAttribute("display", "none"); });
+      texts.forEach((e, k) => { if (!used.has(k)) shown(e, false); });
     }
 
     // ---- What is written beside the figure
@@ -782,10 +839,14 @@ const lagsolveFigure = (() => {
       if (canvas.width != Math.round(W * r)) { canvas.width = Math.round(W * r); canvas.height = Math.round(H * r); }
       const g = canvas.getContext("2d"), style = getComputedStyle(root), colour = k => style.getPropertyValue(`--curve${k % 5}`).trim() || "#555";
       g.setTransform(r, 0, 0, r, 0, 0); g.clearRect(0, 0, W, H);
-      const points = [...curves, ...faint].flat().filter(q => q.every(isFinite) && (!window_?.x || (q[0] >= window_.x[0] && q[0] <= window_.x[1])));
-      if (points.length < 2) return;
-      let [x0, x1] = window_?.x || [Math.min(...points.map(q => q[0])), Math.max(...points.map(q => q[0]))];
-      let [y0, y1] = [Math.min(...points.map(q => q[1])), Math.max(...points.map(q => q[1]))];
+      let [x0, x1] = window_?.x || [Infinity, -Infinity], y0 = Infinity, y1 = -Infinity, count = 0;
+      for (const c of [...curves, ...faint]) for (const [u, v] of c) {
+        if (!isFinite(u) || !isFinite(v) || window_?.x && (u < x0 || u > x1)) continue;
+        count++;
+        if (!window_?.x) { if (u < x0) x0 = u; if (u > x1) x1 = u; }
+        if (v < y0) y0 = v; if (v > y1) y1 = v;
+      }
+      if (count < 2) return;
       if (!(x1 - x0 > 1e-9)) { x0 -= 0.5; x1 += 0.5; }
       const pad = Math.max((y1 - y0) * 0.08, 1e-6 * Math.max(Math.abs(y1), 1), 1e-9); y0 -= pad; y1 += pad;
       const L = 46, B = 20, R = 8, T = 8, X = x => L + (x - x0) / (x1 - x0) * (W - L - R), Y = v => H - B - (v - y0) / (y1 - y0) * (H - B - T);

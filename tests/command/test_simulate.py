@@ -72,7 +72,7 @@ def test_the_table_goes_to_standard_output_alone() -> None:
 
 
 def test_a_motion_that_cannot_be_followed_has_status_3() -> None:
-    result = run("simulate", "escape-from-a-planet")
+    result = run("simulate", "escape-from-a-planet", "--set", "v=1")
     assert result.exit_code == 3
     assert "cannot be followed any further" in result.stdout
 
@@ -95,10 +95,22 @@ def test_mistakes_have_status_2(arguments: tuple[str, ...], said: str) -> None:
     assert said in result.stderr
 
 
+def test_functions_that_nobody_has_given_are_assumed_and_printed() -> None:
+    result = run("simulate", "pole-on-cart", "--until", "1")
+    assert result.exit_code == 0
+    assert "F(t) = 0.5 + 0.3*sin(2*t)    assumed; --set changes it" in result.stdout
+    given = run("simulate", "pole-on-cart", "--until", "1", "--set", "F=0")
+    assert re.search(r"F\(t\) = 0$", given.stdout, re.MULTILINE)
+
+
+def test_an_event_is_told_once_and_numbers_of_the_start_are_named() -> None:
+    result = run("simulate", "ball-with-backspin")
+    assert re.search(r"rolls: t = 0\.\d+ s$", result.stdout, re.MULTILINE)
+    assert re.search(r"^  w +2 rad/s +assumed$", result.stdout, re.MULTILINE)
+    assert "the slip that the file gives ends; the equations no longer" in result.stdout
+
+
 def test_what_is_missing_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    result = run("simulate", "pole-on-cart")
-    assert result.exit_code == 2
-    assert "error[function-not-given]" in result.stderr
     monkeypatch.setattr(preparing, "find_spec", lambda name: None if name == "scipy" else object())
     result = run("simulate", "ex11")
     assert result.exit_code == 2

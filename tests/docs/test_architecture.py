@@ -56,6 +56,7 @@ ROOMS = {
     "numpy": {
         *("lagrange.api.numerical", "lagrange.api.motion", "lagrange.programs.compiled"),
         *("lagrange.programs.numerical_system", "lagrange.programs.simulation", "lagrange.programs.sticking"),
+        "lagrange.programs.special.orbits",
     },
     "scipy": {"lagrange.mechanics.questions.numerical", "lagrange.programs.integrator"},
     "matplotlib": {"lagrange.programs.plots"},

@@ -340,8 +340,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + ROD + "answers: {degrees_of_freedom: 2}")),
     "no-such-choice": ("The problem has no choice of coordinates of that name.",
         Command(("ex11", "--choice", "angel"))),
-    "function-not-given": ("A simulation needs to know every function of time or place that moves the system.",
-        Command(("simulate", "pole-on-cart"))),
+    "function-not-given": (
+        "In Python, a simulation needs to know every function of time or place that moves the system.", None),
     "missing-extra": ("Simulations and plots need NumPy, SciPy and Matplotlib: the extra `sim`.", None),
     "no-answer": ("Give equations with -e, or in a file.", None),
     "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",

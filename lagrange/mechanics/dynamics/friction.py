@@ -71,6 +71,11 @@ class FrictionForce:
     also: tuple[Reaction, ...] = ()
     configured: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
+    @property
+    def sense_is_stated(self) -> bool:
+        """Whether the file says in which sense what touches slips, as a sign or as a vector."""
+        return self.friction.slip is not None or self.friction.toward is not None
+
     def loads(self, magnitude: sp.Expr) -> list[Load]:
         """The force and its opposite, for a given |R|."""
         size: sp.Expr = -self.coefficient * magnitude * self.sense

@@ -157,13 +157,13 @@ class Motion:
     @property
     def slips(self) -> tuple[sp.Expr, ...]:
         """The speeds of slips, each in the sense that the file gives, in which they are positive."""
-        known = (f for f in self.friction_forces if f.friction.slip is not None and f.speed is not None)
+        known = (f for f in self.friction_forces if f.sense_is_stated and f.speed is not None)
         return tuple(f.sense * f.speed for f in known if f.speed is not None)
 
     @property
     def sliding(self) -> tuple[sp.Expr, ...]:
         """The squares of the speeds of slips whose sense the file leaves open: the law needs them not zero."""
-        open_ = (f for f in self.friction_forces if f.friction.slip is None and f.speed is not None)
+        open_ = (f for f in self.friction_forces if not f.sense_is_stated and f.speed is not None)
         return tuple(f.speed**2 for f in open_ if f.speed is not None)
 
     @property
