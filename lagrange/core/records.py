@@ -44,9 +44,14 @@ class _WhenFirstAsked:
         made: Any = self.cls
         with _ONE_AT_A_TIME:
             if vars(made)["__dataclass_fields__"] is self:
+                first = made.__init__
                 del made.__init__, made.__dataclass_fields__
-                dataclass(eq=False, repr=False)(made)
-                made.__init__ = _initializer(made.__init__)
+                try:
+                    dataclass(eq=False, repr=False)(made)
+                    made.__init__ = _initializer(made.__init__)
+                except BaseException:  # no memory left, or no time: the next one asks again
+                    made.__init__, made.__dataclass_fields__ = first, self
+                    raise
         found: dict[str, Any] = made.__dataclass_fields__
         return found
 
