@@ -32,6 +32,6 @@ def test_a_time_that_is_long_enough() -> None:
 
 @pytest.mark.parametrize("lost", [MemoryError, SystemError("error return without exception set")])
 def test_memory_that_runs_out_outside_of_any_stage(lost: BaseException) -> None:
-    with pytest.raises(GaveUpError, match="given up at: reading or printing, there is not enough memory"):
-        with bounded(None, 65536):
-            raise lost
+    message = "given up at: reading or printing, there is not enough memory"
+    with pytest.raises(GaveUpError, match=message), bounded(None, 65536):
+        raise lost
