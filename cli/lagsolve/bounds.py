@@ -30,7 +30,8 @@ def bounded(seconds: float | None, megabytes: int | None) -> Iterator[None]:
 
     Raises GaveUpError where not even what is known can be shown.
     """
-    with _memory(megabytes), allowed_for("reading or printing", float("inf")), _time(seconds):
+    # The message is made when the limit of memory is lifted: it needs some.
+    with allowed_for("reading or printing", float("inf")), _memory(megabytes), _time(seconds):
         yield
 
 
@@ -65,6 +66,8 @@ def _memory(megabytes: int | None) -> Iterator[None]:
     resource.setrlimit(resource.RLIMIT_AS, (limit if hard == resource.RLIM_INFINITY else min(limit, hard), hard))
     try:
         yield
+    except SystemError:  # `error return without exception set`: Python has lost a MemoryError of its own
+        raise MemoryError from None
     finally:
         resource.setrlimit(resource.RLIMIT_AS, before)
 

@@ -47,10 +47,15 @@ class _WhenFirstAsked:
         made: Any = self.cls
         with _ONE_AT_A_TIME:
             if vars(made)["__dataclass_fields__"] is self:
+                first = made.__init__
                 del made.__init__, made.__dataclass_fields__
-                made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
-                dataclass(eq=False, repr=False, init=False)(made)
-                made.__init__ = _initializer(made)
+                try:
+                    made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
+                    dataclass(eq=False, repr=False, init=False)(made)
+                    made.__init__ = _initializer(made)
+                except BaseException:  # no memory left, or no time: the next one asks again
+                    made.__init__, made.__dataclass_fields__ = first, self
+                    raise
         found: dict[str, Any] = made.__dataclass_fields__
         return found
 

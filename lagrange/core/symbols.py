@@ -30,8 +30,20 @@ CONSTANT = sp.Symbol("const", real=True)
 
 @lru_cache(maxsize=1000)
 def symbols_in(e: sp.Expr) -> frozenset[sp.Symbol]:
-    """The free symbols of an expression; SymPy walks through it each time it is asked."""
-    return frozenset(e.free_symbols)
+    """The free symbols of an expression; SymPy joins the sets of all parts each time it is asked."""
+    symbols: set[sp.Symbol] = set()
+    seen: set[sp.Basic] = set()
+    waiting: list[sp.Basic] = [e]
+    while waiting:
+        part = waiting.pop()
+        if part in seen:
+            continue
+        seen.add(part)
+        if type(part).free_symbols is sp.Basic.free_symbols:
+            waiting += part.args
+        else:  # a symbol, or what binds some: Subs
+            symbols |= part.free_symbols
+    return frozenset(symbols)
 
 
 class Sign(sp.Symbol):
@@ -269,19 +281,23 @@ class Slots:
 
     def time_derivative(self, expression: sp.Expr) -> sp.Expr:
         """The total derivative d/dt = ∂/∂t + Σ q' ∂/∂q + Σ q'' ∂/∂q' + ..."""
-        return self._derivative(expression, {*self.coordinates, *self.prescribed})
+        return self.time_derivation()(expression)
+
+    def time_derivation(self) -> Callable[[sp.Expr], sp.Expr]:
+        """d/dt of several expressions: momenta of one kinetic energy share the velocities."""
+        return derivation(self._rate({*self.coordinates, *self.prescribed}))
 
     def frozen_derivative(self, expression: sp.Expr) -> sp.Expr:
         """∂/∂t with the configuration and the velocities frozen; prescribed motions continue."""
-        return self._derivative(expression, set(self.prescribed))
+        return derivative(expression, self._rate(set(self.prescribed)))
 
-    def _derivative(self, expression: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
+    def _rate(self, moving: set[sp.Symbol]) -> Callable[[sp.Symbol], sp.Expr]:
         def rate(symbol: sp.Symbol) -> sp.Expr:
             if symbol == t:
                 return sp.S.One
             return prime(symbol) if base(symbol) in moving else sp.S.Zero
 
-        return derivative(expression, rate)
+        return rate
 
 
 def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.Expr:
@@ -289,6 +305,11 @@ def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.
 
     Shared parts are differentiated once, and one pass serves all symbols; SymPy would need one pass for each.
     """
+    return derivation(rate)(expression)
+
+
+def derivation(rate: Callable[[sp.Symbol], sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
+    """The derivatives of several expressions, as `derivative` takes them, the parts that they share once."""
     known: dict[sp.Basic, sp.Expr] = {}
 
     def of(e: sp.Basic) -> sp.Expr:
@@ -297,7 +318,7 @@ def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.
             result = known[e] = _by_chain_rule(e, of, rate)
         return result
 
-    return of(expression)
+    return of
 
 
 @lru_cache(maxsize=1 << 15)

@@ -288,7 +288,10 @@ class Writer:
         name = type(base).__name__
         if self.style.by_hand and name in POWERED and exponent.is_Integer:
             return self._application(name, base.args, raised)
-        return self.style.power(self._inside(self.piece(base), Precedence.POWER), raised)
+        piece = self.piece(base)
+        if self.style.by_hand and self.order.kinds(base) == {SymbolKind.DIFFERENTIAL}:
+            piece = replace(piece, level=Precedence.PRODUCT)  # δx² is the variation of x²
+        return self.style.power(self._inside(piece, Precedence.POWER), raised)
 
     def _exponent(self, exponent: sp.Expr) -> Piece:
         if isinstance(exponent, sp.Rational) and not exponent.is_Integer:

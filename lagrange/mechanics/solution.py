@@ -253,8 +253,8 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
     dynamics = dynamics.closed(view.coordinates.through_rates)
     if view.is_own:
         check_inertia(dynamics.equations, solution.problem.bodies)
-    if complete and not dynamics.accelerations:
-        dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
+    if complete and not dynamics.accelerations and (solved := solved_accelerations(dynamics.matrices)):
+        dynamics = replace(dynamics, solved=solved)
     equations = dynamics.equations
     frictions = {f.name for f in law.frictions}
     is_shown = complete or _is_preferred(view, solution)

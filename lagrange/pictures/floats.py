@@ -7,34 +7,17 @@ function, unless the values have a symbol of its name.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.core.floats import FUNCTIONS
 from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
 from lagrange.pictures.limits import LARGEST_VALUE
 
 Values = Mapping[sp.Symbol, float]
 FloatVector = tuple[float, float, float]
-
-_FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
-    sp.sin: math.sin,
-    sp.cos: math.cos,
-    sp.tan: math.tan,
-    sp.cot: lambda x: 1 / math.tan(x),
-    sp.asin: math.asin,
-    sp.acos: math.acos,
-    sp.atan: math.atan,
-    sp.atan2: math.atan2,
-    sp.sinh: math.sinh,
-    sp.cosh: math.cosh,
-    sp.tanh: math.tanh,
-    sp.exp: math.exp,
-    sp.log: math.log,
-    sp.Abs: abs,
-    sp.sign: lambda x: math.copysign(1, x) if x else 0.0,
-}
 
 
 class NoValueError(ValueError):
@@ -70,7 +53,7 @@ def _value(e: sp.Basic, values: Values) -> float:
         return float(power)
     if isinstance(e, Unspecified) and not any(e.orders) and sp.Symbol(e.name, real=True) in values:
         return values[sp.Symbol(e.name, real=True)]
-    function = _FUNCTIONS.get(type(e))
+    function = FUNCTIONS.get(type(e))
     if function is None:
         raise NoValueError(type(e).__name__)
     return float(function(*(_value(a, values) for a in e.args)))

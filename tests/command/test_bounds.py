@@ -7,6 +7,8 @@ import signal
 import pytest
 from click.testing import CliRunner
 
+from lagrange.core.diagnostics import GaveUpError
+from lagsolve.bounds import bounded
 from lagsolve.main import main
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="the system has no alarms")
@@ -26,3 +28,10 @@ def test_a_time_that_is_too_short(arguments: tuple[str, ...]) -> None:
 def test_a_time_that_is_long_enough() -> None:
     bounded = CliRunner().invoke(main, ("ex11", "--timeout", "3600", "--memory", "65536"))
     assert (bounded.exit_code, bounded.output) == (0, CliRunner().invoke(main, ("ex11",)).output)
+
+
+@pytest.mark.parametrize("lost", [MemoryError, SystemError("error return without exception set")])
+def test_memory_that_runs_out_outside_of_any_stage(lost: BaseException) -> None:
+    message = "given up at: reading or printing, there is not enough memory"
+    with pytest.raises(GaveUpError, match=message), bounded(None, 65536):
+        raise lost

@@ -128,3 +128,22 @@ def test_without_a_hash_of_its_own_there_is_none() -> None:
 
 def test_pickle() -> None:
     assert loads(dumps(Picklable("n"))) == Picklable("n")
+
+
+def test_a_record_that_could_not_be_completed_is_completed_when_it_is_used_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Memory runs out, or a clock, while the initializer of the message about that is made."""
+
+    def out_of_memory(*_: object, **__: object) -> None:
+        raise MemoryError
+
+    @record
+    class Plane:
+        x: int
+
+    with monkeypatch.context() as shortly:
+        shortly.setattr("lagrange.core.records.dataclass", out_of_memory)
+        with pytest.raises(MemoryError):
+            Plane(1)
+    assert Plane(1).x == 1

@@ -23,3 +23,8 @@ def test_a_broken_input_ends_in_a_result_or_a_message(kind: str, seed: int) -> N
 )
 def test_faults_found_before(seed: int) -> None:
     assert KINDS["answers"](seed) == "unreadable"
+
+
+def test_a_run_of_letters_before_an_equation_is_one_word() -> None:
+    """Eighty letters can be split into eight words in so many ways that a search for them took hours."""
+    assert KINDS["submissions"](5000442) == "unreadable"

@@ -64,7 +64,11 @@ def real_branches(branches: Sequence[Branch], letters: TrigLetters) -> list[Bran
         if not b.left or b.special:
             kept.append(b)
             continue
-        equations = [letters.read(e) for e in b.left]
+        try:
+            equations = [letters.read(e) for e in b.left]
+        except NotAlgebraicError:  # an unknown under the fourth root
+            kept.append(b)
+            continue
         exists = have_real_solution(equations, letters)
         if exists is not False:
             triangles = [t for t in _triangles(equations, letters) if _same_sign(t) is not None]

@@ -16,7 +16,7 @@ D (A cos w + B sin w) = (B cos w − A sin w) D w.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from fractions import Fraction
 from math import comb, prod
 
@@ -334,6 +334,21 @@ class FourierRing(Basis):
             else:
                 raise ValueError("not linear in " + ", ".join(s.name for s in symbols))
         return coefficients, rest
+
+    def by_degree(self, element: Element, symbols: Collection[sp.Symbol]) -> dict[int, Element]:
+        """The terms by their total degree in the symbols.
+
+        Raises ValueError where a symbol occurs under a root, in a denominator that is a sum, or in a function.
+        """
+        inside = self._inside(element) & set(symbols)
+        if inside:
+            raise ValueError(f"not polynomial in {', '.join(sorted(s.name for s in inside))}")
+        places = {self.find(s) for s in symbols}
+        split: dict[int, Terms] = {}
+        for (monomial, frequency), value in element.terms.items():
+            degree = sum(e for i, e in unpack(monomial) if i in places)
+            split.setdefault(degree, {})[monomial, frequency] = value
+        return {degree: self.element(terms, element.denominator) for degree, terms in split.items()}
 
     def free_symbols(self, element: Element) -> set[sp.Symbol]:
         """The symbols that occur."""

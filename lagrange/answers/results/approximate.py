@@ -6,22 +6,11 @@ Nothing is decided by them alone: what seems to agree is decided exactly.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import sympy as sp
 
-_FUNCTIONS: dict[type, Callable[[float], float]] = {
-    sp.sin: math.sin,
-    sp.cos: math.cos,
-    sp.tan: math.tan,
-    sp.cot: lambda x: 1 / math.tan(x),
-    sp.asin: math.asin,
-    sp.acos: math.acos,
-    sp.atan: math.atan,
-    sp.exp: math.exp,
-    sp.log: math.log,
-    sp.Abs: abs,
-}
+from lagrange.core.floats import FUNCTIONS
 
 
 def approximate(e: sp.Expr, point: Mapping[sp.Symbol, float]) -> float:
@@ -45,4 +34,4 @@ def _value(e: sp.Expr, point: Mapping[sp.Symbol, float]) -> float:
     if e.is_Pow:
         result = values[0] ** values[1]
         return result if isinstance(result, float | int) else math.nan
-    return _FUNCTIONS[type(e)](*values)
+    return FUNCTIONS[type(e)](*values)

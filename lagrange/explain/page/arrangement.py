@@ -33,7 +33,6 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.directions import in_directions
 from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
@@ -96,6 +95,7 @@ from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
+from lagrange.explain.page.vectors.directions import in_directions
 from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
 from lagrange.explain.reactions import ONLY_PUSHES, explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken

@@ -25,7 +25,7 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.equilibrium.damped_modes import DampedMode, DampedModes
-from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA, MOST_OSCILLATING
+from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms, has_uniform_motion
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
@@ -50,7 +50,17 @@ def explain_linearization(linearization: Linearization) -> Step:
         if linearization.copy_of(n - 1) is None:
             body += explain_about(n, b, s, linearization)
             body += _copies(n, linearization)
+    body += explain_omitted(linearization)
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
+
+
+def explain_omitted(
+    linearization: Linearization, noun: str = "equilibrium", several: str = "equilibria"
+) -> Iterator[Prose]:
+    """How many equilibria, or what `noun` says, are listed without their linear equations, if there are too many."""
+    if number := len(linearization.omitted):
+        others = plural(number, f"one more {noun}", f"{number} more {several}")
+        yield prose(f"The linear equations about {others} are not worked out.", detail=Detail.BRIEF)
 
 
 def _copies(n: int, linearization: Linearization) -> Iterator[Block]:
@@ -162,7 +172,7 @@ def explain_about(
     is_stated = bool(b.equations if relations is None else relations)
     place: Part = Ref(label_of(linearization, "at-rest", n)) if is_stated else "any position"
     if s is None:
-        if n > MOST_EQUILIBRIA or b.left or b.special:
+        if b.left or b.special or any(linearization.branches[k] is b for k in linearization.omitted):
             return
         if len(linearization.equilibrium.elimination.independent) > MOST_OSCILLATING:
             yield prose(f"Linear equations of more than {MOST_OSCILLATING} coordinates are not worked out.")

@@ -10,7 +10,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
-from lagrange.explain.rest.oscillations import explain_about, label_of
+from lagrange.explain.rest.oscillations import explain_about, explain_omitted, label_of
 from lagrange.explain.words import are, branch_conditions, plural, title_in
 from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 from lagrange.mechanics.momenta.steady_motions import Family, SteadyMotions
@@ -25,6 +25,8 @@ def explain_steady(found: SteadyMotions) -> Step:
         body.append(_at_constant_momenta(found))
     for n, (family, b, s) in enumerate(_solutions(found), start=1):
         body += explain_about(n, b, s, family.about, "steady motion", family.relations(b))
+    for family in found.families:
+        body += explain_omitted(family.about, "steady motion", "steady motions")
     return Step(Rule.STEADY, title_in("Steady motions", found.motion.configuration.name), tuple(body))
 
 

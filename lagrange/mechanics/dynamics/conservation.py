@@ -254,7 +254,7 @@ class _Search:
 
     def _cyclic(self) -> list[int]:
         """The coordinates on which nothing except perhaps a constraint depends."""
-        return [k for k, force in enumerate(self.energies.lagrangian_forces) if not force]
+        return [k for k in range(len(self.slots.coordinates)) if self.energies.is_cyclic(k)]
 
     # -- symmetries ----------------------------------------------------------------------------------------------------
 

@@ -255,9 +255,14 @@ class EnergyFunctions:
     @cached_property
     def powers(self) -> tuple[Element, Element]:
         """Σ (∂T/∂q_k') q_k' = 2 T2 + T1, and 2 T minus that: T1 + 2 T0."""
-        velocities = [self.ring.from_sympy(v) for v in self.slots.velocities]
-        momenta = [self.ring.partial(v)(self.kinetic) for v in self.slots.velocities]
-        power = self.ring.dot(momenta, velocities)
+        try:
+            degrees = self.ring.by_degree(self.kinetic, self.slots.velocities)
+        except ValueError:
+            velocities = [self.ring.from_sympy(v) for v in self.slots.velocities]
+            momenta = [self.ring.partial(v)(self.kinetic) for v in self.slots.velocities]
+            power = self.ring.dot(momenta, velocities)
+        else:
+            power = self.ring.total(degree * part for degree, part in degrees.items())  # Euler's theorem
         return power, 2 * self.kinetic - power
 
     @property
@@ -270,6 +275,25 @@ class EnergyFunctions:
         """∂L/∂q_k + Q'_k, shape (n,): p_k' without the reactions."""
         slopes = (self.ring.partial(q)(self.lagrangian) for q in self.slots.coordinates)
         return tuple(a + b for a, b in zip(slopes, self.forces, strict=True))
+
+    @cached_property
+    def forces_at_rest(self) -> tuple[Element, ...]:
+        """The terms of ∂L/∂q_k + Q'_k without velocities, shape (n,): few where those with velocities are thousands.
+
+        Raises ValueError where a velocity occurs under a root, in a denominator or in a function.
+        """
+        ring, velocities = self.ring, self.slots.velocities
+        at_rest, *forces = (ring.by_degree(e, velocities).get(0, ring.zero) for e in (self.lagrangian, *self.forces))
+        return tuple(ring.partial(q)(at_rest) + f for q, f in zip(self.slots.coordinates, forces, strict=True))
+
+    def is_cyclic(self, coordinate: int) -> bool:
+        """Whether ∂L/∂q_k + Q'_k is zero."""
+        try:
+            if self.forces_at_rest[coordinate]:
+                return False
+        except ValueError:
+            pass
+        return not self.lagrangian_forces[coordinate]
 
     @cached_property
     def jacobi_rate(self) -> Element:

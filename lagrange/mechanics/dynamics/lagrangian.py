@@ -51,6 +51,7 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
     fields = configuration.potential - sp.Add(*(s.energy for s in configuration.springs))
     potential = fields - sp.Add(*(f.vector.fixed().dot(f.point.fixed()) for f in constant))
     X = configuration.velocity_part
+    rate = slots.time_derivation()
     left = []
     for k, (q, v) in enumerate(zip(slots.coordinates, slots.velocities, strict=True)):
         force = sp.Add(*(share_of_load(f, v, configuration) for f in varying)) - partial(potential, q)
@@ -59,9 +60,9 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
         force += sp.Add(*(share_of_damper(d, v, slots) for d in configuration.dampers))
         force += configuration.generalized[k] if configuration.generalized else 0
         force += configuration.mass_terms[k] if configuration.mass_terms else 0
-        force += partial(X, q) - slots.time_derivative(partial(X, v))
+        force += partial(X, q) - rate(partial(X, v))
         quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
-        left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
+        left.append(rate(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
     return Lagrangian(kinetic, potential, tuple(left))
 
 

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
+from functools import cache
 from itertools import combinations, combinations_with_replacement
 
 import sympy as sp
@@ -107,10 +108,13 @@ def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) 
     n = len(slots.coordinates)
     rows = configuration.rows
     quasi = energies.are_quasi
-    forces = [f.to_sympy() for f in energies.lagrangian_forces]
+
+    @cache
+    def forces() -> list[sp.Expr]:
+        return [f.to_sympy() for f in energies.lagrangian_forces]
 
     def displaced(kind: SymmetryKind, xi: Sequence[sp.Expr]) -> SymmetryCandidate:
-        r = sp.Add(*(x * f for x, f in zip(xi, forces, strict=True) if x != 0))
+        r = sp.Add(*(x * f for x, f in zip(xi, forces(), strict=True) if x != 0))
         if kind is not SymmetryKind.TRANSLATION:
             rates = [slots.time_derivative(x) for x in xi]
             r += sp.Add(*(x * p.to_sympy() for x, p in zip(rates, energies.momenta, strict=True) if x != 0))
@@ -119,15 +123,38 @@ def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) 
 
     tried = []
     if not quasi:
-        tried += [displaced(SymmetryKind.TRANSLATION, _unit(n, {k: sp.S.One})) for k in range(n)]
+        plain = [(SymmetryKind.TRANSLATION, _unit(n, {k: sp.S.One})) for k in range(n)]
         for i, j in _planes(energies):
-            tried.append(displaced(SymmetryKind.ROTATION, _unit(n, {i: slots.coordinates[j]})))
-            tried.append(displaced(SymmetryKind.ROTATION, _unit(n, {j: slots.coordinates[i]})))
+            plain.append((SymmetryKind.ROTATION, _unit(n, {i: slots.coordinates[j]})))
+            plain.append((SymmetryKind.ROTATION, _unit(n, {j: slots.coordinates[i]})))
+        if not (n > MOST_GAUGE_COORDINATES and _all_work_at_rest(plain, energies)):
+            tried += [displaced(kind, xi) for kind, xi in plain]
         tried += [displaced(SymmetryKind.ADMITTED, xi) for xi in columns]
     if not quasi or not energies.has_motion_of_its_own:
         powers = (-row.drift for row in rows)
         tried.append(SymmetryCandidate(SymmetryKind.TIME, slots.velocities, (*powers, energies.jacobi_rate.to_sympy())))
     return tried
+
+
+def _all_work_at_rest(plain: Sequence[tuple[SymmetryKind, Sequence[sp.Expr]]], energies: EnergyFunctions) -> bool:
+    """Whether every combination of displacements of free coordinates changes the potential energy of some position.
+
+    None of them is a symmetry then: Σ c R = 0 would hold term by term in the velocities, and so for the terms without
+    any, which are few where the others are thousands. A full rank at random positions is a proof.
+    """
+    configuration = energies.configuration
+    if configuration.rows or not configuration.states.exact or energies.jacobi_rate:
+        return False
+    try:
+        forces = [f.to_sympy() for f in energies.forces_at_rest]
+    except ValueError:
+        return False
+    tried = [
+        SymmetryCandidate(kind, tuple(xi), (sp.Add(*(x * f for x, f in zip(xi, forces, strict=True) if x != 0)),))
+        for kind, xi in plain
+    ]
+    states = _states(tried, configuration, 0)
+    return states is not None and len(row_reduced(states[0].arithmetic, states[1])[1]) == len(tried)
 
 
 def _unit(n: int, entries: Mapping[int, sp.Expr]) -> tuple[sp.Expr, ...]:
@@ -178,7 +205,7 @@ def _groups(tried: Sequence[SymmetryCandidate]) -> Iterator[list[SymmetryCandida
     yield from (group for group in (plain, admitted, gauged) if group)
     for c in tried:
         if c.kind is SymmetryKind.TIME:
-            yield [*plain, c]
+            yield [*plain, c] if any(e != 0 for e in c.conditions) else [c]
 
 
 def _alone(tried: Sequence[SymmetryCandidate]) -> Iterator[Symmetry]:

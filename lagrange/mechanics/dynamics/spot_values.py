@@ -23,7 +23,7 @@ from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.real_points import RealPoint, Reals
 from lagrange.algebra.exact.zero_test import InadmissibleError, ZeroDivisorError
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, Sign, Unspecified, counting, t
+from lagrange.core.symbols import Bounded, Sign, Unspecified, counting, symbols_in, t
 from lagrange.mechanics.constraints.coordinates import solved_for_one
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
@@ -93,7 +93,7 @@ def _at(
     """A spot value, and which of the wanted functions are positive there. Raises ValueError if there is none."""
     configuration = system.configuration
     slots = configuration.slots
-    used = set().union(*(e.free_symbols for e in _all_expressions(system)))
+    used = set[sp.Symbol]().union(*map(symbols_in, _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
     fixed = sorted(used - moving, key=lambda s: counting(s.name))

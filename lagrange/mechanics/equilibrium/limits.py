@@ -19,10 +19,12 @@ MOST_BRANCH_POINTS = 12
 LONGEST_UNSOLVED = 60
 MOST_TRIVIAL_COORDINATES = 4
 
-# Small oscillations: equilibria [3], independent coordinates [3] (a chain of 20 masses takes 5 s), those of a damped
+# Small oscillations: equilibria whose linear equations are worked out [3], and that are compared with them, as copies
+# take little; independent coordinates [3] (a chain of 20 masses takes 5 s), those of a damped
 # system whose modes are found in numbers, operations of a coefficient of the characteristic polynomial that is
 # factored [9].
 MOST_EQUILIBRIA = 16
+MOST_COMPARED_EQUILIBRIA = 200
 MOST_OSCILLATING = 20
 MOST_OSCILLATING_IN_NUMBERS = 8
 LONGEST_COEFFICIENT = 100

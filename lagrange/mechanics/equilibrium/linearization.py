@@ -45,7 +45,12 @@ from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
 from lagrange.mechanics.equilibrium.damped_modes import DampedModes, damped_modes
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import LONGEST_COEFFICIENT, MOST_EQUILIBRIA, MOST_OSCILLATING
+from lagrange.mechanics.equilibrium.limits import (
+    LONGEST_COEFFICIENT,
+    MOST_COMPARED_EQUILIBRIA,
+    MOST_EQUILIBRIA,
+    MOST_OSCILLATING,
+)
 from lagrange.mechanics.equilibrium.linear_stability import (
     LinearSystem,
     StabilityJudgement,
@@ -144,6 +149,7 @@ class Linearization:
     driven        whether positions contain time, which cancels
     at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
     copies        for each branch the earlier one with the same linear equations, but for the signs of some ξ; or None
+    omitted       the branches whose linear equations are not worked out because there are too many, by index
     """
 
     motion: EquationsOfMotion
@@ -157,6 +163,7 @@ class Linearization:
     at: tuple[SmallOscillations | None, ...]
     copies: tuple[Copy | None, ...] = ()
     decay: sp.Symbol = field(default=DELTA)
+    omitted: tuple[int, ...] = ()
 
     def copy_of(self, n: int) -> Copy | None:
         """The earlier equilibrium that the nth one, counted from 0, is a copy of."""
@@ -192,11 +199,13 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
     places = (c for p in configuration.points for c in p.position.fixed().components)
     driven = any(is_time(s, configuration) for c in places for s in c.free_symbols)
     about = _About(form, resting, names, omega, exponent)
-    for n, b in enumerate(branches):
-        about.add(b, known=n < MOST_EQUILIBRIA)
-    at, copies = tuple(about.at), tuple(about.copies)
+    for b in branches:
+        about.add(b)
+    at, copies, omitted = tuple(about.at), tuple(about.copies), tuple(about.omitted)
     decay = decay_letter(taken)
-    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at, copies, decay)
+    return Linearization(
+        motion, resting, branches, complete, names, omega, exponent, driven, at, copies, decay, omitted
+    )
 
 
 def letters_of(taken: frozenset[str]) -> tuple[sp.Symbol, sp.Symbol]:
@@ -240,16 +249,21 @@ class _About:
         self.branches: list[Branch] = []
         self.at: list[SmallOscillations | None] = []
         self.copies: list[Copy | None] = []
+        self.omitted: list[int] = []
+        self.worked_out = 0
 
-    def add(self, b: Branch, known: bool) -> None:
-        """The next branch; without linear equations unless `known`."""
-        s, copy = self._of(b) if known and not b.left and not b.special else (None, None)
+    def add(self, b: Branch) -> None:
+        """The next branch; its linear equations are worked out unless it is a copy or one of too many."""
+        s, copy = self._of(b) if not b.left and not b.special else (None, None)
         self.branches.append(b)
         self.at.append(s)
         self.copies.append(copy)
 
     def _of(self, b: Branch) -> tuple[SmallOscillations | None, Copy | None]:
-        """None if it is not in closed form, or the coordinates fail there."""
+        """None if it is not in closed form, or the coordinates fail there, or there are too many."""
+        if len(self.branches) >= MOST_COMPARED_EQUILIBRIA:
+            self.omitted.append(len(self.branches))
+            return None, None
         try:
             matrices = matrices_on(b, self.form, self.resting)
         except (DivisionByZeroError, ZeroDivisionError):
@@ -269,6 +283,10 @@ class _About:
                     moved = [self.names[k] for k in free]
                     copied = _mirrored(s, shape, (mass, damping, stiffness), signs, moved)
                     return copied, Copy(n, tuple(x for x, sign in zip(moved, signs, strict=True) if sign < 0))
+        if self.worked_out == MOST_EQUILIBRIA:
+            self.omitted.append(len(self.branches))
+            return None, None
+        self.worked_out += 1
         return oscillations(free, shape, (mass, damping, stiffness), b, self.resting, self.names, *self.letters), None
 
 

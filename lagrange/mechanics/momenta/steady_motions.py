@@ -156,8 +156,9 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         )
         of_others = replace(motion, configuration=remaining)
         about = Linearization(
-            of_others, at_rest, branches, complete, small, *letters, False, at, decay=decay_letter(taken)
-        )
+            of_others, at_rest, branches, complete, small, *letters, False, at,
+            decay=decay_letter(taken), omitted=tuple(range(MOST_EQUILIBRIA, len(branches))),
+        )  # fmt: skip
         return Family(rates, about)
 
     general = resting({})

@@ -6,7 +6,9 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.existence import real_branches
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import TrigLetters
 
 theta, phi, beta, gamma, x, y = sp.symbols("theta phi beta gamma x y", real=True)
 a, b, p, q, k, m, g, l = sp.symbols("a b p q k m g l", positive=True)
@@ -85,3 +87,10 @@ def test_a_pole_at_which_it_does_not_hold_is_not_mentioned() -> None:
     multiplied = 1 - sqrt(1 - sin(theta)) ** 3 * sin(theta) * cos(theta)
     branches = solutions([multiplied], [theta], origin=[force]).branches
     assert all(not branch.conditions for branch in branches)
+
+
+def test_what_cannot_be_read_in_letters_stays_open() -> None:
+    """A fourth root of an unknown is left by an elimination; nothing is said of its branch."""
+    x = sp.Symbol("x", real=True)
+    branch = Branch((), left=((1 / x) ** sp.Rational(1, 4) - x - 1,))
+    assert real_branches([branch], TrigLetters([x], [x])) == [branch]

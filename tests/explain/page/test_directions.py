@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.explain.page.directions import _side
+from lagrange.explain.page.vectors.directions import _side
 
 a, b, theta = sp.symbols("a b theta", positive=True)
 s, c = sp.sin(theta), sp.cos(theta)

@@ -112,3 +112,24 @@ def test_a_momentum_is_found_whatever_parameters_are_drawn() -> None:
     for seed in range(12):
         configuration.states.fields.random.seed(seed)
         assert {s.kind for s in symmetries(found, configuration)} == {SymmetryKind.TRANSLATION}, seed
+
+
+def _row(ends: str) -> str:
+    """Thirteen masses on a line: more than the coordinates up to which a gauge symmetry is looked for."""
+    n = range(1, 14)
+    lines = ["title: row", f"parameters: [k, {', '.join(f'm{k}' for k in n)}]"]
+    lines += [f"coordinates: [{', '.join(f'x{k}' for k in n)}]", "particles:"]
+    lines += [f"  P{k}: {{mass: m{k}, position: x{k}*i}}" for k in n]
+    springs = " + ".join(f"(x{k + 1} - x{k})^2" for k in n[:-1])
+    return "\n".join([*lines, f"forces: {{V: {{potential: 'k*({springs}{ends})/2'}}}}", ""])
+
+
+def test_many_displacements_that_all_change_the_potential_are_ruled_out_before_their_conditions_are_written() -> None:
+    configuration = of(_row(" + x1^2")).motion.configuration
+    principle = of(_row(" + x1^2")).motion.principle
+    energies = energy_functions(configuration, Textbook(principle.ring))
+    assert [c.kind for c in candidates(energies, [])] == [SymmetryKind.TIME]
+
+
+def test_a_symmetry_of_many_coordinates_is_found_as_one_of_few_is() -> None:
+    assert ("momentum", "translation") in kinds(of(_row("")))

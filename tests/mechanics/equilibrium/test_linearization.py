@@ -14,6 +14,7 @@ import sympy as sp
 from mpmath import diff, matrix, mp, mpc, mpf, polyroots
 
 from lagrange.core.diagnostics import NotCoveredError
+from lagrange.explain.rest.oscillations import explain_omitted
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagsolve.command_group import status_of_error
 from tests.support import shared
@@ -291,3 +292,19 @@ def test_a_long_chain_has_linear_equations() -> None:
     assert s is not None
     assert (len(s.equations), s.characteristic) == (9, None)
     assert s.judgement.stability.verdict is StabilityVerdict.STABLE
+
+
+def test_every_copy_is_counted_although_equilibria_are_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    """9 equilibria of two double wells are copies of 4; of what is beyond the limit the page says how many there are."""
+    text = (
+        "parameters: [m, k, a]\ncoordinates: [x, y]\nparticles:\n  P: {mass: m, position: x*i}\n"
+        "  Q: {mass: 2*m, position: y*i}\nforces: {V: {potential: 'k*((x^2 - a^2)^2 + (y^2 - a^2)^2)/4'}}"
+    )
+    monkeypatch.setattr("lagrange.mechanics.equilibrium.linearization.MOST_EQUILIBRIA", 4)
+    equations = linear_equations(solved(text))
+    assert (len(equations.at), len(equations.originals), equations.omitted) == (9, 4, ())
+    monkeypatch.setattr("lagrange.mechanics.equilibrium.linearization.MOST_EQUILIBRIA", 3)
+    fewer = linear_equations(solved(text))
+    assert (len(fewer.originals), len(fewer.omitted)) == (3, 4)
+    [said] = explain_omitted(fewer)
+    assert said.parts == ("The linear equations about 4 more equilibria are not worked out.",)
