@@ -192,6 +192,10 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             by_place = check_frequencies([[f] for f in stated], solution)  # one for each equilibrium
             frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
         rest = [f for f in answer if f not in stated]
+        if frequencies.verdict is Verdict.WRONG:  # omega, and the period, may be those of a steady motion itself
+            others = _if_readable(answer, judge)
+            if others is not None and others.verdict is Verdict.EQUIVALENT:
+                return others
         if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
             judged = _beside_frequencies(rest, solution, judge) if rest else None
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
