@@ -160,6 +160,8 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
     ]
     reference = reference_of_solution(solved.solution)
     abbreviations = {"Delta": sp.Symbol("Delta", real=True)} if re.search(r"\\Delta &?= ", document) else {}
+    if constant := re.search(r"with a constant \$(\w)\$", document):  # of integration
+        abbreviations[constant[1]] = sp.Symbol(constant[1], real=True)
     if borne := supports(solved.solution):  # forces that the page names
         abbreviations |= {f"N_{s.point}": sp.Symbol(f"N_{s.point}", real=True) for s in borne.at}
     spins = [v for name, v in reference.scope.vectors.items() if name.startswith("omega_")]
