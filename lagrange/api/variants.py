@@ -21,7 +21,11 @@ from lagrange.problem.variants.writing import variant_source
 def variant(source: Source, seed: str) -> Source:
     """The problem file of the variant that a seed draws. Raises ProblemError where it has no answer, or no `vary`."""
     drawn = variant_source(source, seed)
-    reasons = list(_unanswered(report(read_problem(drawn), complete=False)))
+    problem = read_problem(drawn)
+    try:
+        reasons = list(_unanswered(report(problem, complete=False)))
+    except ProblemError as error:  # a question whose condition never holds
+        reasons = [d.message for d in error.diagnostics]
     if reasons:
         heading = drawn.text.split("\n", 1)[0].removeprefix("# The variant of the seed ")
         message = f"the variant {heading} has no answer: {reasons[0]}"

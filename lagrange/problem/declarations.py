@@ -11,6 +11,7 @@ function is taken at several points, its arguments must be written.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import fields, is_dataclass, replace
 from functools import partial
@@ -115,6 +116,9 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     if value is None:
         return Parameter(parameter_symbol(name, Assumption.POSITIVE))
     attempt = names.diagnostics.attempt
+    if isinstance(value, Scalar) and states_value(value.text):
+        positive = Parameter(parameter_symbol(name, Assumption.POSITIVE))
+        return _with_value(positive, value, None, Assumption.POSITIVE, names)
     if isinstance(value, Scalar):
         assume = attempt(lambda: _assumption(value)) or Assumption.POSITIVE
         return Parameter(parameter_symbol(name, assume), assume)
@@ -138,7 +142,20 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
         return parameter
     declared = section.get("unit") if unit else None
     stated = Fragment(unit, declared.span) if declared else None
-    read = attempt(lambda: read_number_with_unit(scalar_of(number, "`value`").fragment, stated, symbol, known))
+    return _with_value(parameter, number, stated, known, names)
+
+
+def states_value(text: str) -> bool:
+    """Whether a declaration is a value, `m: 2 kg` for `m: {value: 2 kg}`."""
+    return re.match(r"\s*[-+−]?\s*\.?[0-9]", text) is not None
+
+
+def _with_value(
+    parameter: Parameter, number: Node, unit: Fragment | None, known: Assumption | None, names: DeclaredNames
+) -> Parameter:
+    read = names.diagnostics.attempt(
+        lambda: read_number_with_unit(scalar_of(number, "`value`").fragment, unit, parameter.symbol, known)
+    )
     if read is None:
         return parameter
     return replace(parameter, unit=read.unit, value=read.number, value_span=read.span, measured=read.measured)
@@ -177,7 +194,7 @@ def _assumption(scalar: Scalar) -> Assumption:
     message = f"`{scalar.text}` is not an assumption"
     listed = ", ".join(f"`{a}`" for a in Assumption)
     near = None if scalar.text == "negative" else nearest(scalar.text, [*Assumption])
-    help_ = f"did you mean `{near}`?" if near else f"write {listed}; what a parameter is goes into `meaning`"
+    help_ = f"did you mean `{near}`?" if near else f"write {listed}, or a value with its unit, `2 kg`"
     if scalar.text == "negative":
         help_ = "name its positive size, and write a minus where it is used; or write `real`"
     raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))

@@ -51,6 +51,23 @@ def test_values_may_be_exact_arithmetic(written: str, value: sp.Expr | None, uni
     assert parameter.unit == unit
 
 
+@pytest.mark.parametrize("written", ["2 kg", "0.5", ".5", "1/2", "3/4 ft", "9.81 m/s^2"])
+def test_a_value_alone_declares_a_positive_parameter(written: str) -> None:
+    alone, spelt_out = (
+        read(f"title: T\ncoordinates: [x]\nparameters: {{m: {declaration}}}\n").parameters
+        for declaration in (written, f"{{value: {written}}}")
+    )
+    assert (alone[0].symbol, alone[0].value, alone[0].unit) == (
+        spelt_out[0].symbol,
+        spelt_out[0].value,
+        spelt_out[0].unit,
+    )
+
+
+def test_a_value_alone_with_a_mistake() -> None:
+    assert places("title: T\ncoordinates: [x]\nparameters: {m: 2 kgg}\n") == [("unknown-unit", 3, 17)]
+
+
 def test_settings_give_and_replace_values() -> None:
     found = values(with_settings("l=30", "m = 500 g", "m=250 g", "s=-1"))
     assert found == {"m": sp.Rational(1, 4), "l": sp.Rational(3, 10), "g": sp.Rational(981, 100), "s": -1}

@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.printable import one_line
 from lagrange.core.records import record
+from lagrange.problem.declarations import states_value
 from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.limits import LONGEST_SEED
@@ -134,6 +135,8 @@ def _with_value(name: Scalar, node: Node, text: str, drawn: str) -> _Edit:
         indentation = " " * (at - text.rfind("\n", 0, at) - 1)
         return _Edit(at, at, f"{value}\n{indentation}")
     assert isinstance(node, Scalar)
+    if states_value(node.text):
+        return _Edit(node.span.start, node.span.end, f"{{{value}}}")
     if node.is_empty:
         colon = text.index(":", name.span.end) + 1
         return _Edit(colon, colon, f" {{{value}}}")

@@ -38,6 +38,7 @@ def values(problem: str) -> dict[str, str]:
             " {m: , l: positive, g: real}",
             "parameters: {m: {value: 2 kg} , l: {assume: positive, value: 40 cm}, g: real}",
         ),
+        (" {m: 1 kg, l: 3 m, g: real}", "parameters: {m: {value: 2 kg}, l: {value: 40 cm}, g: real}"),
         (
             "\n  m: positive   # the bob\n  l: {unit: m, value: 3}\n  g:\n    unit: m/s^2",
             "  m: {assume: positive, value: 2 kg}   # the bob\n  l: {unit: m, value: 40 cm}",
@@ -147,7 +148,7 @@ ask: {top: {quantity: "R*phi'", when: phi = pi}}
 def test_a_variant_without_an_answer_is_refused() -> None:
     """With h = 3 m it reaches the top; with h = 0.5 m it does not, because 2 R > h."""
     assert "h = 3 m" in variant(Source("loop.yaml", LOOP), "a").text
-    with pytest.raises(ProblemError, match=r"h = 0.5 m has no answer: the question `top` has no answer"):
+    with pytest.raises(ProblemError, match=r"h = 0.5 m has no answer: the `when` of the question `top` never holds"):
         variant(Source("loop.yaml", LOOP), "d")
 
 
