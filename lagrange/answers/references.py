@@ -21,6 +21,7 @@ from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_before
+from lagrange.core.units import unit_called
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -34,6 +35,7 @@ from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
+from lagrange.problem.values import values_of as known_quantities
 
 if TYPE_CHECKING:
     from lagrange.answers.models.mechanics import Mechanics
@@ -524,8 +526,10 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
 
 
 def units_of(problem: Problem) -> dict[sp.Symbol, str]:
-    """The units that a file gives to parameters and coordinates."""
-    units = {p.symbol: p.unit for p in problem.parameters if p.unit}
+    """The units of parameters and coordinates that a file gives, and those that follow where it has values."""
+    known = known_quantities(problem)
+    inferred = {} if known is None else {s: u for s, d in known.units.items() if (u := unit_called(d))}
+    units = inferred | {p.symbol: p.unit for p in problem.parameters if p.unit}
     return units | {q.symbol: q.unit for q in problem.coordinates if q.unit}
 
 

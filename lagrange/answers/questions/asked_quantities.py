@@ -274,9 +274,9 @@ class Claim:
     def _of_number(self, claim: sp.Expr, derived: Sequence[sp.Expr]) -> tuple[Verdict, str]:
         """The verdict where the derived value is a number only; equal digits of an exact claim prove nothing."""
         decimals = decimals_in([claim])
-        width = as_written(sp.Add(*(abs(claim.diff(d)) * d.half_width for d in decimals)))
+        width = as_written(sp.Add(*(abs(claim.diff(d)) * d.half_width for d in decimals))).xreplace(self.values)
         off = [abs((as_written(claim) - v).xreplace(self.values).evalf(20)) for v in derived]
-        close = [x for x in off if x.is_number and x <= width + _CLOSE]
+        close = [x for x in off if x.is_number and width.is_number and x <= width + _CLOSE]
         if not close:
             return Verdict.WRONG, ""
         return (Verdict.EQUIVALENT, "") if decimals else (Verdict.UNDECIDED, UNDECIDED)

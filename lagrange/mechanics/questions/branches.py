@@ -25,7 +25,7 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, Slots, base, prime
+from lagrange.core.symbols import Bounded, Slots, base, prime, t
 from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Because
 from lagrange.problem.model import Problem
@@ -395,9 +395,11 @@ def _reached_first(
         return branches, []
     ahead = [(b, s) for b, s in pairs if _way(s, q, beginning) == way]
     nearest = [(b, s) for b, s in ahead if all(beginning.sign(o[q] - s[q]) in (0, way) for _, o in ahead)]
-    if not nearest or q not in beginning.initial or not _is_free(nearest[0][1][q], q, way, beginning):
+    if not nearest or q not in beginning.initial:
         return branches, []
     [b, state], *_ = nearest
+    if not _is_free(state[q], q, way, beginning) and not _is_mirror_image(q, [s for _, s in pairs], beginning):
+        return branches, []
     return [b.at([state])], [o for o in branches if o is not b]
 
 
@@ -431,6 +433,21 @@ def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bo
         if past_start not in (0, -way) and before_end != -way:
             return False
     return True
+
+
+def _is_mirror_image(q: sp.Symbol, states: Sequence[State], beginning: Beginning) -> bool:
+    """Whether two places lie opposite each other about the start, and motions to either side are mirror images.
+
+    Then the one ahead comes first: a motion that turns before it swings no farther to the other side.
+    """
+    acceleration = beginning.accelerations.get(prime(q, 2))
+    if len(states) != 2 or acceleration is None or is_zero(beginning.initial[q]) is not True:
+        return False
+    others = {t, *beginning.slots.coordinates, *beginning.slots.velocities} - {q, prime(q)}
+    if acceleration.free_symbols & others:
+        return False
+    mirrored = acceleration.xreplace({q: -q, prime(q): -prime(q)})
+    return is_zero(states[0][q] + states[1][q]) is True and is_zero(acceleration + mirrored) is True
 
 
 def _are_mirrored(branches: Sequence[AnswerBranch]) -> bool:
