@@ -34,6 +34,7 @@ _SECOND_VARIATION = re.compile(
 """The second derivative of a potential energy, which is working."""
 _KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
 """theta = const, which says no more than that the motion is steady."""
+_NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -258,6 +259,8 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
     """The verdict on values in numbers, each with its unit, and on everything else."""
     valued = values_of(solution.problem) is not None
     found = [(f, stated_in_numbers(f) if valued else None) for f in answer]
+    if any(n for _, n in found):  # beside these a number alone is one whose unit was left out
+        found = [(f, n or ((f, None) if _NUMBER_ALONE.search(f.text) else None)) for f, n in found]
     numbers = [n[0] for _, n in found if n]
     lines = asked_in_text(numbers, solution) if numbers else None
     if lines is None or lines.verdict is None:
