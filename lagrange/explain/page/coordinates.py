@@ -32,8 +32,13 @@ def explain_independence(solution: Solution, view: InCoordinates) -> Prose | Non
     """How many coordinates of a choice are independent, where this is the question: no motion, no rest is asked for."""
     own, chosen = solution.own, view.configuration.slots.coordinates
     number, size = len(chosen), len(own.configuration.slots.coordinates)
-    derived = own.dynamics is not None or own.equilibrium is not None or solution.impact is not None
-    if derived or number != solution.classification.configuration_dimension or not view.coordinates.satisfied:
+    derived = any(v.dynamics is not None or v.equilibrium is not None for v in solution.views)
+    if (
+        derived
+        or solution.impact is not None
+        or number != solution.classification.configuration_dimension
+        or not view.coordinates.satisfied
+    ):
         return None
     names = constraints_called(view.coordinates.satisfied)
     related = f"{names} {plural(len(view.coordinates.satisfied), 'relates', 'relate')} them."
