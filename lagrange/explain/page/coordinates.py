@@ -32,7 +32,8 @@ def explain_independence(solution: Solution, view: InCoordinates) -> Prose | Non
     """How many coordinates of a choice are independent, where this is the question: no motion, no rest is asked for."""
     own, chosen = solution.own, view.configuration.slots.coordinates
     number, size = len(chosen), len(own.configuration.slots.coordinates)
-    derived = any(v.dynamics is not None or v.equilibrium is not None for v in solution.views)
+    asked = ((v.dynamics, v.equilibrium, v.at_rest) for v in solution.views)
+    derived = any(result is not None for results in asked for result in results)
     if (
         derived
         or solution.impact is not None

@@ -16,7 +16,7 @@ from tests.support.shared import reported
         ("ex04-dumbbell", "These five coordinates are independent, with no relation between them; the six of the file"),
         ("ex06-two-particle-skate", "These three coordinates are independent, with no finite relation between them;"),
         ("ex11-ideal-pendulum", ""),
-        ("statics/slider-crank", ""),
+        ("statics/crate-tips-or-slides", ""),
     ],
 )
 def test_how_many_coordinates_are_independent(name: str, sentence: str) -> None:
