@@ -67,6 +67,7 @@ class MovingFigure:
     pushed       whether it begins a little beside an equilibrium
     orbits       whether it begins in a nearly circular orbit that nobody has asked for
     assumed      what the page takes for functions that the file leaves open
+    needed       generalized forces at rest that no position changes: there is no rest unless they vanish
     driven       prescribed motions that the file leaves open, which oscillate
     """
 
@@ -85,4 +86,5 @@ class MovingFigure:
     orbits: bool = False
     long: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    needed: tuple[sp.Expr, ...] = ()
     driven: tuple[sp.Symbol, ...] = ()

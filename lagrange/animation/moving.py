@@ -15,7 +15,7 @@ why.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import TYPE_CHECKING, Any
@@ -401,6 +401,7 @@ class _Maker:
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
             "rest": int(self.states is not None and not self.buttons and self._may_rest(expressions)),
+            "never": [k for k, _ in self._unchanged(expressions)],
             "traced": [
                 [self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced
             ]
@@ -447,6 +448,7 @@ class _Maker:
             pushed=begun is not None and begun.pushed,
             orbits=begun is not None and begun.orbits,
             assumed=self._assumed(),
+            needed=tuple(e for _, e in self._unchanged(expressions)),
             driven=tuple(u for u in slots.prescribed if u.name not in self.given),
         )
 
@@ -493,6 +495,20 @@ class _Maker:
         """Whether the page looks for positions of rest itself: few free coordinates, forces without time."""
         free = self.shape["eq"][1] == 0 and len(self.view.configuration.slots.coordinates) <= 3
         return free and not self.slips and not any(e.has(t) for e in expressions["eq"])
+
+    def _unchanged(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> Iterator[tuple[int, sp.Expr]]:
+        """The generalized forces at rest that no position changes, with the numbers of their coordinates.
+
+        Where one of them is not zero, there is no position of rest: a motor turns its arm, a particle falls.
+        """
+        if self.states is None or not self._may_rest(expressions):
+            return
+        slots = self.view.configuration.slots
+        n, still = len(slots.coordinates), dict.fromkeys(slots.velocities, sp.S.Zero)
+        for k, e in enumerate(expressions["eq"][n * n : n * n + n]):
+            force = sp.factor(e.xreplace(still))
+            if not force.free_symbols & {*slots.coordinates} and force != 0:
+                yield k, force
 
     def _points(self, elements: Elements | None) -> list[int]:
         """The cells of the particles and mass centres: what leaves a trace."""

@@ -116,22 +116,25 @@ def _inertia(body: Body, rotation: Rotation, hinged: bool) -> tuple[Part, ...]:
         *moments,
     )
     before = set(names_before_last(body.name))
-    if any(e.name in before for e in units):
+    if any(e.name in before for e in units) and body.angles[-1] != 0:
         own = listed(math(e) for e in units if e.name in before)
         return (*parts, "; two of them are equal, so ", *own, " need not take part in the last rotation.")
     return (*parts, ".")
 
 
 def _turns(body: Body) -> tuple[Part, ...]:
-    """The angles through which a body is turned."""
+    """The angles through which a body is turned; a turn by zero is none."""
     if body.angle is not None:
         return ("It is turned through the angle ", math(body.angle), ".")
     if not body.sequence:
         return ()
+    turns = [(axis, angle) for axis, angle in zip(body.sequence, body.angles, strict=True) if angle != 0]
+    if not turns:
+        return ("It is not turned.",)
     steps: list[Part] = []
-    for n, (axis, angle) in enumerate(zip(body.sequence, body.angles, strict=True)):
+    for n, (axis, angle) in enumerate(turns):
         new = "the new " if n else "its "
-        steps += [("" if n == 0 else " and then " if n == 2 else ", ") + "by ", math(angle)]
+        steps += [("" if n == 0 else " and then " if n == len(turns) - 1 else ", ") + "by ", math(angle)]
         steps.append(f" about {new}{ORDINALS[int(axis) - 1]} axis")
     return ("It is turned ", *steps, ".")
 

@@ -112,12 +112,35 @@ def _drift(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block
         prose("and every other possible displacement differs from this one by a virtual displacement:"),
     ]  # fmt: skip
     if configuration.points:
-        return [*blocks, _of_moved_points(configuration, rates)]
+        return [*blocks, _of_moved_points(configuration, rates), *_relative(configuration, rates)]
     lines = (
         Equation((differential(q), variation(q) + steps.get(q, sp.S.Zero)), label=f"possible-{q.name}")
         for q in slots.coordinates
     )
     return [*blocks, display(*lines)]
+
+
+def _relative(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block]:
+    """v = v_R + w of a particle on a surface that is carried along by a translation with the velocity w(t).
+
+    f(r, t) = 0 with ∂f/∂t + w·∇f = 0 for the same w everywhere is f(r + w dt, t + dt) = f(r, t).
+    """
+    slots = configuration.slots
+    surface = {2: "curve", 3: "surface"}.get(len(slots.coordinates))
+    if surface is None or len(configuration.points) != 1 or len(configuration.rows) != 1:
+        return []
+    [p], [row] = configuration.points, configuration.rows
+    carried = transport_velocity(p, slots, rates).fixed()
+    still = not any(c.free_symbols & {*slots.coordinates, *slots.velocities} for c in carried.components)
+    change = row.drift + sp.Add(*(a * w for a, w in zip(row.coefficients, rates, strict=True)))
+    if row.finite is None or carried.is_zero or not still or sp.expand(change) != 0:
+        return []
+    absolute, relative = VectorSymbol(f"r_{p.name}'"), VectorSymbol("v_R")
+    moves = prose(f"The {surface} is carried along with the velocity ", math(carried.as_sum()), ". Divided by ",
+                  math(differential(t)), ", this says that ", math(absolute, relative + carried.as_sum()), ", where ",
+                  math(relative), f", the velocity of {the(p.name)} relative to the {surface}, is tangent to it."
+                  )  # fmt: skip
+    return [moves]
 
 
 def _by_time(configuration: Configuration) -> list[Block]:

@@ -171,12 +171,27 @@ def read_range(node: Node, name: str, unit: str, scope: Scope) -> Range:
 def _end(scalar: Scalar, unit: str, scope: Scope) -> sp.Expr:
     fragment = scalar.fragment
     stated = Fragment(unit, fragment.whole) if unit and unit_of(unit) else None
-    if split_number(fragment.text) is not None:
-        return _measured(fragment, stated).number
+    if split_number(fragment.text) is not None and not _is_product(fragment.text, scope):
+        try:
+            return _measured(fragment, stated).number
+        except ProblemError as error:
+            first = error.diagnostics[0]
+            if first.code != "unknown-unit":
+                raise
+            cure = f"{first.help}; the name of a parameter is declared under `parameters`"
+            raise ProblemError(replace(first, help=cure)) from error
     value = read_scalar(fragment, scope)
     if value.is_number and stated is not None:
         return _measured(fragment, stated).number
     return value
+
+
+def _is_product(text: str, scope: Scope) -> bool:
+    """Whether what follows a number is an expression in declared names, `2*l`, and no unit: `2 m` is two metres."""
+    if (parts := split_number(text)) is None:
+        return False
+    known = [name in scope.names() for name in re.findall(r"[^\W\d]\w*", parts[1])]
+    return any(known) if unit_of(parts[1]) is None else all(known) and "*" in text
 
 
 def bounded_symbol(name: str, within: Range, assume: Assumption, span: Span) -> sp.Symbol:

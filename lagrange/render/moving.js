@@ -977,7 +977,8 @@ const lagsolveFigure = (() => {
         if (rests.every(r => r.q.some((x, i) => !idle[i] && Math.abs(data.angles[i] ? wrapped(x - q[i]) : x - q[i]) > 1e-5)) && rests.length < 6) rests.push({ q, idle });
       }
       const bar = one("span.found");
-      bar.textContent = rests.length ? "" : " none found";
+      const still = force(y.slice(0, n)), never = data.never.some(k => Math.abs(still[k]) > 1e-9 * size);
+      bar.textContent = rests.length ? "" : never ? bar.dataset.never : "none found by a search from several positions";
       rests.forEach((r, k) => {
         const b = document.createElement("button");
         b.type = "button";

@@ -130,10 +130,19 @@ class _Controls:
             called = escape(f"At rest at {plain}")
             yield f'<button type="button" data-rest="{k}" aria-label="{called}">{written}{how}</button>'
         if self.figure.data["rest"]:
-            yield '<span class="found"></span>'
+            never = f' data-never="{escape(self.never())}"' if self.figure.needed else ""
+            yield f'<span class="found"{never}></span>'
         if self.figure.moves:
             yield '<button type="button" class="push">Push</button>'
         yield "</div>"
+
+    def never(self) -> str:
+        """`nowhere while τ ≠ 0`: what keeps the system from being at rest in any position."""
+        factors = [[f for f in sp.Mul.make_args(e) if not f.is_nonzero and f.free_symbols] for e in self.figure.needed]
+        if not all(factors):
+            return "nowhere"
+        which = dict.fromkeys(self.plain(sp.Mul(*f)) for f in factors)
+        return "nowhere while " + " or ".join(f"{w} ≠ 0" for w in which)
 
     def sliders(self, title: str, sliders: Sequence[Slider], kind: str) -> Iterator[str]:
         if sliders:

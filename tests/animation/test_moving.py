@@ -106,3 +106,12 @@ def test_functions_of_the_command_line_move_the_page():
     assert not any(s.meaning.startswith("amplitude") for s in figure.parameters)
     assert figure.data["motion"][0] == pytest.approx(figure.data["y"], rel=1e-8)
     assert figure.data["motion"][-1][-1] == 0.1
+
+
+def test_a_force_that_no_position_changes_is_why_there_is_no_rest():
+    figure = figure_of("motion/furuta-pendulum")
+    tau = next(s.label for s in figure.parameters if str(s.label) == "tau")
+    [force] = figure.needed
+    assert (figure.data["rest"], figure.data["never"]) == (1, [0])
+    assert force in (tau, -tau)
+    assert not figure_of("ex11-ideal-pendulum").needed

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
@@ -23,3 +25,24 @@ def test_a_spring_fastened_at_a_hinge_is_fastened_at_the_origin() -> None:
     page = " ".join(terminal.text(found.derivation, found.notation, 80, Detail.STEPS).split())
     assert "The spring tie, of stiffness k, joins B and O." in page
     assert "k d_tie = k |s|" in page
+
+
+@pytest.mark.parametrize(
+    ("angles", "sentence"),
+    [
+        ("phi, 0, 0", "It is turned by φ about its third axis. Its moments"),
+        ("0, 0, phi", "It is turned by φ about its third axis. Its moments"),
+        (
+            "0, phi, pi/2",
+            "It is turned by φ about its first axis and then by π/2 about the new third axis. Its moments",
+        ),
+        ("0, 0, 0", "It is not turned. Its moments"),
+    ],
+)
+def test_a_turn_by_zero_is_not_mentioned(angles: str, sentence: str) -> None:
+    text = f"title: T\nparameters: [A, B, C]\ncoordinates: [phi, x]\nbodies:\n  top: {{mass: A, inertia: [A, B, C], position: x*i, orientation: {{axes: 313, angles: [{angles}]}}}}\n"
+    if "phi" not in angles:
+        text = text.replace("[phi, x]", "[x]")
+    found = report(read_problem(Source("top.yaml", text)))
+    page = " ".join(terminal.text(found.derivation, found.notation, 200, Detail.STEPS).split())
+    assert sentence in page, page[:1500]

@@ -11,3 +11,10 @@ def test_where_nothing_is_free() -> None:
     steps = reported("constraints/servo").derivation.steps
     [freedom] = [s for s in steps if s.rule is Rule.DEGREES_OF_FREEDOM]
     assert "the constraints alone determine the position" in words(freedom)
+
+
+def test_the_velocity_relative_to_a_surface_that_is_carried_along() -> None:
+    for name, carried in (("ex09-moving-surface", True), ("ex08-displacements-on-a-surface", False)):
+        steps = reported(name).derivation.steps
+        [step] = [s for s in steps if s.rule is Rule.DISPLACEMENTS]
+        assert ("relative to the surface, is tangent to it" in words(step)) is carried

@@ -161,3 +161,19 @@ def test_a_length_in_centimetres_beside_metres_per_second_squared() -> None:
         for answer in ("theta'' = -20*sin(theta)", "theta'' = -sin(theta)/5")
     }
     assert [*judged.values()] == [Verdict.EQUIVALENT, Verdict.WRONG]
+
+
+@pytest.mark.parametrize("end", ["2*l", "2 l", "2*l/3", "2*pi*l", "2*sqrt(l*m)"])
+def test_an_end_of_a_range_may_be_a_multiple_of_a_parameter(end: str) -> None:
+    text = f'title: T\nparameters: [l, m]\ncoordinates: {{x: {{range: [0, "{end}"]}}}}\n'
+    [coordinate] = read(text).coordinates
+    assert coordinate.range is not None
+    assert {str(s) for s in coordinate.range.high.free_symbols} == {n for n in "lm" if n in end.replace("sqrt", "")}
+
+
+@pytest.mark.parametrize(("end", "cure"), [("2*q", "declared under `parameters`"), ("2*l*q", "the declared names are")])
+def test_an_end_of_a_range_with_a_name_nobody_declared_names_the_cure(end: str, cure: str) -> None:
+    text = f'title: T\nparameters: [l, m]\ncoordinates: {{x: {{range: [0, "{end}"]}}}}\n'
+    with pytest.raises(ProblemError) as refused:
+        read(text)
+    assert cure in str(refused.value.diagnostics[0].help)

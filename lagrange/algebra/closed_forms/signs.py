@@ -196,8 +196,7 @@ def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
 def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> SignCondition:
     """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
     primitive = _without_positive_factors(expression, positive)
-    if relation != "≠":
-        primitive = _without_root(primitive, positive)
+    primitive = (_without_root if relation != "≠" else _zero_without_root)(primitive, positive)
     terms = sp.Add.make_args(sp.expand(primitive))
     left = [term for term in terms if not term.could_extract_minus_sign()]
     right = [-term for term in terms if term.could_extract_minus_sign()]
@@ -213,21 +212,46 @@ def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
     the latter be P. If A − λ P is never negative for some λ > 0, then P ≥ 0 implies A ≥ 0, and P ≥ 0 is all there is
     to say; the same holds with > for ≥. With B > 0 all of this is said of the opposite expression.
     """
+    if (parts := _parts_at_root(e, positive)) is None:
+        return e
+    a, of_b, squares = parts
+    opposite = -of_b
+    shorter = count_operations(squares) < count_operations(e)
+    return opposite * squares if shorter and _outweighs(opposite * a, squares, positive) else e
+
+
+def _zero_without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
+    """A + B √D as a shorter expression with the same zeros: 16r² − a² − a √(a² + 32r²) as 2r − a.
+
+    It vanishes where A² − B² D does and A does not have the sign of B. If A² − B² D is, up to factors that do not
+    vanish, linear in a symbol, one look at the sign of A at its zero decides.
+    """
+    if (parts := _parts_at_root(e, positive)) is None:
+        return e
+    a, of_b, squares = parts
+    if count_operations(squares) >= count_operations(e):
+        return e
+    for x in sorted(squares.free_symbols, key=str):
+        if squares.is_polynomial(x) and sp.degree(squares, x) == 1:
+            slope, rest = sp.Poly(squares, x).all_coeffs()
+            if sign_of(slope, positive) in (-1, 1):
+                return squares if sign_of(a.xreplace({x: -rest / slope}), positive) == -of_b else e
+    return e
+
+
+def _parts_at_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> tuple[sp.Expr, int, sp.Expr] | None:
+    """A, the sign of B, and A² − B² D without its positive factors, of A + B √D with D ≥ 0; None of anything else."""
     roots = {p for term in sp.Add.make_args(e) for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
     if not e.is_Add or len(roots) != 1:
-        return e
+        return None
     [root] = roots
     a, b = e.xreplace({root: sp.S.Zero}), sp.expand(e).coeff(root)
     if sp.expand(e - a - b * root) != 0 or a.has(root) or b.has(root) or sign_of(root.base, positive) not in (0, 1):
-        return e
+        return None
     of_b = sign_of(b, positive)
     if of_b not in (-1, 1):
-        return e
-    opposite = -of_b
-    a = opposite * a
-    squares = _without_positive_factors(sp.expand(a**2 - b**2 * root.base), positive)
-    shorter = count_operations(squares) < count_operations(e)
-    return opposite * squares if shorter and _outweighs(a, squares, positive) else e
+        return None
+    return a, of_b, _without_positive_factors(sp.expand(a**2 - b**2 * root.base), positive)
 
 
 def _outweighs(a: sp.Expr, p: sp.Expr, positive: tuple[sp.Expr, ...]) -> bool:

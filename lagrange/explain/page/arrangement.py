@@ -31,7 +31,7 @@ from lagrange.explain.page.constraints import (
     is_plainly_geometric,
     without_component,
 )
-from lagrange.explain.page.coordinates import explain_measures
+from lagrange.explain.page.coordinates import explain_independence, explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.economy import (
     freedom_in_one,
@@ -368,9 +368,11 @@ def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
 
 
 def _with_measures(solution: Solution, step: Step) -> Step:
-    """Generalized coordinates after what they are."""
+    """Generalized coordinates after what they are; at the end, that they are independent."""
     view = next(v for v in solution.choices if v.name == step.choice)
     step = remaining_shortly(step, view.configuration.slots)
+    independent = explain_independence(solution, view)
+    step = step if independent is None else replace(step, body=(*step.body, independent))
     measures = explain_measures(solution, view)
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):

@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Part, Prose
-from lagrange.explain.words import joined, plural, the
+from lagrange.explain.words import constraints_called, in_words, joined, plural, the
 from lagrange.mechanics.constraints.measures import Angle, angles, of_mass_centre
 from lagrange.mechanics.results import InCoordinates, Solution
 
@@ -26,6 +26,30 @@ def explain_measures(solution: Solution, view: InCoordinates) -> Prose | None:
     for sentence in sentences:
         parts += [" " if parts else "", *sentence]
     return prose(*parts) if parts else None
+
+
+def explain_independence(solution: Solution, view: InCoordinates) -> Prose | None:
+    """How many coordinates of a choice are independent, where this is the question: no motion, no rest is asked for."""
+    own, chosen = solution.own, view.configuration.slots.coordinates
+    number, size = len(chosen), len(own.configuration.slots.coordinates)
+    asked = ((v.dynamics, v.equilibrium, v.at_rest) for v in solution.views)
+    derived = any(result is not None for results in asked for result in results)
+    if (
+        derived
+        or solution.impact is not None
+        or number != solution.classification.configuration_dimension
+        or not view.coordinates.satisfied
+    ):
+        return None
+    names = constraints_called(view.coordinates.satisfied)
+    related = f"{names} {plural(len(view.coordinates.satisfied), 'relates', 'relate')} them."
+    many, few = (in_words(n, "of").split()[0] for n in (size, number))
+    if number == 1:
+        return prose(*map(math, chosen), f" can be chosen freely; the {many} coordinates of the file cannot, since ",
+                     related)  # fmt: skip
+    relation = "finite relation" if view.configuration.rows else "relation"
+    return prose(f"These {few} coordinates are independent, with no {relation} between them; the {many} of the file "
+                 "are not, since ", related)  # fmt: skip
 
 
 def _centre(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[Part, ...]]:

@@ -101,6 +101,10 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
     elif not shown:
         yield prose(start, ", and the equations of motion hold everywhere.")
         return
+    elif linearization.complete and not linearization.branches and any(c.is_number for c in shown):
+        yield prose(start, ", and the equations of motion cannot hold: there is no equilibrium.")
+        yield from singular_places(e)
+        return
     elif long:
         start += ", and what remains of the equations of motion, a long expression, holds"
     else:

@@ -50,14 +50,26 @@ def _conditions(found: SteadyMotions) -> Iterator[Block]:
     if not shown:
         yield paragraph(prose(*listed(cyclic), verb), steady, prose("The equations of motion then hold."))
         return
+    if _is_contradictory(found):
+        which = plural(len(others), "The equation of motion of ", "The equations of motion of ")
+        never = " cannot then hold: there are no steady motions."
+        yield paragraph(prose(*listed(cyclic), verb), steady, prose(which, *listed(others), never))
+        return
     become = plural(len(shown), "The equation of motion of the other coordinate becomes", "Those of the others become")
     yield paragraph(prose(*listed(cyclic), verb), steady, prose(become))
     yield display(*(Equation((c, ZERO), label=label_of(about, "steady", n)) for n, c in enumerate(shown, 1)))
 
 
+def _is_contradictory(found: SteadyMotions) -> bool:
+    """Whether a condition reads 1 = 0, as where a particle falls: it is not printed."""
+    return found.complete and not [*_solutions(found)] and any(c.expression.is_number for c in found.general.conditions)
+
+
 def _branches(found: SteadyMotions) -> Iterator[Block]:
     """The solutions of the conditions, and the positions left out."""
     solutions = [*_solutions(found)]
+    if _is_contradictory(found):
+        return
     if not solutions:
         nowhere = "They cannot be satisfied: there are no steady motions."
         open_ = "Solutions were not found in closed form."

@@ -129,3 +129,16 @@ def test_both_signs_are_seen_at_points_and_one_sign_is_not() -> None:
     # where x > 0 it is positive, and points outside are not looked at
     assert takes_both_signs(sp.expand(long * x), (x,)) is False
     assert sign_of(sp.expand(long * x), (x,)) == 1
+
+
+def test_what_is_not_zero_is_said_without_the_root() -> None:
+    """16r² − a² − a √(a² + 32r²) vanishes for a = 2r, and on both sides of it has another sign."""
+    a, r = sp.symbols("a r", positive=True)
+    for e, shorter, zero in (
+        (16 * r**2 - a**2 - a * sp.sqrt(a**2 + 32 * r**2), 2 * r - a, 2 * r),
+        (3 * r - a - sp.sqrt(a**2 + r**2), 4 * r - 3 * a, sp.Rational(4, 3) * r),
+    ):
+        [c] = different_from_zero(e)
+        assert (c.relation, c.lhs - c.rhs) == ("≠", shorter)
+        values = [e.subs(a, scale * zero).subs(r, 1) for scale in (sp.Rational(9, 10), 1, sp.Rational(11, 10))]
+        assert (values[0] > 0, sp.simplify(values[1]), values[2] < 0) == (True, 0, True)

@@ -17,10 +17,12 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.explain.report import report
 from lagrange.explain.rest.steady_motions import explain_steady
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.solution import solve
+from lagrange.render import terminal
 from lagrange.render.json_momenta import steady_motions as steady_in_json
 from tests.support.problem_texts import read
 
@@ -273,3 +275,12 @@ def test_a_frequency_too_long_for_a_root_is_a_quotient() -> None:
     assert "divided by that of" in str(explain_steady(replace(found, families=(family,))).body)
     [entry] = steady_in_json(replace(found, families=(family,)), str)
     assert entry["frequencies"] == [str(sp.sqrt(long.long_square))]
+
+
+@pytest.mark.parametrize("asked", ["steady", "linearization"])
+def test_a_particle_that_falls_has_none_and_no_equation_without_sense_is_printed(asked: str) -> None:
+    text = "title: T\nparameters: [m, g]\ncoordinates: [x, y]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+    found = report(read(f"{text}gravity: -g*j\nfind: {asked}\n"))
+    page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
+    assert "1 = 0" not in page
+    assert ("there are no steady motions." if asked == "steady" else "there is no equilibrium.") in page

@@ -214,6 +214,7 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
         lag = _lag(real, imaginary, of_cosine, of_sine)
         lag = lag if is_damped else _lag_without_damping(z, determinant, of_cosine, of_sine)
         phases.append(None if lag is None else _by_powers(lag, w))
+    cosines, sines, amplitudes = _with_one_sign(cosines, sines, amplitudes)
     found = tuple(amplitudes)
     resonances = _resonances(determinant, found, w, is_damped)
     rests = tuple(_zeros(_squared(z), w) if n > 1 else () for z in numerators)
@@ -260,6 +261,30 @@ def _by_powers(e: sp.Expr, w: sp.Expr) -> sp.Expr:
         return sp.Add(*(_by_powers(a, w) for a in e.args))  # Re² + Im²
     terms = sp.Poly(e, w).terms()
     return sp.Add(*(sp.Mul(_in_front(c), w**k) for (k,), c in terms))
+
+
+def _with_one_sign(*groups: Sequence[sp.Expr]) -> tuple[list[sp.Expr], ...]:
+    """The results with one sign of each factor: where |k − m ω²| is an amplitude, no m ω² − k in the motion."""
+    moduli = dict.fromkeys(m.args[0] for group in groups for e in group for m in sorted(e.atoms(sp.Abs), key=str))
+    chosen: list[sp.Expr] = []
+    for f in moduli:
+        if all(sp.expand(f - c) != 0 and sp.expand(f + c) != 0 for c in chosen):
+            chosen.append(f)
+
+    def written(factor: sp.Expr) -> tuple[sp.Expr, ...]:
+        base_, exponent = factor.as_base_exp()
+        inside = base_.args[0] if isinstance(base_, sp.Abs) else base_
+        if not inside.is_Add or not exponent.is_Integer:
+            return (factor,)
+        for c in chosen:
+            same, opposite = (sp.expand(inside - c) == 0, sp.expand(inside + c) == 0)
+            if same or opposite:
+                if isinstance(base_, sp.Abs):
+                    return (sp.Abs(c) ** exponent,)
+                return (sp.S.NegativeOne**exponent if opposite else sp.S.One, c**exponent)
+        return (factor,)
+
+    return tuple([sp.Mul(*(w for f in sp.Mul.make_args(e) for w in written(f))) for e in group] for group in groups)
 
 
 def _in_front(coefficient: sp.Expr) -> sp.Expr:

@@ -222,3 +222,22 @@ def test_a_car_on_a_wavy_road_resonates_at_a_composed_frequency() -> None:
     top = float(sp.sqrt(square.xreplace({s: sp.Float(values[s.name]) for s in square.free_symbols})))
     assert amplitude(w) == pytest.approx(a * hypot(c, b * w) / hypot(c - m * w**2, b * w))
     assert amplitude(top) > max(amplitude(0.99 * top), amplitude(1.01 * top))
+
+
+@pytest.mark.parametrize("names", ["m M K F", "M m K F", "m_1 m_2 c F"])
+def test_a_factor_has_one_sign_in_motion_and_amplitudes(names: str) -> None:
+    """Two free masses on a spring: with every |A| of the amplitudes, no −A in the motion."""
+    one, two, stiffness, force = names.split()
+    text = f"""
+title: T
+parameters: [{one}, {two}, {stiffness}, {force}, w]
+coordinates: [x, y]
+particles: {{A: {{mass: {one}, position: x*i}}, B: {{mass: {two}, position: y*i}}}}
+forces: {{one: {{potential: "{stiffness}*(y-x)^2/2"}}, push: {{on: A, vector: {force}*cos(w*t)*i}}}}
+find: response
+"""
+    found = solve(read(text)).own.response
+    assert found is not None
+    moduli = {m.args[0] for e in found.amplitudes for m in e.atoms(sp.Abs)}
+    factors = {f.as_base_exp()[0] for e in found.cosines for f in sp.Mul.make_args(e) if f.as_base_exp()[0].is_Add}
+    assert factors == moduli
