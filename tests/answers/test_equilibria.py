@@ -366,3 +366,19 @@ def test_equilibria_lost_by_dividing(stated: str, expected: Verdict) -> None:
     """x = 0, θ = 0 with any y is lost by a division by sin θ, and x = y = 0 with any θ by one by y."""
     judged = examiner(SKATE_ON_A_SPRING).check((Fragment.of(stated),))
     assert judged.verdict is expected
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected"),
+    [("theta = 31.45 deg", INCOMPLETE), ("theta = 31.45° or theta = 211.45°", EQUIVALENT), ("theta = 32.45°", WRONG)],
+)
+def test_equilibria_in_degrees(answer: str, expected: Verdict) -> None:
+    pulled = """title: Bead with a horizontal pull
+parameters: {m: 2 kg, g: 9.81 m/s^2, l: {unit: m}, F: 12 N}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}
+gravity: -g*j
+forces: {pull: {on: P, vector: F*i}}
+find: equilibrium
+"""
+    assert verdict(read(pulled), answer).verdict is expected

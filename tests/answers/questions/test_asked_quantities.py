@@ -240,3 +240,50 @@ def test_values_in_a_text(lines: list[str], expected: Verdict) -> None:
     posed, solution = sloping()
     answer = tuple(Fragment.of(line) for line in lines)
     assert Examiner(posed, solution).check(answer).verdict is expected
+
+
+@cache
+def _solution(text: str) -> Solution:
+    return solve(read_problem(Source("problem.yaml", text)))
+
+
+LOOP = """title: A bead shot into a loop
+axes: {i: right, j: down}
+parameters: {m: 0.2 kg, g: 9.81 m/s^2, R: 50 cm, v: 4 m/s}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {loop: {equation: x^2 + y^2 <= R^2, reaction: N}}
+gravity: g*j
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: R*sin(theta), y: R*cos(theta)}}}
+initial: {theta: 0, theta': v/R}
+ask: {falls: {quantity: theta, when: N = 0}, speed: {quantity: "R*theta'", when: N = 0}}
+"""
+HILL = """title: Leaving a quartic hill
+parameters: {m: 1 kg, g: 9.81 m/s^2, a: 0.5 m^-3, v: 1 m/s}
+axes: {i: right, j: up}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {hill: {equation: y >= -a*x^4, reaction: N}}
+gravity: -g*j
+generalized_coordinates: {abscissa: {coordinates: [x]}}
+initial: {x: 0, x': v}
+ask: {leaving: {quantity: x, when: N = 0}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "answer", "verdict"),
+    [
+        (LOOP, ["theta = 114.9 deg", "R*theta' = 1.436"], Verdict.EQUIVALENT),
+        (LOOP, ["theta = 114.9 deg", "R*theta' = 1.536"], Verdict.WRONG),
+        (LOOP, ["theta = -114.9 deg", "R*theta' = 1.436 m/s"], Verdict.WRONG),  # the motion begins to the other side
+        (HILL, ["x = 0.8164 m"], Verdict.EQUIVALENT),  # m is a mass, too
+        (HILL, ["x = 0.8264 m"], Verdict.WRONG),
+        (HILL, ["x = 81.6 cm"], Verdict.EQUIVALENT),
+        (HILL, ["x = 0.8164 kg"], Verdict.WRONG),
+    ],
+)
+def test_values_with_and_without_units(text: str, answer: list[str], verdict: Verdict) -> None:
+    problem = read_problem(Source("problem.yaml", text))
+    examiner = Examiner(problem, _solution(text))
+    assert examiner.check([Fragment.of(a, "an answer") for a in answer]).verdict is verdict
