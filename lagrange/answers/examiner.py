@@ -154,12 +154,13 @@ class Examiner:
         )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
-            from lagrange.answers.friction.impending import with_reactions_put_in
+            from lagrange.answers.friction.impending import one_a_line
 
-            shown = with_reactions_put_in(working.judged, solution)
+            shown = working.judged
             verdict = compared_impending(solution, alternatives_of(shown))
-            if verdict.verdict is Verdict.WRONG and len(shown) > 1:
-                each = compared_impending(solution, [(f,) for f in shown])  # up or down, a line each
+            lines = one_a_line(shown, solution)
+            if verdict.verdict is Verdict.WRONG and len(lines) > 1:
+                each = compared_impending(solution, lines)  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
