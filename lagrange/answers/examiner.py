@@ -121,6 +121,7 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.questions.texts.at_release import is_about_release
         from lagrange.answers.questions.virtual_work import with_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
         from lagrange.answers.written.prose import without_prose
@@ -169,6 +170,8 @@ class Examiner:
         if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
             alone = understood(answer, scope, eliminating=False)
             verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
+        if is_about_release(verdict):
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (replace(verdict, name="ask"),))
         return self._judgement(verdict)
 
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
@@ -190,6 +193,7 @@ class Examiner:
         return replace(judged, others=(rest, *judged.others))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
+        from lagrange.answers.questions.texts.at_release import at_release
         from lagrange.answers.written.judging import verdict_on
 
         reference = self.reference.of_answers
@@ -202,7 +206,8 @@ class Examiner:
             nonlocal last  # a wrong answer is asked about twice, the second time with a diagnosis
             if last is None or [*map(id, equations)] != [*map(id, last[0])]:
                 last = [*equations], compared_answer(equations, reference)
-            return last[1].verdict(diagnosing=diagnosing)
+            found = last[1].verdict(diagnosing=diagnosing)
+            return found if self.solution is None else at_release(equations, found, self.solution, reference)
 
         return verdict_on(working, reference, check)
 

@@ -1,7 +1,7 @@
 """The value of a quantity with its unit, `x = 4.9 cm`, in a problem whose parameters have values.
 
-The dimension of a coordinate, a parameter or a force says what a letter means that may be a unit or a name: `x = 0.049 m`
-is a length, although m is a mass, and `N = 85 N` is a force. A unit of another dimension is an error.
+The dimension of a coordinate, a parameter or a force says what a letter means that may be a unit or a name:
+`x = 0.049 m` is a length, although m is a mass, and `N = 85 N` is a force. A unit of another dimension is an error.
 """
 
 from __future__ import annotations
