@@ -512,7 +512,7 @@ def _at_equilibrium(
 ) -> list[sp.Expr]:
     """The values without parameters that an expression has at an equilibrium; an angle has many."""
     angles = sorted(e.free_symbols & (comparison.angles | comparison.mixed), key=str)
-    bare = [u for u in angles if e.diff(u).is_number]
+    bare = [u for u in angles if (e.diff(u) * sp.pi).is_Rational or e.diff(u).is_Rational]  # in degrees, or not
     try:
         if len(bare) == 1 and len(angles) == 1:
             (u,), rate = bare, e.diff(bare[0])
