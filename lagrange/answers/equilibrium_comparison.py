@@ -35,6 +35,7 @@ from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict,
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
+from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"
 _NOWHERE = "it holds in no position of equilibrium"
@@ -77,6 +78,7 @@ class EquilibriumComparison:
     """An answer against the equilibria of one configuration.
 
     points    the equilibria in closed form, each with the number of its branch
+    demanded  those of them that may lie in the ranges of the coordinates, or all if none do
     branches  those that exist for all parameters, or all if there are none
     special   the others, which exist for particular parameters only
     left      branches not known in closed form
@@ -124,6 +126,14 @@ class EquilibriumComparison:
         self.points = self._distinct([(n, p) for n, b in enumerate(branches) for p in self._points_of(b)])
         self.left = [b for b in branches if b.left]
         self.branches = branches
+        self.demanded = self._within_ranges() or self.points
+
+    def _within_ranges(self) -> list[tuple[int, Values]]:
+        """The points that may lie in the ranges of the coordinates: an answer need not have any others."""
+        rule = dict(self.values)
+        declared = self.equilibrium.configuration.ranges.items()
+        ranges = {q: replace(r, low=r.low.xreplace(rule), high=r.high.xreplace(rule)) for q, r in declared}
+        return [(n, p) for n, p in self.points if not is_outside(p, ranges, self.solution)]
 
     def _is_pole(self, b: Branch) -> bool:
         """Whether all points of a branch are among those that were left out as poles."""
@@ -201,7 +211,7 @@ class EquilibriumComparison:
             return AnswerVerdict(Verdict.UNDECIDED, equations)
         if self.left and not any(self._has_unsolved(s) for s in systems):
             uncovered |= {self.branches.index(b) for b in self.left}
-        lost = {e for n, p in self.points if n not in uncovered for e in self._lost(p, alternatives)}
+        lost = {e for n, p in self.demanded if n not in uncovered for e in self._lost(p, alternatives)}
         if lost:
             equations = tuple(
                 replace(v, remarks=(*v.remarks, _DIVIDES)) if lost & {*es} else v
@@ -214,7 +224,7 @@ class EquilibriumComparison:
     def _uncovered(self, alternatives: Sequence[_Alternative]) -> set[int] | None:
         """The branches with a point that satisfies none of the alternatives; None: undecided."""
         uncovered = set()
-        for n, p in self.points:
+        for n, p in self.demanded:
             holds = self._one_holds(self._cases(p, alternatives))
             if holds:
                 continue

@@ -121,6 +121,7 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
+        from lagrange.answers.questions.texts.at_release import is_about_release
         from lagrange.answers.questions.virtual_work import with_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
         from lagrange.answers.written.prose import without_prose
@@ -154,12 +155,13 @@ class Examiner:
         )
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
-            from lagrange.answers.friction.impending import with_reactions_put_in
+            from lagrange.answers.friction.impending import one_a_line
 
-            shown = with_reactions_put_in(working.judged, solution)
+            shown = working.judged
             verdict = compared_impending(solution, alternatives_of(shown))
-            if verdict.verdict is Verdict.WRONG and len(shown) > 1:
-                each = compared_impending(solution, [(f,) for f in shown])  # up or down, a line each
+            lines = one_a_line(shown, solution)
+            if verdict.verdict is Verdict.WRONG and len(lines) > 1:
+                each = compared_impending(solution, lines)  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
@@ -168,6 +170,8 @@ class Examiner:
         if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
             alone = understood(answer, scope, eliminating=False)
             verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
+        if is_about_release(verdict):
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (replace(verdict, name="ask"),))
         return self._judgement(verdict)
 
     def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
@@ -189,6 +193,7 @@ class Examiner:
         return replace(judged, others=(rest, *judged.others))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
+        from lagrange.answers.questions.texts.at_release import at_release
         from lagrange.answers.written.judging import verdict_on
 
         reference = self.reference.of_answers
@@ -201,7 +206,8 @@ class Examiner:
             nonlocal last  # a wrong answer is asked about twice, the second time with a diagnosis
             if last is None or [*map(id, equations)] != [*map(id, last[0])]:
                 last = [*equations], compared_answer(equations, reference)
-            return last[1].verdict(diagnosing=diagnosing)
+            found = last[1].verdict(diagnosing=diagnosing)
+            return found if self.solution is None else at_release(equations, found, self.solution, reference)
 
         return verdict_on(working, reference, check)
 

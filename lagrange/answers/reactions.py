@@ -54,7 +54,7 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
             if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
                 from lagrange.answers.models.letters import explained_reaction
 
-                why = explained_reaction(candidate.read(zero), candidate.models)
+                why = explained_reaction(candidate.read(as_written(zero)), candidate.models)
                 if why:
                     return replace(found, diagnosis=why, cause=why)
     from lagrange.answers.results.units import wrong_dimension
@@ -121,7 +121,10 @@ def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> lis
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
     from lagrange.answers.written.printed_names import printed_names
     from lagrange.answers.written.reading import tried
+    from lagrange.answers.written.stated_units import force_in_si, with_value_in_si
 
+    within = with_value_in_si(fragment, reference) if "=" in fragment.text else fragment
+    fragment = within if within is not fragment else force_in_si(fragment, reaction, reference)
     short = printed_names(reference)
     scope = replace(reference.scope, decimals="", scalars={**reference.scope.scalars, **short})
     if "=" in fragment.text:

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.equilibria import check_equilibria
-from lagrange.answers.readings import GivenEquation, read_answer
-from lagrange.answers.references import Reference
+from lagrange.answers.friction.forces_at_limit import ForcesPutIn, forces_put_in, names_of_forces
+from lagrange.answers.readings import read_answer
+from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.document.math_writer import text
@@ -32,33 +32,64 @@ def check_impending(
     solution: Solution,
 ) -> AnswerVerdict:
     """The verdict in one set of coordinates; `motions` has each direction of slip."""
-    own = [[[*a, *_forces_beside(a, m)] for a in alternatives] for m in motions]
+    newton = solution.law.newton if solution.law is not None else None
+    put_in = [[forces_put_in(a, m, newton, reference) for a in alternatives] for m in motions]
+    own = [[_positions(p, m, reference) for p in row] for row, m in zip(put_in, motions, strict=True)]
     table = [
-        [check_equilibria([a], [m.equilibrium], reference) for a in row] for row, m in zip(own, motions, strict=True)
+        [_judged(p, a, m, reference) for p, a in zip(row, stated, strict=True)]
+        for row, stated, m in zip(put_in, own, motions, strict=True)
     ]
     unreadable = next((v for row in table for v in row if v.verdict is Verdict.UNREADABLE), None)
     if unreadable is not None:
         return unreadable
     right = [
-        [v.verdict in _RIGHT and not _foreign(a, m, reference) for v, a in zip(row, alternatives, strict=True)]
-        for row, m in zip(table, motions, strict=True)
+        [v.verdict in _RIGHT and not _foreign(p.positions, m, reference) for v, p in zip(row, stated, strict=True)]
+        for row, stated, m in zip(table, put_in, motions, strict=True)
     ]
     if all(any(column) for column in zip(*right, strict=True)):
         complete = True
         for row, stated, m in zip(right, own, motions, strict=True):
             kept = [a for a, is_right in zip(stated, row, strict=True) if is_right]
+            kept = [a for a in kept if a]
             complete = complete and bool(kept)
             complete = complete and check_equilibria(kept, [m.equilibrium], reference).verdict is Verdict.EQUIVALENT
         return AnswerVerdict(Verdict.EQUIVALENT if complete else Verdict.INCOMPLETE)
     columns = [[row[n].verdict for row in table] for n, _ in enumerate(alternatives)]
+    by_motion = [[(row[n], m) for row, m in zip(put_in, motions, strict=True)] for n, _ in enumerate(alternatives)]
     wrong = [
         a
-        for a, column in zip(alternatives, columns, strict=True)
-        if all(v is Verdict.WRONG for v in column) or any(_foreign(a, m, reference) for m in motions)
+        for a, column, stated in zip(alternatives, columns, by_motion, strict=True)
+        if all(v is Verdict.WRONG for v in column) or any(_foreign(p.positions, m, reference) for p, m in stated)
     ]
     if not wrong:
         return AnswerVerdict(Verdict.UNDECIDED)
     return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
+
+
+def _positions(found: ForcesPutIn, motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
+    """The equations of one alternative about positions; those about forces where they are right together with these."""
+    stated = [*found.positions, *found.balance]
+    if not stated:
+        return []
+    if found.balance:
+        verdict = check_equilibria([stated], [motion.equilibrium], reference).verdict
+        if verdict is Verdict.WRONG:  # they hold at the equilibrium, and elsewhere
+            stated = [*found.positions]
+    return [*stated, *_forces_beside(stated, motion)] if stated else []
+
+
+def _judged(
+    found: ForcesPutIn, stated: Sequence[Fragment], motion: ImpendingMotion, reference: Reference
+) -> AnswerVerdict:
+    """The verdict on one alternative for one direction of slip; without positions it is incomplete."""
+    if found.holds is False:
+        return AnswerVerdict(Verdict.WRONG)
+    verdict = (
+        check_equilibria([stated], [motion.equilibrium], reference) if stated else AnswerVerdict(Verdict.INCOMPLETE)
+    )
+    if found.holds is None and verdict.verdict in _RIGHT:
+        return AnswerVerdict(Verdict.UNDECIDED)
+    return verdict
 
 
 def _explained(
@@ -92,30 +123,14 @@ def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference
     return not stated & {*reference.parameters.values()} <= used
 
 
-def with_reactions_put_in(judged: Sequence[Fragment], solution: Solution) -> tuple[Fragment, ...]:
-    """The equations with N_A = ... put into the others, where these then state something without reactions."""
-    reactions = solution.law.newton.reactions if solution.law is not None else ()
-    names = {s for r in reactions for s in (r.multiplier, r.given, r.symbol) if s is not None}
-    rule: dict[sp.Symbol, sp.Expr] = {}
-    kept: list[GivenEquation] = []
-    for f in judged:
-        if not isinstance(f, GivenEquation):
-            return tuple(judged)
-        sides = f.reading.sides
-        pairs = [(a, b) for a, b in (sides, sides[::-1])] if len(sides) == 2 else []
-        named = next(((a, b) for a, b in pairs if a in names and a not in rule and isinstance(b, sp.Expr)), None)
-        if named and not named[1].xreplace(rule).free_symbols & names:
-            rule[named[0]] = named[1].xreplace(rule)
-        else:
-            kept.append(f)
-    if not rule or not kept:
-        return tuple(judged)
-    return tuple(
-        replace(
-            f, reading=replace(f.reading, components=tuple(e.xreplace(rule) for e in f.reading.components), sides=())
-        )
-        for f in kept
-    )
+def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fragment, ...]]:
+    """The equations about positions as alternatives, each with all that are about forces."""
+    motions = [m for v in solution.views for m in v.impending or ()]
+    newton = solution.law.newton if solution.law is not None else None
+    names = set().union(*(names_of_forces(m, newton) for m in motions))
+    scope = reference_of_solution(solution).scope
+    about = [f for f in judged if any(e.free_symbols & names for e in read_answer(f, scope).components)]
+    return [(*about, f) for f in judged if all(f is not other for other in about)]
 
 
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:

@@ -65,6 +65,8 @@ def check_rest(
         return AnswerVerdict(Verdict.UNREADABLE, equations, unreadable=tuple(error.diagnostics), name="rest")
     order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
     verdicts = [_compared(read, r, reference.values) for r in rests]
+    if Verdict.EQUIVALENT not in verdicts and (in_tangents := [*map(_in_tangents, read)]) != read:
+        verdicts += [_compared(in_tangents, r, reference.values) for r in rests]
     best = next(v for v in order if v in verdicts)
     diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
     if best in (Verdict.WRONG, Verdict.INCOMPLETE):
@@ -72,6 +74,16 @@ def check_rest(
             filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
         )
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
+
+
+def _in_tangents(s: _Stated) -> _Stated:
+    """θ ≤ atan(u) as tan θ ≤ u, the same for −π/2 < θ < π/2: the divisors in u are seen there."""
+    terms = sp.Add.make_args(s.slack)
+    for term, other in (terms, terms[::-1]) if len(terms) == 2 else ():
+        factor, inverse = term.as_coeff_Mul()
+        if isinstance(inverse, sp.atan) and factor != 0 and (angle := -other / factor).is_Symbol:
+            return replace(s, slack=sp.sign(factor) * (inverse.args[0] - sp.tan(angle)), rounded=None)
+    return s
 
 
 def _explained(

@@ -59,6 +59,8 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if any(v.linearization is not None for v in solution.views) and not solution.asked:
         return _with_frequencies(answer, solution, judge)
     if any(a.answered for a in solution.asked):
+        if any(v.linearization is not None for v in solution.views):
+            return _asked(answer, solution, lambda rest: _with_frequencies(rest, solution, judge))
         return _asked(answer, solution, judge)
     if solution.own.motion is None and any(v.equilibrium is not None for v in solution.views):
         answer = with_all_values(answer, solution.problem.scope.names())
@@ -237,6 +239,7 @@ def _beside_frequencies(rest: Sequence[Fragment], solution: Solution, judge: Jud
 def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion, and on positions of equilibrium beside them."""
     failed: ProblemError | None = None
+    first: Judgement | None = None
     try:
         first = judge(answer)
         if first.verdict is Verdict.EQUIVALENT:
@@ -245,12 +248,14 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
         failed = error
     found = positions_of(answer, solution)
     if found is None:
-        if failed is not None:
+        if first is None:
+            assert failed is not None
             raise failed
         return first
     verdict, rest = found
     if not rest:
-        return _only(verdict, solution)
+        restated = first is not None and first.verdict is not Verdict.WRONG and verdict.verdict is Verdict.WRONG
+        return first if first is not None and restated else _only(verdict, solution)
     judged = judge(rest)
     return replace(judged, others=(*judged.others, verdict))
 

@@ -107,9 +107,9 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
         answered |= {q.name}
     if rows and sp.Matrix([[e.diff(s) for s in unknown] for e in rows]).rank() == len(unknown):
         answered |= {q.name for q, _ in unknown.values()}
-    if not parts:
-        parts = doubtful
-        answered |= {amplitudes[p.text].name for p in doubtful}
+    unanswered = [p for p in doubtful if amplitudes[p.text].name not in answered]
+    parts += unanswered
+    answered |= {amplitudes[p.text].name for p in unanswered}
     if not parts:
         return None
     unread = [f for f in working.unreadable if f not in solved]
@@ -124,7 +124,9 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
     if verdict is Verdict.EQUIVALENT and missing:
         verdict = Verdict.UNREADABLE if errors else Verdict.INCOMPLETE
     why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
-    return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+    defined = [f"`{p.text}`" for p in parts if p.text in amplitudes]
+    notes = tuple(n for n in working.notes if not any(f"defines {name}," in n.message for name in defined))
+    return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=notes, diagnosis=why)
 
 
 def _solved(

@@ -1,7 +1,7 @@
 """The value of a quantity with its unit, `x = 4.9 cm`, in a problem whose parameters have values.
 
-The dimension of a coordinate or a parameter says what a letter means that may be a unit or a name: `x = 0.049 m` is a
-length, although m is a mass. A unit of another dimension is an error.
+The dimension of a coordinate, a parameter or a force says what a letter means that may be a unit or a name:
+`x = 0.049 m` is a length, although m is a mass, and `N = 85 N` is a force. A unit of another dimension is an error.
 """
 
 from __future__ import annotations
@@ -17,9 +17,11 @@ from lagrange.core.units import split_number, unit_of
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
+from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.values.dimensions import dimension_of_unit
 
 _STATED = re.compile(r"[\s$]*\\?(?P<name>[^\W\d_]\w{0,12})\s*&?=\s*(?P<value>[-+−]?[0-9][^=]{0,50}?)[\s.,;$]*\Z")
+_NUMBER = re.compile(r"[\s$]*[-+−]?[0-9]")
 
 
 def with_value_in_si(fragment: Fragment, reference: Reference) -> Fragment:
@@ -30,20 +32,58 @@ def with_value_in_si(fragment: Fragment, reference: Reference) -> Fragment:
     match = _STATED.match(fragment.text) if reference.values else None
     if match is None:
         return fragment
-    symbol = reference.scope.scalar(reference.scope.spelling("".join(GREEK.get(c, c) for c in match["name"])))
-    expected = dimension_of_unit(unit) if (unit := reference.units.get(symbol, "")) else None
-    parts = split_number(plain_unit(match["value"]))
+    name = "".join(GREEK.get(c, c) for c in match["name"])
+    symbol = reference.scope.scalar(reference.scope.spelling(name))
+    unit = "N" if is_force(symbol, reference) else reference.units.get(symbol, "")
+    return _in_si(fragment, match["name"], (match.start("value"), match.end("value")), unit, reference)
+
+
+def force_in_si(fragment: Fragment, reaction: Reaction, reference: Reference) -> Fragment:
+    """`85 N`, stated for a reaction that is a force, as (85); other texts as they are.
+
+    Raises ProblemError at a unit of another dimension.
+    """
+    if not reference.values or reaction.single is None or not _NUMBER.match(fragment.text):
+        return fragment
+    return _in_si(fragment, reaction.name, (0, len(fragment.text)), "N", reference)
+
+
+def is_force(symbol: object, reference: Reference) -> bool:
+    """Whether a symbol is that of a reaction that is a single force."""
+    reactions = reference.newton.reactions if reference.newton is not None else ()
+    return any(
+        r.single is not None and ((r.named and symbol == r.force) or symbol == r.symbol_of_force) for r in reactions
+    )
+
+
+def _in_si(fragment: Fragment, name: str, place: tuple[int, int], unit: str, reference: Reference) -> Fragment:
+    """The text with the number and its unit that stand at a place in SI; `unit` is one of the dimension expected."""
+    written = fragment.text[slice(*place)]
+    expected = dimension_of_unit(unit) if unit else None
+    parts = split_number(plain_unit(written))
     found = unit_of(parts[1]) if parts else None
     if expected is None or parts is None or found is None or found.is_angle:
         return fragment
     if tuple(map(sp.Integer, found.dimension)) != tuple(expected):
-        if {*re.findall(r"[A-Za-z]+", parts[1])} <= {*reference.scope.scalars} and "\\" not in match["value"]:
+        if {*re.findall(r"[A-Za-z]+", parts[1])} <= {*reference.scope.scalars} and "\\" not in written:
             return fragment
-        message = f"`{parts[1]}` is no unit of `{match['name']}`"
-        span = fragment.span(match.start("value"), match.end("value"))
-        raise ProblemError(Diagnostic("unit-mismatch", message, span, help=f"it is in {unit}"))
+        message = f"`{parts[1]}` is no unit of `{name}`"
+        raise ProblemError(Diagnostic("unit-mismatch", message, fragment.span(*place), help=f"it is in {unit}"))
     latex = is_latex(fragment)
-    number = f"({parts[0]})" if found.factor == 1 else f"({parts[0]})*({found.factor})"
+    number = _times(parts[0], found.factor)
     draft = Draft(fragment)
-    draft.apply([(match.start("value"), match.end("value"), number.replace("*", r" \cdot ") if latex else number)])
+    draft.apply([(*place, number.replace("*", r" \cdot ") if latex else number)])
     return draft.finished(latex=latex)
+
+
+def _times(number: str, factor: sp.Expr) -> str:
+    """`84.9` kN as (84.9e3): a factor of its own would count as rounded, too."""
+    if factor == 1:
+        return f"({number})"
+    power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
+    if power is not None and _PLAIN.fullmatch(number):
+        return f"({number}e{power})"
+    return f"({number})*({factor})"
+
+
+_PLAIN = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?")

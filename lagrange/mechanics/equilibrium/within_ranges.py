@@ -30,7 +30,7 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     """The branch without the points outside of the ranges; None where all of them are."""
     if b.left or b.special or not b.points:
         return b
-    kept = tuple(p for p in b.points if not any(_is_outside(q, r, p, solution) for q, r in ranges.items()))
+    kept = tuple(p for p in b.points if not is_outside(p, ranges, solution))
     if not kept:
         return None
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
@@ -48,6 +48,11 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
     if width.is_number and width > sp.pi:
         return (sp.sin(q - limits.high), sp.sin(limits.low - q)), True
     return (sp.sin(q - limits.low), sp.sin(limits.high - q)), False
+
+
+def is_outside(point: Values, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> bool:
+    """Whether a coordinate is certainly outside of its range at a point."""
+    return any(_is_outside(q, r, point, solution) for q, r in ranges.items())
 
 
 def _is_outside(q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet) -> bool:

@@ -26,11 +26,15 @@ from lagrange.mechanics.results import Solution
 
 _GOOD = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 _SAID = re.compile(r"equilibri|at rest|gleichgewicht|ruhelage|équilibre|stationary", re.IGNORECASE)
+_NONE_DERIVED = "no position of equilibrium is derived with which it could be compared"
 _PERIOD = re.compile(r"[\s$&]*(?:T|\\tau|tau|τ|P)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
 
 
 def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, list[Fragment]] | None:
-    """The verdict on positions of equilibrium, and the other lines; None if there are none."""
+    """The verdict on positions of equilibrium, and the other lines; None if there are none.
+
+    Wrong ones among other lines are only taken for positions where the text says so.
+    """
     from lagrange.answers.equilibria import alternatives_of, with_both_signs
     from lagrange.answers.questions.own_answers import compared_equilibrium
     from lagrange.answers.written.working import understood
@@ -51,10 +55,13 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
         found = [compared_equilibrium(solution, alternatives) for alternatives in (together, each)]
     except ProblemError:
         return None
+    about = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
+    if about and not any(e.branches for e in about):
+        found = [AnswerVerdict(Verdict.UNDECIDED, diagnosis=_NONE_DERIVED)]  # it may be at rest relative to what moves
     order = (*_GOOD, Verdict.UNDECIDED, Verdict.WRONG)
     verdict = min(found, key=lambda v: order.index(v.verdict) if v.verdict in order else len(order))
     said = any(_SAID.search(f"{getattr(f, 'beside', '')} {f.whole.source.text[: f.whole.end]}"[-400:]) for f in stated)
-    if verdict.verdict not in _GOOD and not said:
+    if verdict.verdict not in _GOOD and not said and (rest or not about):
         return None
     return replace(verdict, name="equilibrium"), rest
 
