@@ -244,9 +244,12 @@ def triad_along(names: tuple[str, str, str], axes: Axes, slots: Slots, tidy: Cal
     if all(v.triad == own and v.components == unit for v, unit in zip(axes, units, strict=True)):
         return own
     e1, e2, e3 = (v.fixed() for v in axes)
+    turning = {s for v in (e1, e2, e3) for c in v.components for s in c.free_symbols}
 
     def rate(s: sp.Symbol) -> Components:
-        d1, d2, d3 = (v.map(lambda c: c.diff(s)) for v in (e1, e2, e3))
+        if s not in turning:
+            return sp.S.Zero, sp.S.Zero, sp.S.Zero
+        d1, d2, d3 = (v.map(lambda c: partial(c, s)) for v in (e1, e2, e3))
         return tidy(d2.dot(e3)), tidy(d3.dot(e1)), tidy(d1.dot(e2))
 
     return Triad(names, sp.ImmutableMatrix([v.components for v in (e1, e2, e3)]), _turning(slots, rate))

@@ -1,13 +1,15 @@
 """Ratios of times, each the median of several pairs measured in turn: `make bench`.
 
-    python tests/bench/ratios.py [processes] [equations] [growth] [problems] [--runs N]
+    python tests/bench/ratios.py [processes] [equations] [mechanisms] [growth] [problems] [--runs N]
 
 A pair is the program and its peer on the same work, one after the other, so that a machine that is busy for a while is
 busy for both. Times are seconds of processor time, of processes as the system accounts for them.
 
 processes   the whole command against importing SymPy or click
 equations   the equations of motion of a pendulum of n links, against SymPy's LagrangesMethod and KanesMethod; both sides
-            are timed in a process of their own, from positions to equations; operations are counted in what comes out
+            are timed in a process of their own, from positions to equations; operations are counted in what comes out,
+            every coordinate, velocity and acceleration a plain symbol
+mechanisms  the same of a slider-crank and of a rolling disc, against KanesMethod in the same coordinates and speeds
 growth      reading, the whole derivation with its checks, the page and the JSON of systems of n; exponents are fitted
 problems    every shipped problem: seconds beyond importing SymPy, and the most memory
 """
@@ -87,6 +89,8 @@ from tests.support.families import links
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.mechanics.constraints.kinematics import file_configuration
+from lagrange.mechanics.dynamics.quasi_equations import quasi_equations
+from lagrange.mechanics.dynamics.quasi_velocities import quasi_velocities
 from lagrange.mechanics.solution import Method, classify, law_of_motion, virtual_displacements
 def equations(problem):
     classification = classify(problem)
@@ -94,10 +98,14 @@ def equations(problem):
     elimination = virtual_displacements(configuration.constrained)
     law = law_of_motion(problem, configuration, elimination, classification.rank, False, Method.DALEMBERT)
     return law.equations(configuration, elimination).expressions
+def in_speeds(problem):
+    configuration = file_configuration(problem, classify(problem).constrained)
+    return quasi_equations(quasi_velocities(problem.speeds, configuration), configuration).expressions
+text, derived = sys.argv[1], {"equations": equations, "in speeds": in_speeds}[sys.argv[2]]
 equations(read_problem(Source("warm", links(2))))
-problem = read_problem(Source("links", links(int(sys.argv[1]))))
+problem = read_problem(Source("timed", text))
 started = time.process_time()
-found = equations(problem)
+found = derived(problem)
 took = time.process_time() - started
 print(json.dumps([took, sum(int(e.count_ops()) for e in found)]))
 """
@@ -139,34 +147,155 @@ def equations(n):
     fr, frstar = KanesMethod(N, q_ind=q, u_ind=u, kd_eqs=kinematic).kanes_equations(particles, loads)
     return fr + frstar
 """
+WARM = "equations(2)\n"
 TIMED = """
-equations(2)
 started = time.process_time()
 found = equations(int(sys.argv[1]))
 took = time.process_time() - started
-print(json.dumps([took, int(count_ops(found))]))
+plain = found.xreplace({s: symbols(f"s{k}") for k, s in enumerate(find_dynamicsymbols(found))})
+print(json.dumps([took, int(count_ops(plain))]))
 """
 
 
 def equations(runs: int) -> None:
     """The equations of motion of a pendulum of n links, against SymPy's."""
+    sys.path.insert(0, str(ROOT))
+    from tests.support.families import links
+
     print(f"\n{'equations of n links':24}{'n':>3}{'seconds':>10}{'operations':>12}{'peer':>18}{'seconds':>10}"
           f"{'operations':>12}{'1 to':>8}   bar")  # fmt: skip
     rows = [
-        ("LagrangesMethod", SET_UP + LAGRANGES + TIMED, 8, "30, goal 100"),
-        ("KanesMethod", SET_UP + KANES + TIMED, 16, "5, goal 15"),
-        ("LagrangesMethod", SET_UP + LAGRANGES + TIMED, 16, "100, goal 300"),
+        ("LagrangesMethod", SET_UP + LAGRANGES + WARM, 8, "30, goal 100"),
+        ("KanesMethod", SET_UP + KANES + WARM, 16, "5, goal 15"),
+        ("LagrangesMethod", SET_UP + LAGRANGES + WARM, 16, "100, goal 300"),
     ]
     for name, peer, n, bar in rows:
-        counted: dict[str, int] = {}
+        ours = [PYTHON, "-c", OURS, links(n), "equations"]
+        found = against(ours, [PYTHON, "-c", peer + TIMED, str(n)], runs)
+        print(f"{'positions to equations':24}{n:3}{row(name, found)}   {bar}", flush=True)
 
-        def seconds(who: str, code: str, size: int = n, counted: dict[str, int] = counted) -> float:
-            took, counted[who] = json.loads(run([PYTHON, "-c", code, str(size)]).output)
-            return float(took)
 
-        mine, theirs, ratio = paired(lambda s=seconds: s("ours", OURS), lambda s=seconds, c=peer: s("peer", c), runs)
-        print(f"{'positions to equations':24}{n:3}{mine:10.3f}{counted['ours']:12,}{name:>18}{theirs:10.2f}"
-              f"{counted['peer']:12,}{1 / ratio:8.0f}   {bar}", flush=True)  # fmt: skip
+def against(ours: Sequence[str], peer: Sequence[str], runs: int) -> tuple[float, int, float, int, float]:
+    """Seconds and operations of ours and of the peer, each printed by a process, and the ratio of the seconds."""
+    counted: dict[str, int] = {}
+
+    def seconds(who: str, command: Sequence[str]) -> float:
+        took, counted[who] = json.loads(run(command).output)
+        return float(took)
+
+    mine, theirs, ratio = paired(lambda: seconds("ours", ours), lambda: seconds("peer", peer), runs)
+    return mine, counted["ours"], theirs, counted["peer"], ratio
+
+
+def row(name: str, found: tuple[float, int, float, int, float]) -> str:
+    """What `against` found, beside the name of the peer."""
+    mine, operations, theirs, others, ratio = found
+    return f"{mine:10.3f}{operations:12,}{name:>18}{theirs:10.3f}{others:12,}{1 / ratio:8.1f}"
+
+
+# Mechanisms
+
+
+SLIDER_CRANK = """
+title: Slider-crank
+axes: {i: right, j: up}
+parameters: {r: {assume: positive}, l: {assume: positive}, a: {assume: positive}, J: {assume: positive},
+  I: {assume: positive}, m: {assume: positive}, M: {assume: positive}, g: {assume: positive}, Q: real, P: real}
+coordinates: [theta, phi]
+bodies:
+  crank: {mass: 0, inertia: J, position: 0*i, angle: theta}
+  rod: {mass: m, inertia: I, position: r*cos(theta)*i + r*sin(theta)*j + a*cos(phi)*i - a*sin(phi)*j, angle: -phi}
+particles:
+  B: {mass: M, position: (r*cos(theta) + l*cos(phi))*i}
+constraints:
+  piston: r*sin(theta) - l*sin(phi) = 0
+gravity: -g*j
+forces:
+  motor: {on: crank, moment: Q*k}
+  load: {on: B, vector: P*i}
+"""
+SLIDER_CRANK_KANE = """
+def equations(_):
+    theta, phi, u, w = dynamicsymbols("theta phi u w")
+    r, l, a, J, I, m, M, g = symbols("r l a J I m M g", positive=True)
+    Q, P = symbols("Q P")
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    crank, rod = N.orientnew("crank", "Axis", [theta, N.z]), N.orientnew("rod", "Axis", [-phi, N.z])
+    crank.set_ang_vel(N, u * N.z)
+    rod.set_ang_vel(N, -w * N.z)
+    pin, centre, piston = O.locatenew("A", r * crank.x), Point("G"), Point("B")
+    pin.v2pt_theory(O, N, crank)
+    centre.set_pos(pin, a * rod.x)
+    centre.v2pt_theory(pin, N, rod)
+    piston.set_pos(pin, l * rod.x)
+    piston.v2pt_theory(pin, N, rod)
+    bodies = [RigidBody("crank", O, crank, 0, (inertia(crank, 0, 0, J), O)),
+              RigidBody("rod", centre, rod, m, (inertia(rod, 0, 0, I), centre)), Particle("B", piston, M)]
+    loads = [(crank, Q * N.z), (centre, -m * g * N.y), (piston, P * N.x)]
+    closed = [r * sin(theta) - l * sin(phi)]
+    kane = KanesMethod(N, q_ind=[theta], q_dependent=[phi], u_ind=[u], u_dependent=[w],
+        kd_eqs=[theta.diff() - u, phi.diff() - w], configuration_constraints=closed,
+        velocity_constraints=[r * cos(theta) * u - l * cos(phi) * w])
+    fr, frstar = kane.kanes_equations(bodies, loads)
+    return fr + frstar
+"""
+ROLLING_DISC_KANE = """
+def equations(_):
+    phi, theta, psi, u1, u2, u3 = dynamicsymbols("phi theta psi u1 u2 u3")
+    m, R, A, C, g = symbols("m R A C g", positive=True)
+    N = ReferenceFrame("N")
+    heading = N.orientnew("heading", "Axis", [phi, N.z])
+    lean = heading.orientnew("lean", "Axis", [theta, heading.x])
+    disc = lean.orientnew("disc", "Axis", [psi, lean.z])
+    turning = disc.ang_vel_in(N)
+    disc.set_ang_vel(N, u1 * lean.x + u2 * lean.y + u3 * lean.z)
+    contact = Point("contact")
+    contact.set_vel(N, 0)
+    centre = contact.locatenew("centre", R * lean.y)
+    centre.v2pt_theory(contact, N, disc)
+    body = RigidBody("disc", centre, disc, m, (inertia(lean, A, A, C), centre))
+    kinematic = [(disc.ang_vel_in(N) - turning).dot(e) for e in lean]
+    kane = KanesMethod(N, q_ind=[phi, theta, psi], u_ind=[u1, u2, u3], kd_eqs=kinematic)
+    fr, frstar = kane.kanes_equations([body], [(centre, -m * g * N.z)])
+    return fr + frstar
+"""
+ROLLING_DISC_WITH_PLACE_KANE = """
+def equations(_):
+    x, y, phi, theta, psi, u1, u2, u3, u4, u5 = dynamicsymbols("x y phi theta psi u1 u2 u3 u4 u5")
+    m, R, A, C, g = symbols("m R A C g", positive=True)
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    heading = N.orientnew("heading", "Axis", [phi, N.z])
+    lean = heading.orientnew("lean", "Axis", [theta, heading.x])
+    disc = lean.orientnew("disc", "Axis", [psi, lean.z])
+    kinematic = [(u1 * lean.x + u2 * lean.y + u3 * lean.z - disc.ang_vel_in(N)).dot(e) for e in lean]
+    disc.set_ang_vel(N, u1 * lean.x + u2 * lean.y + u3 * lean.z)
+    centre = O.locatenew("centre", x * N.x + y * N.y + R * sin(theta) * N.z)
+    centre.set_vel(N, u4 * N.x + u5 * N.y + R * cos(theta) * u1 * N.z)
+    slip = centre.vel(N) + disc.ang_vel_in(N).cross(-R * lean.y)
+    body = RigidBody("disc", centre, disc, m, (inertia(lean, A, A, C), centre))
+    kane = KanesMethod(N, q_ind=[x, y, phi, theta, psi], u_ind=[u1, u2, u3], u_dependent=[u4, u5],
+        kd_eqs=kinematic + [x.diff() - u4, y.diff() - u5], velocity_constraints=[slip.dot(N.x), slip.dot(N.y)])
+    fr, frstar = kane.kanes_equations([body], [(centre, -m * g * N.z)])
+    return fr + frstar
+"""
+
+
+def mechanisms(runs: int) -> None:
+    """The equations of motion of two mechanisms with constraints, against SymPy's; warmed up on two links."""
+    print(f"\n{'equations of':24}{'':3}{'seconds':>10}{'operations':>12}{'peer':>18}{'seconds':>10}"
+          f"{'operations':>12}{'1 to':>8}")  # fmt: skip
+    disc = (ROOT / "problems/motion/rolling-disc.yaml").read_text(encoding="utf-8")
+    rows = [
+        ("a slider-crank", SLIDER_CRANK, "equations", SLIDER_CRANK_KANE),
+        ("a disc, from its place", disc, "in speeds", ROLLING_DISC_WITH_PLACE_KANE),
+        ("a disc, from the contact", disc, "in speeds", ROLLING_DISC_KANE),
+    ]
+    for name, text, derived, peer in rows:
+        theirs = [PYTHON, "-c", SET_UP + KANES + WARM + peer + TIMED, "0"]
+        found = against([PYTHON, "-c", OURS, text, derived], theirs, runs)
+        print(f"{name:27}{row('KanesMethod', found)}", flush=True)
 
 
 # Growth
@@ -242,7 +371,13 @@ def problems(runs: int) -> None:
     print(f"{'most':52}{max(seconds):8.2f}{max(memory):7.0f}")
 
 
-SECTIONS = {"processes": processes, "equations": equations, "growth": growth, "problems": problems}
+SECTIONS = {
+    "processes": processes,
+    "equations": equations,
+    "mechanisms": mechanisms,
+    "growth": growth,
+    "problems": problems,
+}
 
 
 def main() -> None:

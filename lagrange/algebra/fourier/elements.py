@@ -21,7 +21,7 @@ from math import gcd, lcm
 import sympy as sp
 
 from lagrange.algebra.fourier.limits import MANY_TERMS, PRODUCTS_PER_UNIT, TERMS_PER_UNIT
-from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, pack, unpack
+from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
 
@@ -168,10 +168,17 @@ class Element:
     def by_exponents(self, places: Iterable[int]) -> dict[int, Element]:
         """The element split by its powers of some generators: packed power -> coefficient."""
         chosen = places if isinstance(places, set) else frozenset(places)
+        if not chosen and self.terms:
+            return {0: self}
         split: dict[int, Terms] = {}
         for (monomial, frequency), value in self.terms.items():
-            part = pack((i, e) for i, e in unpack(monomial) if i in chosen)
+            part = 0
+            for i, e in unpack(monomial):
+                if i in chosen:
+                    part += e << (WIDTH * i)
             split.setdefault(part, {})[monomial - part, frequency] = value
+        if split.keys() == {0}:
+            return {0: self}
         return {part: self.basis.element(terms, self.denominator) for part, terms in split.items()}
 
     def by_monomial(self) -> dict[int, Element]:

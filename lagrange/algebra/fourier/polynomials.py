@@ -28,7 +28,7 @@ _MASK = (1 << WIDTH) - 1
 _HALF = 1 << (WIDTH - 1)
 
 
-@lru_cache(maxsize=1 << 14)
+@lru_cache(maxsize=1 << 16)
 def unpack(packed: int) -> tuple[tuple[int, int], ...]:
     """The places that are not zero: (index, value), in the order of the index."""
     places = []

@@ -17,7 +17,7 @@ signs; of as many, a coordinate has the plus, k (r − l), then what comes first
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from fractions import Fraction
 from itertools import combinations
 from math import floor
@@ -263,9 +263,19 @@ class Textbook:
     def form(self, expression: sp.Expr | Element) -> sp.Expr:
         """The textbook form."""
         element = self.ring.from_sympy(expression)
-        places = self._displacements.places
+        return self._sum(element.by_exponents(self._displacements.places))
+
+    def work(self, coefficients: Mapping[sp.Symbol, Element]) -> sp.Expr:
+        """Σ D δq of coefficients D without displacements: the form of the sum, which need not be split again."""
+        by_place: dict[int, Element] = {}
+        for displacement, coefficient in coefficients.items():
+            [(monomial, _)] = self.ring.from_sympy(displacement).terms
+            by_place[monomial] = coefficient
+        return self._sum(by_place)
+
+    def _sum(self, by_displacements: Mapping[int, Element]) -> sp.Expr:
         summands = []
-        for displacement, coefficient in element.by_exponents(places).items():
+        for displacement, coefficient in by_displacements.items():
             parts = self._parts(coefficient)
             factors = self._parameters.monomial(displacement).factors
             if displacement and parts:

@@ -71,9 +71,7 @@ class Principle(Balance):
 
     def written(self, displacements: Iterable[sp.Symbol], coefficients: Iterable[Element]) -> sp.Expr:
         """Σ coefficient · δq, in textbook form."""
-        ring = self.ring
-        terms = (d * ring.from_sympy(v) for d, v in zip(coefficients, displacements, strict=True))
-        return self.textbook.form(ring.total(terms))
+        return self.textbook.work(dict(zip(displacements, coefficients, strict=True)))
 
 
 def dalembert(configuration: Configuration) -> Principle:

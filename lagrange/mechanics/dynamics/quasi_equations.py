@@ -68,7 +68,8 @@ class QuasiEquations:
     momentum_rates          dH/dt of the bodies with inertia
     statement               Σ E_s δπ_s
     equations               one for each u_s; `coordinate` is u_s, or the coordinate whose velocity completes them
-    rates                   u_s' solved for; None if that is too large
+    slotted                 the same, with the slots of `quasi` for the u_s and u_s'
+    rates                   u_s' solved for; None if nobody has, or if that is too large
     """
 
     quasi: QuasiVelocities
@@ -79,7 +80,8 @@ class QuasiEquations:
     momentum_rates: Mapping[str, Vector]
     statement: sp.Expr
     equations: tuple[EquationOfMotion, ...]
-    rates: Mapping[sp.Symbol, sp.Expr] | None
+    slotted: tuple[EquationOfMotion, ...]
+    rates: Mapping[sp.Symbol, sp.Expr] | None = None
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -102,9 +104,9 @@ class _Motion:
         self.textbook = Textbook(self.ring)
         self.rule: dict[sp.Basic, sp.Basic] = dict(quasi.rates)
         self._along = RingDerivation(self.ring, self._rate)
-        self._triads = [
-            triad for r in self.configuration.rotations for triad in (r.angular_velocity.triad, self._axes(r))
-        ]
+        rotations = self.configuration.rotations
+        self._axes = {r.name: self._axes_of(r) for r in rotations}
+        self._triads = [triad for r in rotations for triad in (r.angular_velocity.triad, self._axes[r.name])]
 
     def _rate(self, symbol: sp.Symbol) -> Element | None:
         slots = self.configuration.slots
@@ -150,11 +152,11 @@ class _Motion:
         own = rotation.angular_velocity.triad
         triads = [own]
         if own.directions is not None:
-            triads += [] if rotation.given else [self._axes(rotation)]
+            triads += [] if rotation.given else [self._axes[rotation.name]]
             triads += [FIXED] if rotation.inertia.is_isotropic else []
         return self.moving(rotation.angular_velocity, triads, rotation.inertia)
 
-    def _axes(self, rotation: Rotation) -> Triad:
+    def _axes_of(self, rotation: Rotation) -> Triad:
         """The axes of the body; those in the file, if it gives ω."""
         first, second, third = axis_names(rotation.name)
         own = rotation.angular_velocity.triad
@@ -192,7 +194,8 @@ def quasi_equations(quasi: QuasiVelocities, configuration: Configuration) -> Qua
         elements.append(ring.total(inertia) - _force(motion, points, turning, s))
     moved = [variation(q) for q in quasi.slots.coordinates]
     statement = ring.total(e * ring.from_sympy(v) for e, v in zip(elements, moved, strict=True))
-    equations = [divided(textbook, q, e) for q, e in zip(quasi.slots.coordinates, elements, strict=True)]
+    pairs = zip(quasi.slots.coordinates, elements, strict=True)
+    equations = tuple(divided(textbook, q, e) for q, e in pairs)
     names = {r.name for r in configuration.rotations if r.has_inertia}
     heavy = {p.name for p in configuration.points if p.mass != 0}
     return QuasiEquations(
@@ -204,7 +207,7 @@ def quasi_equations(quasi: QuasiVelocities, configuration: Configuration) -> Qua
         momentum_rates={name: quasi.shown(m.changed) for name, m in turning.items() if name in names},
         statement=quasi.shown(textbook.form(statement)),
         equations=tuple(_shown(e, quasi) for e in equations),
-        rates=_solved(equations, quasi, configuration.surface),
+        slotted=equations,
     )
 
 
@@ -270,7 +273,9 @@ def in_speeds(
     quasi = quasi_velocities(speeds, configuration)
     if motion is None:
         return QuasiVelocityForm(quasi, None, configuration)
-    return QuasiVelocityForm(quasi, quasi_equations(quasi, motion.configuration), motion.configuration)
+    equations = quasi_equations(quasi, motion.configuration)
+    equations = replace(equations, rates=_solved(equations.slotted, quasi, motion.configuration.surface))
+    return QuasiVelocityForm(quasi, equations, motion.configuration)
 
 
 def check_speeds(form: QuasiVelocityForm, problem: Problem) -> list[Check]:

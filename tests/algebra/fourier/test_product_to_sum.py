@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import permutations
 
 import sympy as sp
 from hypothesis import given, settings
@@ -47,3 +48,15 @@ def test_products_of_equal_powers_are_added() -> None:
     one, two, none = (TrigProduct(Fraction(n), powers) for n, powers in ((1, ((atom, 2),)), (2, ((atom, 2),)), (3, ())))
     assert gathered((one, none, two)) == (TrigProduct(Fraction(3), ((atom, 2),)), none)
     assert gathered((none, TrigProduct(Fraction(-3)))) == ()
+
+
+def test_signs_of_differences_are_those_of_sympy() -> None:
+    ring = FourierRing()
+    symbols = [sp.Symbol(name, real=True) for name in ("theta1", "theta2", "theta10", "alpha", "B", "x", "varphi")]
+    for u, v in permutations(symbols, 2):
+        for p, q in ((1, -1), (2, -3), (-1, 2), (sp.Rational(1, 2), -1)):
+            angle = p * u + q * v
+            [(_, frequency)] = ring.from_sympy(cos(angle)).terms
+            sign, written = ring.factoring.angle(frequency)
+            assert (sign == -1) == (ring.angle_expression(frequency).could_extract_minus_sign())
+            assert written == sign * ring.angle_expression(frequency)

@@ -492,3 +492,15 @@ def test_what_was_read_before_does_not_show() -> None:
     with allowed(10**6):
         textbook_form(y / (b - a))
         assert textbook_form(form) == alone
+
+
+def test_work_is_the_form_of_the_sum() -> None:
+    textbook = Textbook(FourierRing())
+    read = textbook.ring.from_sympy
+    coefficients = {
+        variation(x): read(m * l * ddot(x) - m * g * sin(theta) + a / (a + b) * x),
+        variation(y): textbook.ring.zero,
+        variation(theta): read(m * l**2 * ddot(theta) + m * l * ddot(x) * cos(theta - phi) - x / (a + b)),
+    }
+    total = sum((d * read(v) for v, d in coefficients.items()), textbook.ring.zero)
+    assert textbook.work(coefficients) == Textbook(textbook.ring).form(total)
