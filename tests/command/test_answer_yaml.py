@@ -64,7 +64,13 @@ def test_each_answer_has_its_own_verdict(right: str, wrong: str, part: str, here
 
 def test_what_is_wrong_in_a_classification_is_named(here: Path) -> None:
     _, found = checked(here, "classification: [holonomic, rheonomic]")
-    assert found["answers"] == [{"name": "classification", "verdict": "wrong", "diagnosis": "not right: rheonomic"}]
+    assert found["answers"] == [
+        {
+            "name": "classification",
+            "verdict": "wrong",
+            "diagnosis": "not right: rheonomic; time occurs neither in a constraint nor in a position",
+        }
+    ]
 
 
 def test_equations_on_the_command_line_are_judged_with_the_others(here: Path) -> None:

@@ -101,7 +101,7 @@ def test_an_acute_slope_leaves_no_magnitudes_and_friction_names_its_force(proble
     page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
     assert "s̈ − g sin α + μ g cos α = 0" in page
     assert "|cos α|" not in page
-    assert "The friction contains the reaction N of the slope constraint, found below." in page
+    assert "The friction contains N, the reaction of the slope constraint, found below." in page
 
 
 SPRING = """

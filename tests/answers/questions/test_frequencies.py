@@ -97,7 +97,7 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
     ("text", "stated", "said"),
     [
         (PENDULUM, "[sqrt(l/g)]", "these are the inverses of the frequencies"),
-        (PENDULUM, '[sqrt(g/l), "2*sqrt(g/l)"]', "not right: 2*sqrt(g/l)"),
+        (PENDULUM, '[sqrt(g/l), "2*sqrt(g/l)"]', "not right: 2*sqrt(g/l); these are twice the frequencies"),
         (
             PASS,
             '[sqrt(c/m), "sqrt(f/m)"]',
