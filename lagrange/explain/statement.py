@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import VectorSymbol
+from lagrange.core.symbols import VectorSymbol, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
@@ -204,7 +204,8 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
 def _forces(problem: Problem, configuration: Configuration, with_potential: bool) -> list[Block]:
     blocks: list[Block] = []
     rough = {f.name: f.constraints for f in problem.forces if isinstance(f, Friction)}
-    reactions = {c.name: c.reaction for c in problem.constraints}
+    slots = problem.slots
+    known = {*slots.coordinates, *slots.velocities, *(p.symbol for p in problem.parameters), *problem.unknowns, t}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
@@ -223,9 +224,10 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
         unknown = dict.fromkeys(c for f in loads for c in rough.get(f.name, ()))
         if unknown:
             inside = {s for component in total.fixed().components for s in component.free_symbols}
-            named = [math(reactions[c]) for c in unknown if reactions.get(c) in inside]
+            forces = sorted((s for s in inside - known if not s.name.startswith("lambda_")), key=str)
+            named = [math(s) for s in forces] if len(forces) == len(unknown) else []
             what = plural(len(unknown), "the reaction of ", "the reactions of ") + constraints_called(unknown)
-            with_names = (*listed(named), ", ") if len(named) == len(unknown) else ()
+            with_names = (*listed(named), ", ") if named else ()
             blocks.append(prose("The friction contains ", *with_names, f"{what}, found below."))
     for f in configuration.loads:
         if f.elsewhere:
