@@ -38,7 +38,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"
-_NOWHERE = "it holds in no position of equilibrium"
+_NOWHERE = "it does not hold at any equilibrium"
 _DIVIDES = "there are equilibria at which it divides by zero: state them as well"
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 

@@ -349,7 +349,7 @@ class Examiner:
 
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_UNEXPLAINED = ("it holds in no position of equilibrium",)
+_UNEXPLAINED = ("it does not hold at any equilibrium",)
 """Diagnoses of equilibria that say no more than that they are wrong."""
 
 

@@ -198,7 +198,7 @@ class Result:
         """The motion in numbers, as `lagsolve simulate` finds it: arrays, plots, an animation.
 
         until      the time to which it is followed; by default as long as shows something
-        values     numbers for parameters, by name, in units of SI; those of the file need not be repeated
+        values     numbers for parameters, by name, in SI units; those of the file need not be repeated
         initial    coordinates and velocities at t = 0, of the file or of a choice; they complete those of the file
         functions  expressions for undefined functions and prescribed motions, in the names of their arguments or t
         choice     the coordinates; by default those in which the motion is best integrated, `""` for the file's own

@@ -46,10 +46,10 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
     else:
         yield prose(words)
     if found.at is not None:
-        state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in units of SI,")
+        state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in SI units,")
         if not found.from_initial:
             shown = [math(s, rounded_in(e)) for s, e in found.at.state.items()]
-            state = ("In the position and with the velocities ", *listed(shown), " they are, in units of SI,")
+            state = ("In the position and with the velocities ", *listed(shown), " they are, in SI units,")
         yield prose(*state)
         yield display(
             *(Equation((r.force, rounded_in(found.numbers[r.name]))) for r in found.lost if r.name in found.numbers)

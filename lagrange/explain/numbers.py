@@ -53,7 +53,9 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         view = positions.get((step.rule, step.title))
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
-        if step.rule is Rule.RESULT:
+        if step.rule is Rule.STATEMENT:
+            yield replace(step, body=(*step.body, *_given(values, digits)))
+        elif step.rule is Rule.RESULT:
             yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
         elif step.rule not in RESULTS:
             yield step
@@ -64,6 +66,14 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         else:
             there = _at_positions_found(step, solution, values, digits) if step.rule is Rule.SOLVED_REACTIONS else ()
             yield replace(step, body=(*_blocks(step, values, digits, excluded, bare, angles), *there))
+
+
+def _given(values: Values, digits: int) -> Iterator[Block]:
+    """`Given: m = 2 kg and g = 9.81 m/s²`, in SI units."""
+    quantities = [(p, values.quantity(p)) for p in sorted(values.numbers, key=str)]
+    given = [math(p, q.shown(max(digits, 6))) for p, q in quantities if q is not None and q.is_number]
+    if given:
+        yield prose("Given: ", *listed(given), ".")
 
 
 def _at_positions_found(step: Step, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
@@ -92,7 +102,7 @@ def _at_positions_found(step: Step, solution: Solution, values: Values, digits: 
 def _start(values: Values) -> str:
     if not values.numbers:
         return "In numbers:"
-    return "With the given values, in units of SI:" if values.units else "With the given values:"
+    return "With the given values, in SI units:" if values.units else "With the given values:"
 
 
 def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:

@@ -176,7 +176,7 @@ def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]
     if i.kind is IntegralKind.IMPULSE:
         return (" Since ", math(v), " is the rate of ", math(q), ", it can be integrated over time.")
     if i.factor == 1:
-        return (" Multiplied by ", math(v), " it can be integrated: the theorem of work and energy.")
+        return (" Multiplied by ", math(v), " it can be integrated: the work–energy theorem.")
     return (" It is linear in ", math(v**2), " as a function of ", math(q), ": multiplied by ", math(v),
             " and the integrating factor ", math(i.factor), " it can be integrated.")  # fmt: skip
 

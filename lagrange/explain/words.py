@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
     from lagrange.algebra.closed_forms.solution_sets import Branch
 
+NORMAL_FORCES = frozenset({"N", "R"})
+"""Letters of a reaction that is not called a tension."""
+
 _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 
 

@@ -60,11 +60,8 @@ def refuse_what_is_not_covered(problem: Problem) -> None:
     _refuse_of_variable_mass(problem)
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
-            what = (
-                f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit that "
-                "`static:` gives,"
-            )
-            raise NotCoveredError(what, force.span)
+            what = f"equilibrium with the friction `{force.name}`, which has no coefficient of friction at rest,"
+            raise NotCoveredError(what, force.span, cure="give it: `static: mu_s`")
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
     belts = [f for f in problem.forces if isinstance(f, Belt)]

@@ -34,7 +34,7 @@ from lagrange.problem.keys import Outline as Outline
 
 @record
 class Range:
-    """Between which values a parameter or coordinate lies, ends included, in units of SI."""
+    """Between which values a parameter or coordinate lies, ends included, in SI units."""
 
     low: sp.Expr
     high: sp.Expr
@@ -42,7 +42,7 @@ class Range:
 
 @record
 class Parameter:
-    """A constant of the problem; where the file gives a value, `value` is its exact number in units of SI.
+    """A constant of the problem; where the file gives a value, `value` is its exact number in SI units.
 
     value_span   the place of the value
     measured     whether the value has a unit
@@ -395,7 +395,7 @@ ENERGY = sp.Symbol("energy", real=True)
 class Measured:
     """A number with a unit in a place where an expression may stand, `2 m`.
 
-    number      in units of SI
+    number      in SI units
     dimension   that of its unit
     fragment    where it stands
     names       the names of the file that the unit is made of, if all its letters are such: 2 m may be a product, too

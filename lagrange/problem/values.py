@@ -53,7 +53,7 @@ IN_WORDS = {
 
 @record
 class ValueRead:
-    """A value in units of SI, its unit there, and where it stands. `measured`: whether the file gives it a unit."""
+    """A value in SI units, its unit there, and where it stands. `measured`: whether the file gives it a unit."""
 
     number: sp.Expr
     unit: str
@@ -88,7 +88,7 @@ def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
         expected = unit if stated is None else _known_unit(stated)
         if stated is not None and unit.dimension != expected.dimension:
             message = f"`{text}` does not fit the unit `{stated.text}`"
-            help_ = f"one is {in_si(unit)} in units of SI, the other {in_si(expected)}"
+            help_ = f"one is {in_si(unit)} in SI units, the other {in_si(expected)}"
             raise ProblemError(Diagnostic("unit-mismatch", message, fragment.whole, help=help_))
     return ValueRead(number * unit.factor, text if unit.factor == 1 else in_si(unit), fragment.whole, True)
 
@@ -140,7 +140,7 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
 
 
 def measured_in(fragment: Fragment, scope: Scope) -> Measured | None:
-    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in units of SI; None if it is no such text."""
+    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in SI units; None if it is no such text."""
     parts = split_number(fragment.text)
     if parts is None or (unit := unit_of(parts[1])) is None or split_number(parts[0]) is not None:
         return None
@@ -306,7 +306,7 @@ def check_dimensions(problem: Problem) -> None:
             expected = "a number or an angle"
         message = f"the unit of `{p.symbol}` does not fit its place in the problem"
         given = unit_of(p.unit)
-        help_ = f"`{p.symbol}` has to be {expected} in units of SI, and this is {in_si(given) if given else p.unit}"
+        help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {in_si(given) if given else p.unit}"
         if given == unit_of("N") and expected == "kg":
             help_ += "; `lb` is a force, the mass is in `slug`"
         raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))

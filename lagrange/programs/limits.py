@@ -19,7 +19,7 @@ NEGLIGIBLE = 1e-13
 ROUNDING = 1e-15
 # What is left of an initial state's conditions, relative to the size of the state, when they contradict each other.
 LARGEST_CONTRADICTION = 1e-8
-# How far from an equilibrium a motion starts that would otherwise stay there, in units of SI.
+# How far from an equilibrium a motion starts that would otherwise stay there, in SI units.
 PUSH = 1e-3
 # The angular velocity of an orbit that nobody has described, relative to that of a circle.
 NEARLY_CIRCULAR = 0.9

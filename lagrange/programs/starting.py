@@ -57,7 +57,7 @@ class Settings:
 class Start:
     """Where a simulation starts.
 
-    values   a number for each parameter, in units of SI
+    values   a number for each parameter, in SI units
     state    y at t = 0
     assumed  names of what nobody has given, with the numbers taken: parameters, components of the state
     pushed   whether the state was moved away from an equilibrium

@@ -1,7 +1,7 @@
 """Paragraphs, matrices and tables in cells of a terminal.
 
 In a paragraph a short formula counts as one word; a long one may be broken before a relation or before a sign of its
-outermost sum. A word wider than the line is torn at its spaces, at worst anywhere. Matrices have brackets made of
+outermost sum. A word wider than the line is split at spaces, or anywhere if it has none. Matrices have brackets made of
 pieces, and entries centred in their columns:
 
     M = ⎛ 2 m l²  m l² ⎞

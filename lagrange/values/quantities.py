@@ -3,7 +3,7 @@
     values.quantity(g/l)                      32.7, in 1/s^2
     values.quantity(l*theta'' + g*sin(theta)) 0.3*theta'' + 9.81*sin(theta): what has no value stays a symbol
 
-Values are exact numbers in units of SI, and put in exactly; a number is evaluated once, to far more digits than are
+Values are exact numbers in SI units, and put in exactly; a number is evaluated once, to far more digits than are
 printed, and rounded last. One that is zero is recognised by the exact test, since no number is zero because it is
 small. A result that is not real with these values has no quantity.
 """
@@ -67,7 +67,7 @@ class Quantity:
 class Values:
     """The values of a problem.
 
-    numbers     exact, in units of SI, by parameter
+    numbers     exact, in SI units, by parameter
     parameters  all parameters, with and without values
     units       the dimensions of parameters and coordinates, as far as the units of the file determine them
     angles      the coordinates that are angles

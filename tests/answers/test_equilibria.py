@@ -217,14 +217,14 @@ def test_what_is_said_of_an_answer() -> None:
         (
             WIND,
             ["theta = atan(F/(m*g - H)) or theta = 0"],
-            ["", "it holds in no position of equilibrium; these are the equilibria without the force `wind`"],
+            ["", "it does not hold at any equilibrium; these are the equilibria without the force `wind`"],
         ),
-        (SCALES, ["theta = 0"], ["it holds in no position of equilibrium, unless a*P = b*Q"]),
+        (SCALES, ["theta = 0"], ["it does not hold at any equilibrium, unless a*P = b*Q"]),
         (PULLED_SPRING, ["x = P/k", "W = 7*l"], ["", "the conditions of equilibrium do not require it"]),
         (
             PULLED_SPRING,
             ["x = 7*l", "W = 7*l"],
-            ["it holds in no position of equilibrium", "the conditions of equilibrium do not require it"],
+            ["it does not hold at any equilibrium", "the conditions of equilibrium do not require it"],
         ),
         (TORSION, ["theta = pi"], ["it also holds where theta = pi, which is not an equilibrium"]),
         (ATWOOD, ["x = L", "W = 2*M"], ["", "the conditions of equilibrium do not require it"]),

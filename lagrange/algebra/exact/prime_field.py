@@ -299,7 +299,7 @@ def process_fields() -> Fields:
 def reconstructed(residue: int, p: int, bound: int | None = None) -> Fraction | None:
     """The fraction n/d ≡ residue (mod p) with |n|, d ≤ bound (default: the cube root of p), or None.
 
-    At most one exists up to √(p/2). With the default, a random residue passes with a chance of p^(−1/3).
+    At most one exists up to √(p/2). With the default, a random residue passes with probability p^(−1/3).
     """
     # Wang's rational reconstruction: Euclid's algorithm for p and the residue, stopped once the remainder is small.
     limit = round(p ** (1 / 3)) if bound is None else bound

@@ -11,7 +11,7 @@ derivative loses one order. A function of a jet g = g_0 + ν, whose ν is nilpot
 Only numbers at the point (parameters, roots, cosines, undefined functions and their derivatives) are asked of the
 sampler, through `value`; the rest is arithmetic. A prescribed motion is expanded in t with its own slots,
 u = u_0 + u_0' τ + u_0'' τ²/2 + ..., and an undefined function in all its arguments, f(a + ν) = Σ ∂^α f(a) ν^α/α!, where
-the derivatives are independent numbers. Piecewise, Max, an unknown function raise `NoExpansionError`.
+the derivatives are independent numbers. Piecewise, Max and unknown functions raise `NoExpansionError`.
 """
 
 from __future__ import annotations

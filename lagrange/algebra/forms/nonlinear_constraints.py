@@ -475,7 +475,7 @@ class _Search:
         return not f.free_symbols.isdisjoint(self.slots.velocities)
 
     def _never_zero(self, f: sp.Expr) -> bool:
-        """Whether it cannot be zero: a number, a positive function, or made of parameters, which are taken generic."""
+        """Whether it cannot be zero: a number, a positive function, or parameters, which are assumed generic."""
         if f.is_nonzero:
             return True
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}

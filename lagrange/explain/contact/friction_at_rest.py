@@ -155,7 +155,10 @@ def explain_rolling(rolling: Rolling) -> Step:
 def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: str = "") -> Step:
     """Equilibrium with friction at its limit, for each direction of slip; `name` of the choice of coordinates."""
     if not motions:
-        words = "With friction at its limit in every contact at once, the forces balance for no direction of slip."
+        words = (
+            "With friction at its limit, the forces balance for none of the directions of slip that the file leaves "
+            "open. A direction of slip that is given may have the wrong sign."
+        )
         return Step(Rule.FRICTION_AT_REST, title_in("Impending motion", name), (prose(words, detail=Detail.BRIEF),))
     suffix = suffix_of(name)
     contacts, belts = motions[0].contacts, motions[0].belts

@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref
-from lagrange.explain.words import are, capital, constraints_called, plural
+from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -38,8 +38,9 @@ def explain_one_sided(constraints: Sequence[ConstraintAnalysis]) -> list[Prose]:
     called = capital(constraints_called(names))
     words = plural(
         len(names),
-        " is an inequality, which in the strict sense is no holonomic constraint; it acts as one while contact lasts.",
-        " are inequalities, which in the strict sense are no holonomic constraints; they act as such while contact "
+        " is an inequality, which, strictly speaking, is not a holonomic constraint; it acts as one while contact "
+        "lasts.",
+        " are inequalities, which, strictly speaking, are not holonomic constraints; they act as such while contact "
         "lasts.",
     )
     return [prose(called + words)]
@@ -60,14 +61,16 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
         if sign == 1:
             trivial.append(r)
             continue
-        called, verb = constraints_called([r.name]), "pull" if r.tension is not None else "push"
+        is_cord = r.tension is not None and NORMAL_FORCES.isdisjoint(map(str, (r.force, r.symbol)))
+        called, verb = constraints_called([r.name]), "pull" if is_cord else "push"
         start = capital(called) if not place else called
         first: tuple[Part, ...] = (*place, ", " if place else "")
         if sign == -1:
-            words = f"{start} can only {verb}, and would have to do the opposite: there is no contact."
+            opposite = "pushing" if is_cord else "pulling"
+            words = f"{start} could hold contact only by {opposite}, which it cannot: there is no contact."
             blocks.append(prose(*first, words))
             continue
-        state = "stays taut" if r.tension is not None else "stays in contact"
+        state = "stays taut" if is_cord else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
         blocks.append(prose(*first, words, math(_force(r), sp.S.Zero, relation="≥"), ", that is,"))
         blocks.append(display(Equation((value, sp.S.Zero), relation="≥", condition=_presumed(r)), detail=Detail.STEPS))

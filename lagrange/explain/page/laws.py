@@ -21,7 +21,7 @@ from lagrange.document.derivation import Block, Detail, Display, Equation, Part,
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, constraints_called, counted, joined, plural, the
+from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
@@ -30,7 +30,6 @@ from lagrange.mechanics.results import Solution
 ZERO = sp.S.Zero
 LONGEST_FORMS = 12
 """The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
-NORMAL_FORCES = ("N", "R")
 """Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
 SHORT_NAME = 2
 """The most characters of a point whose name is written beside another, as in AB."""
@@ -95,10 +94,10 @@ def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
     if len(reactions) == 1:
         [r] = reactions
         assert r.rod is not None
-        noun = "force" if r.force.name in NORMAL_FORCES else "tension"
+        noun, pulls = ("force", "acts inwards") if r.force.name in NORMAL_FORCES else ("tension", "pulls")
         return [prose(
             f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
-            f", and its reaction acts along it. With the {noun} ", *tensions, ", positive where it pulls,",
+            f", and its reaction acts along it. With the {noun} ", *tensions, f", positive where it {pulls},",
         )]  # fmt: skip
     return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
                   *tensions, ", positive where they pull,")]  # fmt: skip

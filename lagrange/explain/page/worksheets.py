@@ -170,7 +170,7 @@ def _about_constraints(solution: Solution, rules: set[Rule]) -> tuple[str, tuple
     ]
     if Rule.INTEGRABILITY in rules or any(c.kinematic for c in solution.problem.constraints):
         words.append(plural(number, "Can it be integrated? ", "Can they be integrated, one by one and together? "))
-    words.append("Is the system holonomic? Is it scleronomic? How many degrees of freedom has it?")
+    words.append("Is the system holonomic? Is it scleronomic? How many degrees of freedom does it have?")
     title = plural(number, "The constraint and the degrees of freedom", "The constraints and the degrees of freedom")
     return title, ("".join(words),)
 

@@ -50,10 +50,10 @@ def _start(found: StateInNumbers, configuration: Configuration) -> Step:
     if steady:
         body.append(prose("At the start all accelerations are zero: the motion is steady there."))
     else:
-        body.append(prose("The equations are linear in the accelerations. At the start, in units of SI, they give"))
+        body.append(prose("The equations are linear in the accelerations. At the start, in SI units, they give"))
         body.append(display(*(Equation((a, _short(x))) for a, x in found.accelerations.items()), boxed=True))
     if found.multipliers:
-        body.append(prose("and the multipliers" if not steady else "The multipliers are there, in units of SI,"))
+        body.append(prose("and the multipliers" if not steady else "The multipliers are there, in SI units,"))
         rows = (r for r in configuration.rows if r.name in found.multipliers)
         body.append(display(*(Equation((r.multiplier, _short(found.multipliers[r.name]))) for r in rows)))
     return Step(Rule.EQUATIONS_OF_MOTION, "The accelerations at the start", tuple(body))
@@ -149,7 +149,7 @@ def _stability(ranges: Sequence[StableRange]) -> Block:
     parts: list[Part] = ["All their solutions decay if "]
     for n, r in enumerate(ranges):
         parts += [" or if " if n else "", math(*_inside(r), relation="<")]
-    parts.append(" (in units of SI).")
+    parts.append(" (in SI units).")
     for r in ranges:
         for end, beyond in ((r.low, "below"), (r.high, "above")):
             if end not in (0, sp.oo):
@@ -167,7 +167,7 @@ def result_of_large_system(solution: Solution) -> Iterator[Step]:
     [ranges] = found
     start = f"{in_words(freedom, 'degree').capitalize()} of freedom; "
     inside = listed((math(*_inside(r), relation="<") for r in ranges), " or ")
-    words: tuple[Part, ...] = ("small deviations from the steady motion decay if ", *inside, " (in units of SI).")
+    words: tuple[Part, ...] = ("small deviations from the steady motion decay if ", *inside, " (in SI units).")
     if not ranges:
         words = ("the steady motion is stable for no value of the parameter.",)
     yield Step(Rule.RESULT, "", (prose(start, *words, detail=Detail.BRIEF),))

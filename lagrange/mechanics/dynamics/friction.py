@@ -315,6 +315,7 @@ def rough_reaction(friction: Friction, newton: Newton, original: Configuration) 
         raise NotCoveredError(
             f"the friction `{friction.name}`: the coordinates do not place the particles one by one, and its reaction",
             friction.span,
+            cure="give a mass that is fixed to a body as a force: `{on: ladder, vector: -M*g*j, at: ...}`",
         )
     direction = reaction.on(friction.on)
     if direction is None:

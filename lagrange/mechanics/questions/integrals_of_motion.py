@@ -5,7 +5,7 @@ These are the conserved quantities of the motion and, where they do not suffice,
     q'' = f(q) + g(q) q'^2 ,     w = exp(−2 ∫ g dq) :      d/dt (w q'^2/2 − ∫ w f dq) = 0
     q'' = g(q) q' :                                        d/dt (q' − ∫ g dq) = 0
 
-The first is the theorem of work and energy for a force that depends on the square of the velocity, such as friction on
+The first is the work–energy theorem for a force that depends on the square of the velocity, such as friction on
 a circle; without g it is that for a force that depends on the position. Each is verified: its rate must vanish with the
 equations of motion, exactly.
 """

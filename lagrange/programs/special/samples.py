@@ -21,7 +21,7 @@ Samples = dict[str, sp.Expr]
 UNDECLARED_GRAVITY = sp.Symbol("g", positive=True)
 """In samples of a problem that has no `g` of its own."""
 AMPLITUDE, FREQUENCY = 0.3, 2.0
-"""Of a prescribed motion, in units of SI."""
+"""Of a prescribed motion, in SI units."""
 
 
 def samples(solution: Solution) -> Samples:

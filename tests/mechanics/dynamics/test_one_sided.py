@@ -103,7 +103,7 @@ def test_what_is_written(problem: Read) -> None:
     for words in (
         "x² + y² ≥ l² (c)",
         "is one-sided",
-        "The c constraint is an inequality, which in the strict sense is no holonomic constraint; it acts as one",
+        "The c constraint is an inequality, which, strictly speaking, is not a holonomic constraint; it acts as one",
         "The c constraint can only push: it stays in contact as long as N ≥ 0.",
     ):
         assert words in " ".join(page.split())
@@ -119,7 +119,10 @@ def test_what_is_written(problem: Read) -> None:
 
 @pytest.mark.parametrize(
     ("equation", "words"),
-    [("y >= 0", "lasts, because N is positive"), ("y <= 0", "would have to do the opposite: there is no contact")],
+    [
+        ("y >= 0", "lasts, because N is positive"),
+        ("y <= 0", "could hold contact only by pulling, which it cannot: there is no contact"),
+    ],
 )
 def test_what_needs_no_condition(problem: Read, equation: str, words: str) -> None:
     told = report(problem(BEAD.format(equation=equation, more=", reaction: N")))

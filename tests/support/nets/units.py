@@ -1,4 +1,4 @@
-"""Values with units: a motion whose parameters are given in g, cm, kN/m, lb, deg, min, ... against numbers in units of SI.
+"""Values with units: a motion whose parameters are given in g, cm, kN/m, lb, deg, min, ... against numbers in SI units.
 
 The factors are written down here as in tables (BIPM; NIST SP 811), and nothing of `lagrange` is used. The numerical check that is
 printed must have these values, and its accelerations must be those that the system has at that state; the same holds of the file with
@@ -63,7 +63,7 @@ FAMILIES: list[Callable[[Rng], System]] = [
 
 
 def findings(seed: int) -> list[Finding]:
-    """One random motion with values in random units, and in units of SI."""
+    """One random motion with values in random units, and in SI units."""
     rng = random.Random(seed)
     system = rng.choice(FAMILIES)(rng)
     system = replace(system, find="[motion]", choices={})
@@ -92,7 +92,7 @@ def _spot(system: System, shown: Printed, true: dict[str, float]) -> Iterator[Fi
     values = {name: float(evaluate(v, {})) for name, v in spot["values"].items()}
     for name, value in true.items():
         if name in values and abs(values[name] - value) > 6e-6 * abs(value):
-            yield Finding("value", f"{name} = {values[name]:.7g}", f"{value:.7g} in units of SI", shown.text)
+            yield Finding("value", f"{name} = {values[name]:.7g}", f"{value:.7g} in SI units", shown.text)
     coordinates = system.coordinates
     if not {*coordinates} <= {*values}:
         return
