@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 import sympy as sp
 
@@ -16,7 +17,7 @@ from lagrange.core.symbols import UnitVector
 from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
 from lagrange.document.derivation import Part
-from lagrange.expressions.reader import read_equation, read_value
+from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.problem.model import Problem
 
 _MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")
@@ -24,6 +25,7 @@ _SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])
 _ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
 _NUMBERED = re.compile(r"[a-z]_?\d")
 """Vectors whose names are no words: n1, e_3."""
+_NAMED = re.compile(r"`(\w+)` is not declared")
 _WORDS = frozenset({"a", "A", "I"})
 MOST_FORMULAS = 50
 """Of formulas in one text that are set; a description has two or three."""
@@ -43,24 +45,32 @@ def set_text(text: str, problem: Problem) -> tuple[Part, ...]:
 
 
 def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
-    """A formula; the text as it is if it cannot be read."""
-    fragment = Fragment.of(text)
+    """A formula, which may have letters that only the description uses; the text as it is if it cannot be read."""
     try:
-        if "=" in text:
-            equation = read_equation(fragment, problem.scope, [], latex=True)
-            return (math(equation.lhs, equation.rhs),)
-        return (math(_value(text, problem)),)
+        return _read(text, problem.scope)
+    except ProblemError as error:
+        names = [name for d in error.diagnostics if d.code == "unknown-symbol" for name in _NAMED.findall(d.message)]
+    known = {name: sp.Symbol(name, real=True) for name in names}
+    try:
+        return _read(text, replace(problem.scope, scalars={**known, **problem.scope.scalars}))
     except ProblemError:
         return (text,)
 
 
-def _value(text: str, problem: Problem) -> sp.Expr:
+def _read(text: str, scope: Scope) -> tuple[Part, ...]:
+    if "=" not in text:
+        return (math(_value(text, scope)),)
+    equation = read_equation(Fragment.of(text), scope, [], latex=True)
+    return (math(equation.lhs, equation.rhs),)
+
+
+def _value(text: str, scope: Scope) -> sp.Expr:
     """The value of a formula; a square root of a product stays one."""
     root = _ROOT.fullmatch(text.strip())
     if root is None:
-        return read_value(Fragment.of(text), problem.scope, [], latex=True)
+        return read_value(Fragment.of(text), scope, [], latex=True)
     number, latex, plain = root.groups()
-    value = sp.Pow(read_value(Fragment.of(latex or plain), problem.scope, [], latex=True), sp.S.Half, evaluate=False)
+    value = sp.Pow(read_value(Fragment.of(latex or plain), scope, [], latex=True), sp.S.Half, evaluate=False)
     return sp.Mul(int(number), value, evaluate=False) if number else value
 
 

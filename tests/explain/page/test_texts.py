@@ -34,6 +34,7 @@ def written(text: str) -> str:
         ("where `l*sin(theta) = x` holds", "where ‹l sin θ=x› holds"),
         ("$\\sqrt{3} \\sin\\alpha$ times", "‹√3 sin α› times"),
         ("beta is not declared", "beta is not declared"),
+        ("shaken as $u = a \\cos \\Omega t$", "shaken as ‹u=a cos Ωt›"),  # letters of the description alone
         ("`sin(` cannot be read, $5 neither", "sin( cannot be read, $5 neither"),
         ("formal is no m, lm neither", "formal is no ‹m›, lm neither"),
     ],
