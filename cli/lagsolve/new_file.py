@@ -93,18 +93,15 @@ generalized_coordinates:
   angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}
   #depth: {coordinates: [y]}
 
-# The state at t = 0, and what is asked of the motion: a quantity when something
-# holds, or as a function (`by: theta`).
 #initial: {theta: pi/2, theta': 0}
+# A quantity when something holds, or as a function (`by: theta`).
 #ask: {fall: {quantity: "theta''", when: theta = pi/2}}
 
-# An instant in which velocities change: blows, constraints that begin to act.
 #impact: {before: {theta: 0, theta': 0}, impulses: {p: {on: P, vector: m*i}}}
 
 #vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}, m: [1, 2]}
 
-# What the figure shows beside what the problem says by itself: the position that
-# is drawn, the ground, strings and pulleys, angles, lengths.
+# The position that is drawn, the ground, strings and pulleys, angles, lengths.
 #figure: {at: {theta: 40 deg}, supports: [O], lengths: {l: [O, P]}}
 
 # The questions are constraints, equilibrium, motion and linearization (that is,
@@ -126,7 +123,6 @@ answers:
   #equilibrium: [["theta = 0"], ["theta = pi"]]
   #frequencies: [["sqrt(g/l)"]]
 
-# What each part of an answer is worth.
 #points: {equations: 6, degrees_of_freedom: 1}
 """
 
