@@ -52,6 +52,7 @@ _INLINE: dict[str, Schema] = {
             {"type": "string", "pattern": r"^[0-9]{1,4}(\.[0-9]{1,2})?$"},
         ]
     },
+    "quantity": {"anyOf": [{"type": "number"}, {"type": "string", "pattern": r"^\s*[-+−]?\s*\.?[0-9]"}]},
     "nothing": {"type": "null"},
 }
 

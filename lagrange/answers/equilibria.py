@@ -178,7 +178,7 @@ def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Exp
 _IN_EQUILIBRIUM = {
     "which is not an equilibrium": "which is not a steady motion",
     "there is no equilibrium": "there is no steady motion",
-    "in no position of equilibrium": "in no steady motion",
+    "at any equilibrium": "in any steady motion",
     "the conditions of equilibrium do": "the conditions of steady motion do",
 }
 

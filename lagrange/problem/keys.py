@@ -576,7 +576,7 @@ PARTS: dict[str, Kind] = {
     "alternatives": AnyOf((one_or_list("expression"), ListOf(ListOf("expression")))),
     "sense": Words(tuple(SENSES)),
     "slip": AnyOf((Words(tuple(SENSES)), "vector")),
-    "parameter": or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
+    "parameter": or_nothing(Words(tuple(a.value for a in Assumption)), "quantity", PARAMETER),
     "coordinate": AnyOf(("text", COORDINATE)),
     "frame": or_nothing(FRAME),
     "exchange": EXCHANGE,

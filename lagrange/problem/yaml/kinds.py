@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from lagrange.core.records import record
 
-PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "decimal", "nothing")
-"""`number` is a natural number, `decimal` a positive one with up to two decimals; `nothing` is an empty section, such
-as one whose entries are all commented out."""
+PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "decimal", "quantity", "nothing")
+"""`number` is a natural number, `decimal` a positive one with up to two decimals, `quantity` a number with its unit;
+`nothing` is an empty section, such as one whose entries are all commented out."""
 
 
 @record
