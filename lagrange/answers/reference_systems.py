@@ -19,7 +19,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, UnsupportedError
 from lagrange.answers.readings import read_answer
-from lagrange.answers.references import Reference, ReferenceCandidate, occurring, units_of, values_of
+from lagrange.answers.references import Reference, ReferenceCandidate, occurring, values_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.mechanics.constraints.classification import classify
@@ -28,6 +28,7 @@ from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, g
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
 from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion
 from lagrange.problem.model import Problem
+from lagrange.problem.values import units_of
 
 
 def reference_of_equations(problem: Problem) -> Reference:

@@ -21,7 +21,6 @@ from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_before
-from lagrange.core.units import unit_called
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -35,7 +34,7 @@ from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
-from lagrange.problem.values import values_of as known_quantities
+from lagrange.problem.values import units_of
 
 if TYPE_CHECKING:
     from lagrange.answers.models.mechanics import Mechanics
@@ -299,9 +298,8 @@ def _reference_of(same: Identical) -> Reference:
     letters = frozenset((*added, *(q.name for q in (*angles, *general, *small))))
     declared = declared_names(problem) | {s.name for s in signs.values()} | frozenset(_reactions(solution))
     parameters = {p.symbol.name: p.symbol for p in problem.parameters}
-    return Reference(
-        wider, candidates, values, problem.unknowns, units_of(problem), newton, declared, letters, parameters
-    )
+    units = units_of(problem)
+    return Reference(wider, candidates, values, problem.unknowns, units, newton, declared, letters, parameters)
 
 
 def _start_of(candidate: ReferenceCandidate, solution: Solution) -> Callable[[], sp.Expr | None] | None:
@@ -523,14 +521,6 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
     equations = tuple(e.xreplace(values) for e in system.equations)
     constrained = configuration.constrained.with_rows(rows)
     return System(replace(configuration, constrained=constrained), equations, system.multipliers)
-
-
-def units_of(problem: Problem) -> dict[sp.Symbol, str]:
-    """The units of parameters and coordinates that a file gives, and those that follow where it has values."""
-    known = known_quantities(problem)
-    inferred = {} if known is None else {s: u for s, d in known.units.items() if (u := unit_called(d))}
-    units = inferred | {p.symbol: p.unit for p in problem.parameters if p.unit}
-    return units | {q.symbol: q.unit for q in problem.coordinates if q.unit}
 
 
 def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:

@@ -18,7 +18,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, 
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
-from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_of
+from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_called, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
 from lagrange.problem.keys import Assumption
@@ -216,6 +216,14 @@ def values_of(problem: Problem) -> Values | None:
     """The values of a problem; None where it has none, so that nothing is loaded for them."""
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     return None if not numbers else _values(problem, numbers)
+
+
+def units_of(problem: Problem) -> dict[sp.Symbol, str]:
+    """The units of parameters and coordinates that a file gives, and those that follow where it has values."""
+    known = values_of(problem)
+    inferred = {} if known is None else {s: u for s, d in known.units.items() if (u := unit_called(d))}
+    declared = {p.symbol: p.unit for p in problem.parameters if p.unit}
+    return inferred | declared | {q.symbol: q.unit for q in problem.coordinates if q.unit}
 
 
 def no_values(problem: Problem) -> Values:

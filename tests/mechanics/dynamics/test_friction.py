@@ -266,7 +266,7 @@ forces: {rub: {friction: mu, constraint: floor, on: rod}}
 
 
 def test_friction_at_rest_has_no_law(problem: Read) -> None:
-    with pytest.raises(NotCoveredError, match="`rub`, which at rest is any force up to a limit"):
+    with pytest.raises(NotCoveredError, match="`rub`, which has no coefficient of friction at rest"):
         solve(problem("title: Example\n" + INCLINE.format(more="") + "find: equilibrium\n"))
 
 
