@@ -103,7 +103,7 @@ class EquationVerdict:
         return replace(shown, diagnosis=self.hints[level - 1])
 
     def without_cause(self, level: int) -> EquationVerdict:
-        """The verdict on a result at a hint level: why it is wrong is told at the last one alone."""
+        """The verdict on a result at a hint level: only the last level says why it is wrong."""
         if self.hints or self.verdict is not Verdict.WRONG:
             return self.at_hint_level(level)
         return replace(self, diagnosis="", cause="", model="")
