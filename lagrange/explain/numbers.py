@@ -69,9 +69,14 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
 
 
 def _given(values: Values, digits: int) -> Iterator[Block]:
-    """`Given: m = 2 kg and g = 9.81 m/s²`, in SI units."""
+    """`Given: m = 2 kg, g = 9.81 m/s² and α = 30°`, in SI units, angles in degrees."""
+    digits = max(digits, 6)
     quantities = [(p, values.quantity(p)) for p in sorted(values.numbers, key=str)]
-    given = [math(p, q.shown(max(digits, 6))) for p, q in quantities if q is not None and q.is_number]
+    given = [
+        math(p, with_unit(rounded(q.formula * 180 / sp.pi, digits), "°") if q.unit == "rad" else q.shown(digits))
+        for p, q in quantities
+        if q is not None and q.is_number
+    ]
     if given:
         yield prose("Given: ", *listed(given), ".")
 

@@ -194,3 +194,11 @@ def test_critical_values(text: str, left_out: str, shown: str, critical: tuple[s
     found = [(c["name"], c["relation"], c["number"], c.get("unit")) for c in as_json(result)["critical"]]
     name, relation, number, unit = critical
     assert (name, relation, pytest.approx(number), unit) in found
+
+
+def test_given_values_stand_in_the_statement() -> None:
+    text = PENDULUM.replace("find:", "forces: {wind: {generalized: {theta: m*g*l*sin(alpha)}}}\nfind:")
+    text = text.replace("parameters: {", "parameters: {alpha: 30 deg, ")
+    found = report(read_problem(Source("p.yaml", text)))
+    page = " ".join(terminal.text(found.derivation, found.notation, 120).split())
+    assert "Given: α = 30°, g = 9.81 m/s², l = 0.3 m and m = 2 kg." in page
