@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, extremes
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -129,7 +129,11 @@ def _resonance(found: Response) -> Iterator[Block]:
         ]
         yield display(*lines)
     for q, places in zip(found.forced.configuration.slots.coordinates, found.rests, strict=True):
-        for n, place in enumerate(places):
-            parts: tuple[Part, ...] = (math(q), " stays at rest, although the system is driven, at")
-            yield prose(*parts)
-            yield display(Equation((w**2, place), label=_label(found.forced, f"rest-{q.name}-{n}")))
+        lines = [
+            Equation((w**2, place), label=_label(found.forced, f"rest-{q.name}-{n}"),
+                     condition=() if place.is_positive else ("if that is positive",))
+            for n, place in enumerate(places)
+        ]  # fmt: skip
+        if lines:
+            yield prose(math(q), " stays at rest, although the system is driven, at")
+            yield display(*lines)

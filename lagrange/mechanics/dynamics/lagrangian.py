@@ -162,8 +162,16 @@ def share_of_spring(spring: StretchedSpring, coordinate: sp.Symbol) -> sp.Expr:
 
 
 def share_of_damper(damper: DamperForce, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
-    """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d."""
+    """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d. Along a fixed direction, r = s n, it is c n·n s'²/2.
+
+    The quotient has no value where the ends meet, and masses whose displacements count from rest meet at rest.
+    """
     apart = damper.apart.fixed()
+    first, *others = [c for c in apart.components if c != 0]
+    ratios = [sp.cancel(c / first) if c.is_polynomial(*slots.coordinates) else c / first for c in others]
+    if not any(r.has(*slots.coordinates) for r in ratios):
+        rate = slots.time_derivative(first)
+        return -damper.coefficient * sp.Add(1, *(r**2 for r in ratios)) * rate * partial(rate, velocity)
     closing = apart.dot(apart.time_derivative(slots))
     return -damper.coefficient * closing * partial(closing, velocity) / apart.dot(apart)
 

@@ -217,7 +217,7 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     cosines, sines, amplitudes = _with_one_sign(cosines, sines, amplitudes)
     found = tuple(amplitudes)
     resonances = _resonances(determinant, found, w, is_damped)
-    rests = tuple(_zeros(_squared(z), w) if n > 1 else () for z in numerators)
+    rests = tuple(_rests(z, determinant, w) if n > 1 else () for z in numerators)
     names = [q.name for q in forced.configuration.slots.coordinates]
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
     lag = free_letter("phi", "psi", "delta", "epsilon", taken=taken, of=names)
@@ -434,6 +434,12 @@ def _resonances(
     if not w.is_Symbol or len(amplitudes) != 1 or amplitudes[0] == 0:
         return ()
     return tuple(v for v in _zeros(sp.fraction(sp.together(sp.diff(amplitudes[0] ** 2, w)))[0], w) if v != 0)
+
+
+def _rests(numerator: sp.Expr, determinant: sp.Expr, w: sp.Expr) -> tuple[sp.Expr, ...]:
+    """ω² at which a coordinate is at rest: both its sine and its cosine vanish, and the others have a steady state."""
+    common = sp.gcd(*_parts(numerator))
+    return _zeros(sp.cancel(common / sp.gcd(common, sp.gcd(*_parts(determinant)))), w)
 
 
 def _zeros(e: sp.Expr, w: sp.Expr) -> tuple[sp.Expr, ...]:

@@ -124,6 +124,35 @@ find: response
 """
 
 
+ON_A_LINE = """title: On an inclined line
+parameters: [m, M, b, c, k, F, w, alpha]
+coordinates: [x, y{more}]
+let: {{u: "cos(alpha)*i + sin(alpha)*j"}}
+particles: {{A: {{mass: M, position: x*u}}, B: {{mass: m, position: y*u}}{last}}}
+forces: {{tie: {{potential: "k*x^2/2 + c*(x - y)^2/2{energy}"}}, drive: {{on: A, vector: F*cos(w*t)*u}}{damper}}}
+find: response
+"""
+
+
+def test_a_damped_absorber_never_stops_the_machine_and_its_ends_may_meet_at_rest() -> None:
+    damper = ", rub: {damper: b, between: [A, B]}"
+    solution = solve(read(ON_A_LINE.format(more="", last="", energy="", damper=damper)))
+    assert all(check.passed for check in solution.checks)
+    assert solution.own.response is not None and solution.own.response.rests == ((), ())
+
+
+def test_a_place_of_rest_is_no_frequency_of_resonance() -> None:
+    """Three equal masses: in the mode (1, 0, -1) the middle one is at rest, but nothing is steady there."""
+    text = ON_A_LINE.format(more=", z", last=", C: {mass: M, position: z*u}", energy=" + c*(y - z)^2/2 + k*z^2/2",
+                            damper="").replace("mass: m", "mass: M")  # fmt: skip
+    found = solve(read(text)).own.response
+    assert found is not None
+    k = 1.9
+    stiff = np.array([[k + c, -c, 0], [-c, 2 * c, -c], [0, -c, k + c]])
+    zeros = [sorted(number(s.subs(sp.Symbol("k", positive=True), k)) for s in places) for places in found.rests]
+    assert zeros == [pytest.approx(sorted(np.linalg.eigvals(stiff[1:, 1:] / M))), [], []]
+
+
 def test_an_equilibrium_that_is_found_without_sines() -> None:
     solution = solve(read(f"title: T\n{BEAM.lstrip()}"))
     assert solution.holds
