@@ -74,7 +74,7 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
         force = math(asked.opposite)
         yield prose("With the sense of ", force, " above there is no solution, so ", force, " is counted in the "
                     "opposite sense here: it stands for the size of the force.")  # fmt: skip
-    if asked.used:
+    if asked.used and not _is_direct(asked):
         yield prose(_terms_of(asked))
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
     if asked.turning is not None:
@@ -110,6 +110,12 @@ def _asked(question: Question) -> tuple[Part, ...]:
     if question.when:
         words += [" when ", *listed(math(c.lhs, c.rhs) for c in question.when)]
     return (*words, ".")
+
+
+def _is_direct(asked: Asked) -> bool:
+    """Whether the answer is what the equations of motion give for the quantity, with nothing to put in."""
+    given = [(u.symbol, u.value) for u in asked.used]
+    return len(given) == 1 and given == [(b.lhs, b.rhs) for b in asked.branches]
 
 
 def _terms_of(asked: Asked) -> str:
@@ -282,6 +288,8 @@ def _where(b: AnswerBranch) -> tuple[Part, ...]:
 
 
 def _how(asked: Asked) -> tuple[Part, ...]:
+    if _is_direct(asked):
+        return (_terms_of(asked),)
     if asked.how is How.NUMERICAL and asked.integrand is not None:
         return ("No elementary function was found for it. In numbers it is",)
     if asked.how is How.NUMERICAL:

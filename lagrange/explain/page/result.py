@@ -90,7 +90,8 @@ def explain_result(
 
 
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
-    """Constant accelerations in place of equations for them; a reaction that is asked for once."""
+    """Constant accelerations instead of equations for them; what is asked for is stated once."""
+    asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     view = (*solution.choices, solution.own)[0]
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
     if equations and view.motion is not None and view.motion.final:
@@ -98,11 +99,11 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         whole = len(solved) == len(view.configuration.slots.accelerations)
         if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
             kept[Rule.EQUATIONS_OF_MOTION] = solved
-    asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
-    reactions = [e for e in kept.pop(Rule.SOLVED_REACTIONS, ()) if e.sides not in asked]
-    if reactions:
-        kept[Rule.SOLVED_REACTIONS] = reactions
-        kept |= {rule: kept.pop(rule) for rule in _CALLED if rule in kept}  # in their order again
+    for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
+        if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
+            kept.pop(rule, None)
+        else:
+            kept[rule] = others
 
 
 def _of_constraints(solution: Solution) -> Iterator[Step]:
