@@ -159,7 +159,11 @@ def _frame(problem: Problem) -> list[Block]:
     triad = problem.frame
     if triad is not None and triad.directions is not None:
         blocks.append(prose("The unit vectors of the frame turn with the coordinates:"))
-        blocks.append(display(*(Equation((unit, v)) for unit, v in unit_vectors(triad) if unit.name not in UNITS)))
+        blocks.append(
+            display(
+                *(Equation((unit, v)) for unit, v in unit_vectors(triad) if any(c.free_symbols for c in v.components))
+            )
+        )
     return blocks
 
 

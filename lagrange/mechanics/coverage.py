@@ -72,6 +72,7 @@ def refuse_what_is_not_covered(problem: Problem) -> None:
         help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
         raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
     if problem.equations:
-        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
+        cure = 'check answers against it, `lagsolve check FILE -e "..."`, or give what it is derived from'
+        raise NotCoveredError("deriving anything from a reference system, `equations`,", cure=cure)
     if Find.LINEARIZATION in problem.find and problem.unknowns:
         raise NotCoveredError("small oscillations with unknown forces, which have no law,")

@@ -338,7 +338,8 @@ class Textbook:
         for piece in by_denominator(coefficient):
             numerator, denominator = as_fraction(piece) if len(piece) < len(coefficient) else (piece, 0)
             for powers, p in self._waves(numerator).items():
-                parts += [self._over(self._part(t, powers), denominator) for t in self._parameters.terms(p)]
+                terms = [self._parameters.factored(p)] if powers else self._parameters.terms(p)
+                parts += [self._over(self._part(t, powers), denominator) for t in terms]
         return merged_products(parts)
 
     def _over(self, part: SplitProduct, denominator: int) -> SplitProduct:
