@@ -38,7 +38,13 @@ from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
-from lagrange.problem.questions import read_impact, read_initial, read_questions, scope_of_questions
+from lagrange.problem.questions import (
+    read_impact,
+    read_initial,
+    read_questions,
+    scope_of_questions,
+    with_initial_before,
+)
 from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
@@ -150,7 +156,10 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         message = "an impact is asked for, and the file has no `impact`"
         help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"
         diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
-    return replace(problem, find=find)
+    problem = replace(problem, find=find)
+    if impact is not None and Find.MOTION not in find:
+        problem = diagnostics.attempt(lambda: with_initial_before(problem)) or problem
+    return problem
 
 
 def _title(root: Section) -> str:

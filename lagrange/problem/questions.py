@@ -48,6 +48,7 @@ from lagrange.problem.model import (
     Impact,
     InitialValue,
     Measured,
+    Problem,
     Question,
 )
 from lagrange.problem.sections import (
@@ -248,6 +249,22 @@ def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iter
         context.diagnostics.report(Diagnostic("empty-impact", message, section.node.span, help=help_))
     of_components = {c.name: restitution.get(c.name.partition(".")[0], sp.S.Zero) for c in constraints}
     return Impact(section.node.span, before, impulses, constraints, of_components)
+
+
+def with_initial_before(problem: Problem) -> Problem:
+    """The problem with `initial` as part of the state before its impact: time begins with the impact.
+
+    Raises ProblemError where the two contradict each other.
+    """
+    impact = problem.impact
+    assert impact is not None
+    before = {v.symbol: v for v in impact.before}
+    for v in problem.initial:
+        if v.value != before.setdefault(v.symbol, v).value:
+            message = f"`{v.symbol}` has another value just before the impact, at t = 0"
+            help_ = "the motion begins with the impact: give its state once, as `before` under `impact`"
+            raise ProblemError(Diagnostic("two-starts", message, v.span, help=help_))
+    return replace(problem, initial=(), impact=replace(impact, before=tuple(before.values())))
 
 
 def _restitution(node: Node | None, context: LoadContext, declared: list[str]) -> Mapping[str, sp.Expr]:

@@ -104,8 +104,15 @@ def test_reactions_of_new_constraints_while_they_act() -> None:
     assert equal(answers(solved(FLOOR))["push"], "m*g")
     with pytest.raises(NotCoveredError, match="`N` after the impact"):
         solve(read_problem(Source("case.yaml", FLOOR.replace("{floor: 0}", "{floor: 1/2}"))))
+
+
+def test_the_initial_state_is_that_just_before_the_impact() -> None:
+    moved = FLOOR.replace("x: 0, y: 0, ", "") + "initial: {x: 0, y: 0, x': w}\n"
+    assert equal(answers(solved(moved))["push"], "m*g")
+    with pytest.raises(ProblemError, match="`x` has another value just before"):
+        read_problem(Source("case.yaml", FLOOR + "initial: {x: 1}\n"))
     with pytest.raises(ProblemError, match="not with `initial`"):
-        solve(read_problem(Source("case.yaml", FLOOR + "initial: {x: 0}\n")))
+        solve(read_problem(Source("case.yaml", FLOOR + "initial: {x: 0}\nfind: [motion, impact]\n")))
 
 
 def test_a_question_in_a_coordinate_that_is_lost_is_refused() -> None:

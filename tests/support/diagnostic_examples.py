@@ -65,7 +65,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "particles: {P: {mass: m*x, position: x*i, gains: {velocity: 0}}}\ngravity: g*i\ninitial: {x: 0, x': 0}\n",
         coordinates="[x]")),
     "two-starts": ("Questions of a file with an impact are about the motion after it, which begins with the impact.", problem(
-        PARTICLE + "impact: {before: {x: 0, y: 0, x': g, y': 0}, constraints: {wall: x = 0}}\ninitial: {y: 0}\n"
+        PARTICLE + "impact: {before: {x: 0, y: 0, x': g, y': 0}, constraints: {wall: x = 0}}\ninitial: {y: l}\n"
         "ask: {far: {quantity: y, when: t = 1}}\n")),
     "misplaced-gravity": ("Gravity acts on every mass: it is a key of the problem, and not one of its forces.", problem(
         PARTICLE + "forces: {gravity: -g*j}\n")),
