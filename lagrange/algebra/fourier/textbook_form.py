@@ -337,8 +337,9 @@ class Textbook:
         parts = []
         for piece in by_denominator(coefficient):
             numerator, denominator = as_fraction(piece) if len(piece) < len(coefficient) else (piece, 0)
-            for powers, p in self._waves(numerator).items():
-                terms = [self._parameters.factored(p)] if powers else self._parameters.terms(p)
+            waves = self._waves(numerator)
+            for powers, p in waves.items():
+                terms = [self._parameters.factored(p)] if powers and len(waves) == 1 else self._parameters.terms(p)
                 parts += [self._over(self._part(t, powers), denominator) for t in terms]
         return merged_products(parts)
 

@@ -18,7 +18,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -346,6 +346,12 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     for divisor in divisors:
         beside, _ = _without(solved(divisor).branches, multipliers)
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
+    if not solution.solved:
+        for place in _symmetric_places(equations, coordinates):
+            beside, _ = _without(solved(place).branches, multipliers)
+            stated = {b.relations for b in branches}
+            closed = (b for b in beside if not b.left and b.relations not in stated)
+            branches = (*(b for b in closed if not any(is_part(b, o, solution) for o in branches)), *branches)
     excluded, _ = _without(solution.excluded, multipliers)
     ranges = e.configuration.ranges
     restricted = [within(b, ranges, solution) for b in branches] if ranges else branches
@@ -362,6 +368,14 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         replace(found, outside=outside),
         [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
     )
+
+
+def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:
+    """q or sin q for each coordinate that may be 0 or π by symmetry: one of the equations then holds identically."""
+    for q in coordinates:
+        turns = any(q in f.free_symbols for e in equations for f in e.atoms(sp.sin, sp.cos, sp.tan))
+        if any(q in e.free_symbols and is_zero(e.xreplace({q: sp.S.Zero})) is True for e in equations):
+            yield sp.sin(q) if turns else q
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:

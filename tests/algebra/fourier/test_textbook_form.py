@@ -280,6 +280,11 @@ def test_forms(expression: sp.Expr, expected: sp.Expr) -> None:
     assert textbook_form(expression) == expected
 
 
+def test_one_product_of_sines_has_one_coefficient() -> None:
+    """(R - r) cos θ, and not R cos θ - r cos θ; a force of several waves keeps its terms."""
+    assert textbook_form(r * cos(theta) - R * cos(theta)) == -(R - r) * cos(theta)
+
+
 def test_roots_of_sums_with_negative_exponents() -> None:
     """Their numerators were divided by 1 + x²/y² without end."""
     for base in (1 + x**2 / y**2, l**4 / r**2 + 1, m / x**4 - 1 / (l**2 * y**2), 1 / x + 1 / y):

@@ -395,6 +395,35 @@ def test_half_angles_tell_a_position_from_the_same_a_turn_later() -> None:
     assert report(read(HALF)).holds  # in answers angles count modulo 2π
 
 
+TWO_SPRINGS = """
+title: A rod on two springs
+parameters: [m, a, k, g, h]
+coordinates: [y, phi]
+bodies: {rod: {mass: m, inertia: m*a^2/3, position: y*j, angle: phi}}
+forces:
+  left: {spring: k, between: [-a*i, y*j - a*e1_rod], length: h}
+  right: {spring: k, between: [a*i, y*j + a*e1_rod], length: h}
+gravity: g*j
+find: linearization
+"""
+
+
+def test_what_symmetry_shows_is_found_where_the_whole_has_no_closed_form() -> None:
+    """Level, each spring carries half of the weight: y = h + m g/(2 k); then 2k and 2k a² stiffen it."""
+    found = solution_of(TWO_SPRINGS).own.linearization
+    assert found is not None
+    m, k, g, h = symbols("m k g h", positive=True)
+    level = {
+        sp.expand(r.rhs): at
+        for b, at in zip(found.branches, found.at, strict=True)
+        for r in b.relations
+        if r.lhs == sp.Symbol("y", real=True)
+    }
+    hanging = level[h + m * g / (2 * k)]
+    assert hanging is not None
+    assert {f.square for f in hanging.frequencies} == {2 * k / m, 6 * k / m}
+
+
 # Where a force has no value, and what is not lost
 
 

@@ -138,7 +138,8 @@ def test_a_damped_absorber_never_stops_the_machine_and_its_ends_may_meet_at_rest
     damper = ", rub: {damper: b, between: [A, B]}"
     solution = solve(read(ON_A_LINE.format(more="", last="", energy="", damper=damper)))
     assert all(check.passed for check in solution.checks)
-    assert solution.own.response is not None and solution.own.response.rests == ((), ())
+    assert solution.own.response is not None
+    assert solution.own.response.rests == ((), ())
 
 
 def test_a_place_of_rest_is_no_frequency_of_resonance() -> None:
