@@ -91,7 +91,7 @@ def explain_rotation(body: Body, rotation: Rotation, *, hinged: bool = False) ->
 
 def _inertia(body: Body, rotation: Rotation, hinged: bool) -> tuple[Part, ...]:
     if not rotation.has_inertia:
-        return _turns(body) if body.mass == 0 else (*_turns(body), " It has no moment of inertia.")
+        return _turns(body)
     if body.angle is not None:
         moment = math(body.inertia[0])
         axis = "this axis" if hinged else "the axis of rotation through the mass centre"

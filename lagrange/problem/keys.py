@@ -215,8 +215,8 @@ BODY = Form(
         Key(
             "inertia",
             AnyOf(("expression", three("expression"), three(three("expression")))),
-            "About the mass centre: one moment about k, three principal moments [A, B, C], or a symmetric matrix.",
-            required=True,
+            "About the mass centre: one moment about k, three principal moments [A, B, C], or a symmetric matrix. "
+            "At rest none is needed, nor without a mass.",
             example="I_G",
         ),
         Key("position", "vector", "Where the mass centre is.", required=True, example="x*i + y*j"),

@@ -51,6 +51,7 @@ class LoadContext:
     points    their positions, by name; None where one could not be read
     shapes    their shapes, still to be read
     values    the numbers that the file gives to parameters
+    without_inertia  the bodies with a mass and without a moment of inertia
     """
 
     def __init__(self, diagnostics: Diagnostics) -> None:
@@ -66,6 +67,7 @@ class LoadContext:
         self.values: dict[sp.Symbol, sp.Expr] = {}
         self.points: dict[str, Vector | None] = {}
         self.shapes: dict[str, Node] = {}
+        self.without_inertia: dict[str, Span] = {}
         self.bodies: list[str] = []
         self._tested = 0
         self._reduced = 0

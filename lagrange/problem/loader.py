@@ -156,6 +156,10 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         message = "an impact is asked for, and the file has no `impact`"
         help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"
         diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
+    if {*find} - {Find.CONSTRAINTS, Find.EQUILIBRIUM, Find.IMPENDING}:
+        for name, span in context.without_inertia.items():
+            help_ = "add `inertia: I_G`"
+            diagnostics.report(Diagnostic("missing-key", f"the body `{name}` has no `inertia`", span, help=help_))
     problem = replace(problem, find=find)
     if impact is not None and Find.MOTION not in find:
         problem = diagnostics.attempt(lambda: with_initial_before(problem)) or problem

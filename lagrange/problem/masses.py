@@ -86,8 +86,10 @@ class _BodyBeingRead:
         keep_shape(section, self.name, context)
         mass, (inertia, products) = context.diagnostics.all_of(
             lambda: mass_of(section.get("mass"), self.name, context),
-            lambda: _inertia(section.required("inertia", self.key.span), context),
+            lambda: _inertia(section.get("inertia"), section, context),
         )
+        if mass != 0 and not section.has("inertia"):
+            context.without_inertia[self.name] = self.key.span
         body = Body(self.name, mass, Vector.zero(), inertia, self.key.span, products)
         self._body = _turned_body(body, section, context)
         turned = self._body.orientation(context.scope.slots)
@@ -124,8 +126,13 @@ def mass_of(node: Node | None, name: str, context: LoadContext, allowed: Allowed
     return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", context, allowed)
 
 
-def _inertia(node: Node, context: LoadContext) -> tuple[tuple[sp.Expr, ...], Three]:
-    """One moment or three, and the elements J_23, J_31, J_12 off the diagonal. Raises ProblemError."""
+def _inertia(node: Node | None, section: Section, context: LoadContext) -> tuple[tuple[sp.Expr, ...], Three]:
+    """One moment or three, zero where none is given, and the elements J_23, J_31, J_12 off the diagonal.
+
+    Raises ProblemError.
+    """
+    if node is None:
+        return (sp.S.Zero,) * (1 if section.has("angle") else 3), NO_PRODUCTS
     if isinstance(node, Scalar) and node.text.lstrip().startswith("["):
         message = "`inertia` is a list here, and not a text"
         raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))

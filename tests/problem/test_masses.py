@@ -96,3 +96,25 @@ def test_a_moment_that_exceeds_the_sum_of_the_others_is_noted(inertia: str, note
     """The principal moments of the matrices are 1, 3, 5 and 1, 3, 4."""
     problem = read(IN_SPACE.format(inertia=inertia))
     assert ("impossible-inertia" in [d.code for d in problem.notes]) is noted
+
+
+@pytest.mark.parametrize(
+    ("body", "find", "accepted"),
+    [
+        ("mass: m, ", "equilibrium", True),
+        ("", "equilibrium", True),
+        ("", "motion", True),
+        ("mass: m, ", "motion", False),
+    ],
+)
+def test_inertia_is_needed_for_the_motion_of_a_mass_only(body: str, find: str, accepted: bool) -> None:
+    text = (
+        "title: T\nparameters: [m, g]\ncoordinates: [x, theta]\n"
+        f"bodies: {{B: {{{body}position: x*i, angle: theta}}}}\ngravity: -g*j\nfind: {find}\n"
+    )
+    if accepted:
+        [body_read] = read(text).bodies
+        assert body_read.inertia == (0,)
+    else:
+        with pytest.raises(ProblemError, match="the body `B` has no `inertia`"):
+            read(text)
