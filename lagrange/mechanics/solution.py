@@ -446,6 +446,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
+    from lagrange.mechanics.equilibrium.loads import at_rest
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
@@ -453,7 +454,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
-    original = with_spring_forces(equilibrium(own.configuration, own.elimination, problem.unknowns))
+    original = with_spring_forces(equilibrium(at_rest(own.configuration), own.elimination, problem.unknowns))
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
     checks = [*solution.checks]
@@ -462,7 +463,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         on_stage(_stage("equilibria", view))
         resting = original
         if view is not own:
-            resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
+            resting = equilibrium(at_rest(view.configuration), view.elimination, problem.unknowns)
+            resting = without_poles(resting, original)
             resting = with_spring_forces(resting)
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None

@@ -44,6 +44,7 @@ from lagrange.problem.model import (
     AppliedMoment,
     Belt,
     Damper,
+    Find,
     Friction,
     GeneralizedForce,
     Potential,
@@ -54,7 +55,8 @@ from lagrange.problem.model import (
 
 def check_statics(problem: Problem, configuration: Configuration) -> None:
     """Refuse a problem that is not one of statics. Raises ProblemError with all reasons."""
-    mistakes = [*_forces(problem), *_moving(problem, configuration)]
+    moves = not {*problem.find}.isdisjoint({Find.MOTION, Find.LINEARIZATION})
+    mistakes = [*_forces(problem, moves), *_moving(problem, configuration)]
     if (
         not mistakes
         and not configuration.loads
@@ -69,7 +71,7 @@ def check_statics(problem: Problem, configuration: Configuration) -> None:
         raise ProblemError(mistakes)
 
 
-def _forces(problem: Problem) -> Iterable[Diagnostic]:
+def _forces(problem: Problem, moves: bool) -> Iterable[Diagnostic]:
     """The forces that depend on the motion."""
     for f in problem.forces:
         match f:
@@ -83,6 +85,8 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
                 parts = tuple(f.components.values())
             case Spring():
                 parts = (f.stiffness, f.length, *f.ends[0].components, *f.ends[1].components)
+            case Damper() if moves:
+                continue
             case Damper():
                 message = f"the damper `{f.name}` exerts no force at rest"
                 yield Diagnostic("force-of-motion", message, f.span, help="leave it out where equilibrium is asked")
@@ -96,7 +100,7 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
         symbols = sorted({s for p in parts for s in p.free_symbols}, key=str)
         rates = [s for s in symbols if base(s) != s and base(s) not in problem.slots.prescribed]
         times = [s for s in symbols if s == t or base(s) in problem.slots.prescribed]
-        if rates:
+        if rates and not moves:
             message = f"the force `{f.name}` depends on the velocity `{rates[0]}`"
             help_ = "at rest velocities are zero: write what the force is at rest, or leave it out"
             yield Diagnostic("force-of-motion", message, f.span, help=help_)

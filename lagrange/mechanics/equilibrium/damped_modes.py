@@ -132,7 +132,9 @@ def _where_it_oscillates(m: sp.Expr, d: sp.Expr, k: sp.Expr, square: sp.Expr) ->
         bound = sp.Pow(inside, sp.S.Half, evaluate=False)
         bound = bound if outside == 1 else sp.Mul(outside, bound, evaluate=False)
         return SignCondition(sp.factor(d / (shared * content)), "<", bound)
-    return SignCondition(sp.expand(4 * k * m), ">", sp.factor(d**2))
+    shared = sp.gcd(4 * k * m, d**2)
+    shared = shared if sign_of(shared) == 1 else sp.S.One
+    return SignCondition(sp.expand(sp.cancel(4 * k * m / shared)), ">", sp.factor(sp.cancel(d**2 / shared)))
 
 
 def _proportional(mass: Matrix, damping: Matrix, stiffness: Matrix) -> tuple[DampedMode, ...] | None:

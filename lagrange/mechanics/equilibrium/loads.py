@@ -1,15 +1,41 @@
-"""The loads among the parameters: a condition such as 2 k > l P is that on the critical load, P < 2 k/l."""
+"""The loads at rest, and those among the parameters.
+
+A damper has no force at rest, nor has a drag that is proportional to the velocity. A condition such as 2 k > l P is
+that on the critical load, P < 2 k/l.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 WEIGHT = "weight"
+
+
+def at_rest(configuration: Configuration) -> Configuration:
+    """The system under the forces that act at rest. Raises NotCoveredError where one has no value there."""
+    still: dict[sp.Basic, sp.Basic] = dict.fromkeys(configuration.slots.velocities, sp.S.Zero)
+
+    def resting(name: str, vector: Vector) -> Vector:
+        value = vector.xreplace(still)
+        if any(c.has(sp.nan, sp.zoo) for c in value.components):
+            raise NotCoveredError(f"rest under the force `{name}`, which has no value where the velocities vanish,")
+        return value
+
+    return replace(
+        configuration,
+        loads=tuple(replace(f, vector=resting(f.name, f.vector)) for f in configuration.loads),
+        torques=tuple(replace(m, vector=resting(m.name, m.vector)) for m in configuration.torques),
+        generalized=tuple(q.xreplace(still) for q in configuration.generalized),
+        dampers=(),
+    )
 
 
 def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()) -> tuple[sp.Symbol, ...]:

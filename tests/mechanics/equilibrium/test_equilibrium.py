@@ -11,7 +11,7 @@ import sympy as sp
 from lagrange.answers.equations import Verdict
 from lagrange.answers.examiner import check_answer
 from lagrange.answers.verdicts import Judgement
-from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError, Source
 from lagrange.document.derivation import Display, Prose, Rule
 from lagrange.explain.report import report
 from lagrange.explain.rest.statics import explain_virtual_work
@@ -311,6 +311,34 @@ def test_forces_that_depend_on_the_motion(more: str, code: str, says: str) -> No
     assert found.code == code
     assert says in found.message
     assert found.span is not None
+
+
+DAMPED = """
+title: A damped pendulum in the wind
+parameters: [m, l, g, c, F, k]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: T}}
+gravity: g*j
+forces: {drag: {on: P, vector: -c*r_P'}, wind: {on: P, vector: F*i}, rub: {damper: k, between: [P, l*i]}}
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}
+"""
+
+
+def test_forces_that_vanish_at_rest_beside_the_motion() -> None:
+    found = solve(read(DAMPED + "find: [motion, equilibrium]\n")).choices[0]
+    assert relations(found.equilibrium) == [{"tan(theta)": "F/(g*m)"}]
+    assert found.reactions_at_rest is not None
+    [at] = found.reactions_at_rest.at
+    assert at is not None
+    m, g, theta = sp.Symbol("m", positive=True), sp.Symbol("g", positive=True), sp.Symbol("theta", real=True)
+    assert at.rule[sp.Symbol("T", real=True)] == m * g / sp.cos(theta)
+
+
+def test_a_force_without_a_value_at_rest_is_refused() -> None:
+    text = DAMPED.replace("-c*r_P'", "-c*r_P'/norm(r_P')") + "find: [motion, equilibrium]\n"
+    with pytest.raises(NotCoveredError, match="`drag`, which has no value"):
+        solve(read(text))
 
 
 def test_nothing_acts() -> None:
