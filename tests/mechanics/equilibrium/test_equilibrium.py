@@ -331,7 +331,7 @@ def test_forces_that_vanish_at_rest_beside_the_motion() -> None:
     assert found.reactions_at_rest is not None
     [at] = found.reactions_at_rest.at
     assert at is not None
-    assert {s.name: str(v) for s, v in at.rule.items()}["T"] == "g*m/cos(theta)"
+    assert {s.name: str(v) for s, v in at.rule.items()} == {"lambda_rod": "-g*m/(2*l*cos(theta))"}
 
 
 def test_a_force_without_a_value_at_rest_is_refused() -> None:
