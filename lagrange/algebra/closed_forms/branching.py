@@ -43,6 +43,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     sides,
     verified,
     with_divisors,
+    without_cancelled,
     without_repetitions,
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
@@ -125,6 +126,7 @@ def _solutions(
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
     regular, singular = separated(branches, divisors, letters)
     kept, verdict = verified(regular, readable, letters)
+    kept = [without_cancelled(b, readable, letters) for b in kept]
     kept = [(with_values if b.left else with_divisors)(b, divisors, letters) for b in kept]
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))

@@ -16,7 +16,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
-from lagrange.algebra.closed_forms.polynomial_roots import factors
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
@@ -138,6 +138,35 @@ def with_divisors(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) 
     return replace(b, conditions=tuple(dict.fromkeys(conditions)))
 
 
+def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLetters) -> Branch:
+    """The branch without conditions p ≠ 0 that its values do not need: what was divided by p has cancelled.
+
+    x = k (y − 2a)/(m ω² − k) with y = 2a k/(2k − m ω²) is 2a k/(2k − m ω²), at k = m ω² too: there the equations hold.
+    """
+    if b.left or b.special or not any(c.relation == "≠" for c in b.conditions):
+        return b
+    points = [{u: factored_quotient(resolved(v, p)) for u, v in p.items()} for p in b.points]
+
+    def is_needed(c: SignCondition) -> bool:
+        difference = sp.expand(c.lhs - c.rhs)
+        linear = [s for s in sorted(difference.free_symbols, key=str) if s not in difference.diff(s).free_symbols]
+        if c.relation != "≠" or not linear or any(v.atoms(sp.Abs) or _has_root(v) for p in points for v in p.values()):
+            return True
+        s = linear[0]
+        place = {s: sp.cancel(s - difference / difference.diff(s))}
+        there = [{u: sp.cancel(v.xreplace(place)) for u, v in p.items()} for p in points]
+        if any(v.has(sp.zoo, sp.nan) for p in there for v in p.values()):
+            return True
+        return not all(is_zero(letters.write(resolved(e.xreplace(place), p))) for e in equations for p in there)
+
+    conditions = tuple(c for c in b.conditions if is_needed(c))
+    return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))
+
+
+def _has_root(e: sp.Expr) -> bool:
+    return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
+
+
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:
     try:
         return bool(is_zero(letters.write(resolved(divisor, point))))
@@ -213,10 +242,12 @@ def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) ->
         used = [unknowns.index(owner[s]) for s in letters.read(r.lhs).free_symbols if s in owner]
         return min(used, default=-1)
 
-    relations = [
-        Relation(letters.write(r.lhs), without_leading_minus(shortest_form(letters.write(resolved(r.rhs, known)))))
-        for r in sorted(b.relations, key=place)
-    ]
+    def value(e: sp.Expr) -> sp.Expr:
+        given = resolved(e, known)
+        given = given if given == e else factored_quotient(given)  # what was divided by may cancel
+        return without_leading_minus(shortest_form(letters.write(given)))
+
+    relations = [Relation(letters.write(r.lhs), value(r.rhs)) for r in sorted(b.relations, key=place)]
     conditions = [
         SignCondition(
             shortest_form(letters.write(resolved(c.lhs, known))),

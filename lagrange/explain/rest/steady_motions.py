@@ -55,7 +55,11 @@ def _conditions(found: SteadyMotions) -> Iterator[Block]:
         never = " cannot then hold: there are no steady motions."
         yield paragraph(prose(*listed(cyclic), verb), steady, prose(which, *listed(others), never))
         return
-    become = plural(len(shown), "The equation of motion of the other coordinate becomes", "Those of the others become")
+    become = plural(
+        len(shown),
+        "The equation of motion of the other coordinate becomes",
+        "The equations of motion of the others become",
+    )
     yield paragraph(prose(*listed(cyclic), verb), steady, prose(become))
     yield display(*(Equation((c, ZERO), label=label_of(about, "steady", n)) for n, c in enumerate(shown, 1)))
 

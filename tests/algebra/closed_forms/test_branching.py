@@ -106,3 +106,16 @@ def test_the_root_of_several_unknowns() -> None:
     assert [sp.expand(e) for e in branch.left] == [x**2 + y**2 - POSITIVE["l"] ** 2]
     assert solutions([read("sqrt(x^2 + y^2) + l")], [x, y]).branches == ()
     assert solutions([read("sqrt(x^2 + y^2)"), read("sqrt(x^2 + y^2) - l")], [x, y]).branches == ()
+
+
+def test_what_was_divided_by_and_cancels_is_no_condition() -> None:
+    """Two beads on a turning rod, joined by a spring: x = y = 2a k/(2k - m w²), where k = m w² too."""
+    a, k, m, w = sp.symbols("a k m w", positive=True)
+    x, y = sp.symbols("x y", real=True)
+    pull = k * (x + y - 2 * a)
+    [b] = solutions([m * w**2 * x - pull, m * w**2 * y - pull], [x, y]).branches
+    assert [(c.lhs, c.relation, c.rhs) for c in b.conditions] == [(m * w**2, "≠", 2 * k)]
+    for r in b.relations:
+        assert sp.cancel(r.rhs - 2 * a * k / (2 * k - m * w**2)) == 0
+    [c] = solutions([(k - m) * x, x * y - a * x, y - m], [x, y]).branches[:1]
+    assert {r.lhs: r.rhs for r in c.relations} == {x: 0, y: m}
