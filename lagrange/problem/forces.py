@@ -54,7 +54,17 @@ _EXAMPLE_OF_IMPULSE = "impulses: {blow: {on: P, vector: J*i}}"
 
 def read_gravity(node: Node | None, context: LoadContext) -> Vector | None:
     """The acceleration of gravity."""
-    return None if node is None else context.diagnostics.attempt(lambda: context.vector(node, "`gravity`", FORCE))
+    return None if node is None else context.diagnostics.attempt(lambda: _gravity(node, context))
+
+
+def _gravity(node: Node, context: LoadContext) -> Vector:
+    try:
+        return context.vector(node, "`gravity`", FORCE)
+    except ProblemError as error:
+        if [d.code for d in error.diagnostics] != ["scalar-for-vector"]:
+            raise
+        help_ = "gravity is a vector: write `gravity: -g*j` where j points up, `gravity: g*j` where it points down"
+        raise ProblemError([replace(d, help=help_) for d in error.diagnostics]) from None
 
 
 def read_forces(node: Node | None, context: LoadContext, constraints: Iterable[Constraint]) -> tuple[Force, ...]:
@@ -95,13 +105,12 @@ def _force(
     noun: str = "force",
 ) -> Force:
     what = f"the {noun} `{name}`"
-    acceleration = _acceleration(node) if name == "gravity" else None
-    if acceleration is not None:
+    if name == "gravity" and _is_vector_alone(node):
         message = "`gravity` is not one of the forces: it acts on every mass"
-        written = acceleration.text or "-g*j"
-        help_ = f"write it beside `forces`, as a key of the problem: `gravity: {written}`"
+        help_ = "write the acceleration, without the mass, beside `forces`: `gravity: -g*j`"
         raise ProblemError(Diagnostic("misplaced-gravity", message, key.span, help=help_))
     mapping = mapping_of(node, what, f"{name}: {{on: P, vector: F*i}}")
+    _refuse_type(mapping, what, forms)
     kinds = [k for k in forms if any(entry.text == k for entry, _ in mapping.entries)]
     if len(kinds) > 1:
         listed = " and ".join(f"`{k}`" for k in kinds)
@@ -119,11 +128,20 @@ def _force(
     return _READERS[kind](_Entry(name, what, key, section, context, tensions))
 
 
-def _acceleration(node: Node) -> Scalar | None:
-    """A vector that acts on nothing; None for a force that is only called gravity."""
+def _is_vector_alone(node: Node) -> bool:
+    """Whether it is a vector that acts on nothing, and not a force that is only called gravity."""
     if isinstance(node, MappingNode) and [key.text for key, _ in node.entries] == ["vector"]:
         node = node.entries[0][1]
-    return node if isinstance(node, Scalar) else None
+    return isinstance(node, Scalar)
+
+
+def _refuse_type(mapping: MappingNode, what: str, forms: Mapping[str, Form]) -> None:
+    """Refuse `type: spring`, with the cure: the key that says what acts is the kind itself. Raises ProblemError."""
+    for key, value in mapping.entries:
+        if key.text in ("type", "kind") and isinstance(value, Scalar) and value.text in forms:
+            needed = ", ".join(f"{k.name}: {k.example}" for k in forms[value.text].keys if k.required)
+            message = f"`{key.text}` is not a key of {what}: the key `{value.text}` itself says what acts"
+            raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"write `{{{needed}}}`"))
 
 
 def _any_of(noun: str, forms: Mapping[str, Form]) -> Form:

@@ -233,6 +233,9 @@ def test_mistake(text: str) -> None:
 
 HELPS = {
     HEAD + "gravty: g*j": "did you mean `gravity`?",
+    HEAD + "gravity: 9.81": "`gravity: -g*j` where j points up",
+    HEAD + "forces: {gravity: -m*g*j}": "without the mass, beside `forces`: `gravity: -g*j`",
+    HEAD + "forces: {tie: {type: spring, k: m, on: P}}": "write `{spring: c, between: [P, Q]}`",
     HEAD + "particles: {P: {mas: m, position: 0}}": "did you mean `mass`?",
     HEAD + "constraints: {a: {equation: x = 0, reacton: N}}": "did you mean `reaction`?",
     HEAD + "constraints: {a: thetta = 0}": "did you mean `theta`?",
