@@ -89,9 +89,14 @@ def nature(reaction: Reaction) -> list[Prose]:
     """What maintains a constraint, where the file says so, and the kind of force."""
     by = reaction.constraint.by
     is_said = by in SURFACES if _is_on_surface(reaction) else by in _LIKE and reaction.rod is not None
-    if by is None or is_said:
+    if by is None or is_said or _is_tension(reaction):
         return _force(reaction)
     return [prose(f"{capital(constraints_called([reaction.name]))} is maintained by {KEEPERS[by]}."), *_force(reaction)]
+
+
+def _is_tension(reaction: Reaction) -> bool:
+    """Whether it is the tension of what keeps a sum of lengths constant, and says itself what that is."""
+    return reaction.rod is None and reaction.single is not None and reaction.single.kind is ForceKind.TENSION
 
 
 def _is_on_surface(reaction: Reaction) -> bool:
@@ -117,14 +122,15 @@ def _force(reaction: Reaction) -> list[Prose]:
     if reaction.rod is not None:
         return [_of_rod(reaction, reaction.rod)]
     called, single = constraints_called([reaction.name]), reaction.single
-    if single is not None and single.kind is ForceKind.TENSION:
+    if _is_tension(reaction) and single is not None:
+        by = reaction.constraint.by
+        keeper = f", {KEEPERS[by]}," if by is not None else ""
         if reaction.symbol_of_force is None:
             what: tuple[Part, ...] = ("a tension. It is ", math(single.factor * reaction.multiplier))
         else:
             what = ("the tension ", math(*_valued(reaction, reaction.symbol_of_force)))
-        return [
-            prose(f"{capital(called)} keeps a length constant: its reaction is ", *what, ", positive where it pulls.")
-        ]
+        beginning = f"{capital(called)}{keeper} keeps a length constant: its reaction is "
+        return [prose(beginning, *what, ", positive where it pulls.")]
     if single is not None and reaction.given is not None:
         return [_along(reaction, single, reaction.given)]
     multiplier = math(reaction.multiplier)

@@ -80,4 +80,4 @@ def test_what_keeps_a_constraint_is_named(problem: Read, equation: str, keeper: 
     assert words in shown
     assert "on a surface or curve" not in shown
     assert "The wheel constraint is maintained by rolling without slipping." in shown
-    assert "The cord constraint is maintained by a string." in shown
+    assert "The cord constraint, a string, keeps a length constant" in shown
