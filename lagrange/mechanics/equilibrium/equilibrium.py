@@ -347,11 +347,16 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         beside, _ = _without(solved(divisor).branches, multipliers)
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
     if not solution.solved:
+        verdicts = [solution.verified] if any(not b.left for b in branches) else []
         for place in _symmetric_places(equations, coordinates):
-            beside, _ = _without(solved(place).branches, multipliers)
+            there = solved(place)
+            beside, _ = _without(there.branches, multipliers)
             stated = {b.relations for b in branches}
             closed = (b for b in beside if not b.left and b.relations not in stated)
-            branches = (*(b for b in closed if not any(is_part(b, o, solution) for o in branches)), *branches)
+            more = [b for b in closed if not any(is_part(b, o, solution) for o in branches)]
+            branches = (*more, *branches)
+            verdicts += [there.verified] if more else []
+        solution = replace(solution, verified=all_hold(verdicts) if verdicts else solution.verified)
     excluded, _ = _without(solution.excluded, multipliers)
     ranges = e.configuration.ranges
     restricted = [within(b, ranges, solution) for b in branches] if ranges else branches

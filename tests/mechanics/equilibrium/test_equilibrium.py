@@ -451,6 +451,26 @@ def test_what_symmetry_shows_is_found_where_the_whole_has_no_closed_form() -> No
     assert {f.square for f in hanging.frequencies} == {2 * k / m, 6 * k / m}
 
 
+UPRIGHT = """
+title: A rod held upright by two springs
+parameters: [W, k, l, a]
+coordinates: [theta]
+let: {u: "sin(theta)*i + cos(theta)*j"}
+particles: {top: {position: l*u}, mid: {position: a*u}}
+forces:
+  load: {on: top, vector: -W*j}
+  left: {spring: k, between: [mid, "-a*i + a*j"], length: a}
+  right: {spring: k, between: [mid, "a*i + a*j"], length: a}
+find: equilibrium
+"""
+
+
+def test_what_symmetry_shows_is_verified() -> None:
+    found = solution_of(UPRIGHT)
+    assert found.holds
+    assert relations(found.own.equilibrium)[:2] == [{"theta": "0"}, {"theta": "pi"}]
+
+
 # Where a force has no value, and what is not lost
 
 
