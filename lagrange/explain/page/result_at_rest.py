@@ -17,7 +17,7 @@ from lagrange.document.derivation import Equation, Part, Rule
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, sign_conditions
-from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
@@ -82,17 +82,35 @@ def _steady(found: SteadyMotions) -> Iterator[Equation]:
     """The steady motions, each with its stability."""
     for family in found.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
-            stability = None if s is None else s.judgement.stability
-            words: tuple[Part, ...] = ()
-            if stability is not None and sum(count_operations(c.lhs) for c in stability.conditions) <= LONGEST_WORDS:
-                firm = stability.conditions and stability.verdict is StabilityVerdict.CONDITIONAL
-                words = ("stable where ", *sign_conditions(stability.conditions)) if firm else ()
+            words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
             rates = [Equation((v, value)) for v, value in family.rates.items()]
             if not b.equations:
                 yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
                 continue
             given = (*listed(math(*e.sides) for e in rates), ": " if words else "") if rates else ()
             yield from _branch(b, *(("with ",) if given else ()), *given, *words)
+
+
+def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:
+    """`stable`, `unstable where a > b`, `stable to first order where c > d`; nothing where it is undecided or long.
+
+    What the values of the coordinates divide by differs from zero anyhow.
+    """
+    s = judgement.stability
+    conditions = s.conditions if s.verdict is StabilityVerdict.CONDITIONAL else s.presupposed
+    below = (sp.factor(sp.fraction(sp.together(v))[1]) for v in values)
+    divisors = {f.as_base_exp()[0] for d in below for f in sp.Mul.make_args(d)}
+    conditions = tuple(c for c in conditions if c.relation != "≠" or c.lhs not in divisors)
+    if sum(count_operations(c.lhs) for c in conditions) > LONGEST_WORDS:
+        return ()
+    where = ("where ", *sign_conditions(conditions)) if conditions else ()
+    match s.verdict:
+        case StabilityVerdict.STABLE | StabilityVerdict.UNSTABLE:
+            return (s.verdict.value, " ", *where) if where else (s.verdict.value,)
+        case StabilityVerdict.CONDITIONAL if where:
+            firm = judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
+            return ("stable " if firm else "stable to first order ", *where)
+    return ()
 
 
 def _frequencies(linearization: Linearization) -> Iterator[Equation]:

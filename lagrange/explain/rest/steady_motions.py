@@ -92,10 +92,10 @@ def _branches(found: SteadyMotions) -> Iterator[Block]:
         anywhere = ("in any position",) if family.rates and not b.equations and _without(family, coordinates) else ()
         lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b) or anywhere)
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    poles = [r for b in found.general.poles for r in b.equations]
+    poles = dict.fromkeys(b.equations for b in found.general.poles)
+    places = [part for pole in poles for part in (", or where ", *listed(math(r.lhs, r.rhs) for r in pole))]
     if poles:
-        places = listed((math(r.lhs, r.rhs) for r in poles), " or ")
-        yield prose("Where ", *places, ", the coordinates fail.")
+        yield prose("Where ", *places[1:], ", the coordinates fail.")
 
 
 def _without(family: Family, coordinates: set[sp.Symbol]) -> bool:

@@ -276,8 +276,16 @@ def _without_poles(resting: Equilibrium, form: MatrixForm, rates: Mapping[sp.Sym
         value = None if b.left or b.special else on_branch(b, mass, resting)
         return value is not None and Surface().is_zero(value) is True
 
+    def failing(b: Branch) -> Branch:
+        """A pole with the one relation that makes M singular, where one does: β = π/2, whatever α is."""
+        single = (
+            r for r in b.relations if r.lhs.is_Symbol and Surface().is_zero(mass.xreplace({r.lhs: r.rhs})) is True
+        )
+        r = next(single, None)
+        return b if r is None else replace(b, relations=(r,))
+
     poles = tuple(b for b in resting.branches if is_pole(b))
-    return replace(_only(resting, lambda b: b not in poles), poles=poles)
+    return replace(_only(resting, lambda b: b not in poles), poles=tuple(map(failing, poles)))
 
 
 def _at_any_rate(general: Equilibrium, slope: sp.Expr) -> Equilibrium:

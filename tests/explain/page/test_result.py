@@ -32,7 +32,7 @@ def box(r: Report) -> str:
         ("released-pendulum", ("T = m g (3 − 2 cos α)    when θ = 0",)),
         ("ladder-on-rough-ground", ("the conditions of rest", "tan θ = 2μ/(1 − μ ν)    at the limit")),
         ("cylinder-on-rough-incline", ("⅓ tan α ≤ μ_s",)),
-        ("conical-pendulum", ("steady motions", "cos θ = g/(l φ̇²)")),
+        ("conical-pendulum", ("steady motions", "cos θ = g/(l φ̇²)    where l φ̇² ≥ g; stable ")),
         ("double-pendulum-small-oscillations", ("small oscillations", "ω₁² = g (2 − √2)/l", "stable")),
         ("spherical-pendulum-by-routh", ("Hamilton's function", "H = p_θ²")),
         ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
@@ -43,6 +43,32 @@ def test_the_box_contains_what_is_asked(name: str, contained: tuple[str, ...]) -
     found = box(reported(name, complete=False))
     for line in contained:
         assert line in found
+
+
+def test_an_acceleration_that_is_asked_for_stands_there_once(problem: Callable[[str], Problem]) -> None:
+    text = (
+        "title: Fall\nparameters: [m, g]\ncoordinates: [x, y]\ngravity: g*j\n"
+        "particles: {P: {mass: m, position: x*i + y*j}}\nask: {rate: {quantity: y''}}\n"
+    )
+    found = report(problem(text), complete=False)
+    assert box(found).count("ÿ = g") == 1
+    question = terminal.text(found.derivation, found.notation, 80).partition("Question: rate")[2]
+    assert question.count("ÿ = g") == 1
+
+
+STEADY = """title: Two beads on a turning rod
+parameters: [m, J, k, a]
+coordinates: [x, y, phi]
+let: {u: "cos(phi)*i + sin(phi)*j"}
+bodies: {rod: {inertia: J, position: 0*i, angle: phi}}
+particles: {A: {mass: m, position: x*u}, B: {mass: m, position: -y*u}}
+forces: {s: {potential: "k*(x + y - 2*a)^2/2"}}
+find: steady
+"""
+
+
+def test_a_steady_motion_that_is_unstable_is_said_to_be(problem: Callable[[str], Problem]) -> None:
+    assert "where 2k ≠ m φ̇²; unstable where φ̇ ≠ 0" in box(report(problem(STEADY), complete=False))
 
 
 def test_a_reaction_that_is_asked_for_stands_there_once(problem: Callable[[str], Problem]) -> None:

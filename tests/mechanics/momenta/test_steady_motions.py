@@ -284,3 +284,14 @@ def test_a_particle_that_falls_has_none_and_no_equation_without_sense_is_printed
     page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
     assert "1 = 0" not in page
     assert ("there are no steady motions." if asked == "steady" else "there is no equilibrium.") in page
+
+
+def test_where_the_coordinates_fail_is_said_of_the_angle_that_fails() -> None:
+    text = (
+        "title: A top in Cardan angles\nparameters: [A, C, m, g, l]\ncoordinates: [alpha, beta, psi]\n"
+        "bodies: {top: {mass: m, inertia: [A, A, C], position: l*e3_top, orientation: {axes: 123, "
+        "angles: [alpha, beta, psi]}}}\ngravity: -g*k\nfind: steady\n"
+    )
+    found = solve(read(text)).own.steady
+    assert found is not None
+    assert {str(r.lhs) for b in found.general.poles for r in b.relations} == {"beta"}
