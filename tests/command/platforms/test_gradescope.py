@@ -21,8 +21,7 @@ from lagsolve.grading.examine import grader
 from lagsolve.grading.roster import Roster
 from lagsolve.grading.students import Attempts
 from lagsolve.grading.table import TableRow
-from lagsolve.platforms import gradescope, prairielearn
-from lagsolve.platforms.coderunner import result
+from lagsolve.platforms import gradescope
 from lagsolve.platforms.parts import Part
 from lagsolve.platforms.prairielearn import grade_element
 from tests.command.test_main import run
@@ -93,18 +92,6 @@ def test_gradescope_is_told_what_is_late_and_what_counts() -> None:
     assert gradescope.results([part(RIGHT)], [], before, Attempts.BEST)["score"] == 1
 
 
-def test_prairielearn() -> None:
-    found = prairielearn.results([part(RIGHT)])
-    assert (found["gradable"], found["score"]) == (True, 1)
-    [test] = found["tests"]
-    assert {"name", "points", "max_points", "message", "output"} == set(test)
-    assert prairielearn.results([part(RIGHT), part(WRONG)])["score"] == 0.5
-    found = prairielearn.results([part("theta'' <script> = 0")])
-    assert found["gradable"] is False
-    assert "<script>" not in "".join(found["format_errors"])
-    assert prairielearn.results([part(None)])["score"] == 0
-
-
 @pytest.mark.parametrize("format_", ["gradescope", "prairielearn"])
 def test_these_formats_are_about_one_submission(format_: str, submission: Path) -> None:
     (submission / "a").write_text(RIGHT)
@@ -114,38 +101,6 @@ def test_these_formats_are_about_one_submission(format_: str, submission: Path) 
     ):
         assert said in run("grade", "ex11", "submission", *more, "--format", format_).stderr
     assert run("grade", "ex11", "nowhere", "--format", format_).exit_code == 2
-
-
-def element(answer: object) -> dict[str, Any]:
-    data: dict[str, Any] = {
-        "submitted_answers": {"q": answer},
-        "format_errors": {},
-        "partial_scores": {},
-        "feedback": {},
-    }
-    grade_element(data, "q", PENDULUM)
-    return data
-
-
-def test_the_grade_function_of_an_element() -> None:
-    assert element(RIGHT)["partial_scores"]["q"]["score"] == 1
-    wrong = element(WRONG)
-    assert wrong["partial_scores"]["q"]["score"] == 0
-    assert wrong["format_errors"] == wrong["feedback"] == {}
-    for answer in ("x = = <b>", "", None, 3):
-        assert set(element(answer)["format_errors"]) == {"q"}
-        assert "<b>" not in element(answer)["format_errors"]["q"]
-
-
-def test_coderunner() -> None:
-    right, wrong = (json.loads(result(PENDULUM, answer, 2)) for answer in (RIGHT, WRONG))
-    assert (right["fraction"], wrong["fraction"]) == (1, 0)
-    assert "Look at a force term" in wrong["epiloguehtml"]
-    assert set(wrong) <= {"fraction", "prologuehtml", "epiloguehtml", "instructorhtml", "testresults", "columnformats"}
-    faulty = json.loads(result("title: <b>\n", RIGHT))
-    assert faulty["fraction"] == 0
-    assert "coordinates" in faulty["instructorhtml"]
-    assert "coordinates" not in faulty["epiloguehtml"]
 
 
 # In Python: nbgrader, Otter

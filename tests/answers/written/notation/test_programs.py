@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.written.in_words import stated_in_words
-from lagrange.answers.written.notation.macros import macros_of, with_macros
-from lagrange.answers.written.notation.matrices import with_named_matrices
 from lagrange.answers.written.notation.programs import equations_of_program
 from lagrange.core.diagnostics import Fragment
 
@@ -38,40 +35,3 @@ def test_state_functions(program: str, equations: list[str]) -> None:
 def test_a_program_that_grows_is_refused() -> None:
     doubling = "".join(f"    a{n + 1} = a{n} + a{n}\n" for n in range(60))
     assert equations_of_program(Fragment.of(f"def f(t, y):\n    a0, v = y\n{doubling}    return [v, a60]")) == []
-
-
-@pytest.mark.parametrize(
-    ("written", "body", "read"),
-    [
-        (r"\newcommand{\tdd}{\ddot\theta}", r"\tdd = 0", r"\ddot\theta  = 0"),
-        (r"\newcommand{\diff}[2]{\frac{d #1}{d #2}}", r"\diff{x}{t} = 0", r"\frac{d x}{d t}  = 0"),
-        (r"\def\a{m}\def\b{\a x}", r"\b^2", "{m  x}^2"),
-        (r"\newcommand{\a}{\a\a}", r"\a", r"\a\a "),
-    ],
-)
-def test_macros_are_written_out_once(written: str, body: str, read: str) -> None:
-    assert with_macros(Fragment.of(body), macros_of(written)).text == read
-
-
-@pytest.mark.parametrize(
-    ("text", "freedom", "classes"),
-    [
-        ("Degrees of freedom: 6 - 1 = 5", 5, ()),
-        ("x^2 + y^2 = l^2\nDOF = 1, holonomic", 1, ("holonomic",)),
-        ("It has two degrees of freedom and is not holonomic", 2, ("nonholonomic",)),
-        (r"\( f=6-1=5 \), scleronomic", 5, ("scleronomic",)),
-        ("Zahl der Freiheitsgrade: 5, anholonom, rheonom", 5, ("nonholonomic", "rheonomic")),
-        ("m x'' + k x = 0", None, ()),
-    ],
-)
-def test_freedom_and_classes_in_words(text: str, freedom: int | None, classes: tuple[str, ...]) -> None:
-    stated = stated_in_words(text)
-    assert (stated.degrees_of_freedom, stated.classification) == (freedom, classes)
-
-
-def test_named_matrices_are_written_out() -> None:
-    column = r"\begin{pmatrix}%s\\%s\end{pmatrix}"
-    matrix = r"\begin{pmatrix}a & b\\c & d\end{pmatrix}"
-    texts = [rf"M = {matrix}", rf"M\ddot q = {column % (1, 2)}"]
-    rows = column % (r"\ddot{x}", r"\ddot{y}")
-    assert with_named_matrices(texts, [["x", "y"]]) == [None, rf"{matrix}{rows} = {column % (1, 2)}"]
