@@ -23,13 +23,6 @@ def run(*arguments: str, env: dict[str, str] | None = None) -> Result:
     return result
 
 
-@pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, which is the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 # list
 
 

@@ -237,4 +237,4 @@ def test_every_module_is_tested_by_a_file_that_can_be_found() -> None:
 
     modules = [m for m, path in FILES.items() if path.stem not in ("__init__", "__main__")]
     assert [m for m in modules if not tests_of(m)] == []
-    assert [p.name for p in tests_of("lagrange.algebra.exact.triangular")] == ["test_sampler.py"]
+    assert [p.name for p in tests_of("lagrange.algebra.exact.triangular")] == ["test_triangular.py"]

@@ -49,23 +49,6 @@ def test_the_period_of_a_pendulum() -> None:
     assert motion.is_accurate
 
 
-def test_a_thrown_stone_is_exact() -> None:
-    problem = lagrange.loads(
-        "title: stone\nparameters: {m: {value: 2}, g: {value: 10}}\ncoordinates: [x, y]\n"
-        "particles: {P: {mass: m, position: x*i + y*j}}\ngravity: -g*j\n"
-        "initial: {x: 0, y: 0, x': 3, y': 4}\nask: {top: {quantity: y, when: y' = 0}, range: {quantity: x, when: y = 0}}\n"
-    )
-    made = prepared(problem)
-    motion = simulated(made.states, made.start, 2.0, questions=problem.questions)
-    assert made.start.assumed == {}
-    assert np.allclose(motion.states[1], 4 * motion.times - 5 * motion.times**2, atol=1e-12)
-    top, far = motion.events
-    assert (top.name, far.name) == ("top", "range")
-    assert math.isclose(top.time, 0.4, rel_tol=1e-9)
-    assert math.isclose(top.value or 0, 0.8, rel_tol=1e-9)
-    assert math.isclose(far.value or 0, 2.4, rel_tol=1e-9)
-
-
 def test_the_sleigh_of_chaplygin_in_quasi_velocities() -> None:
     motion = moved("sleigh", 20.0, "u=1", "omega=0.5")
     assert motion.names == ("x", "y", "theta", "u", "omega")

@@ -22,6 +22,8 @@ TIERS = {
         "animation/test_played.py",
         "api/test_interface.py::test_importing_costs_nothing",
         "command/grading/test_pool.py",
+        "command/grading/test_worker.py",
+        "command/grading/test_worker_process.py",
         "command/test_command_group.py::test_a_real_shell_completes",
         "command/grading/test_run.py",
         "command/test_packaging.py",

@@ -334,22 +334,10 @@ def test_what_may_be_linear_in_branches_is_undecided_if_it_cannot_be_told(constr
     assert member.integrable is (False if "z*y'" in constraint else None)
 
 
-def test_velocities_that_the_constraints_determine_make_finite_relations() -> None:
-    """x² + y² = a², x'² + y'² = v²: a point that runs around a circle."""
-    problem = read("x^2 + y^2 = a^2", "x'^2 + y'^2 = v^2", head=HEAD.replace("x, y, z, theta", "x, y"))
-    found = classify(problem)
-    assert (found.holonomic, found.scleronomic, found.integrable_rank) == (True, False, 2)
-
-
 def test_a_sphere_and_a_cone_of_velocities_hide_a_relation_that_is_not_denied() -> None:
     """x'² + y'² + z'² = v² with x'² + y'² = c² z'² admits only z' = ± v/√(1 + c²)."""
     found = classify(read("x'^2 + y'^2 + z'^2 = v^2", "x'^2 + y'^2 = c^2*z'^2"))
     assert (found.rank, found.integrable_rank, found.holonomic) == (2, None, None)
-
-
-def test_linear_constraints_keep_their_finite_relations_beside_others() -> None:
-    found = classify(read("theta = x", "z' = x*x'", "x'^2 + y'^2 = v^2"))
-    assert (found.rank, found.integrable_rank, found.configuration_dimension) == (3, 2, 2)
 
 
 @pytest.mark.parametrize(
@@ -367,10 +355,6 @@ def test_what_has_no_regular_velocities_is_refused(constraints: list[str], code:
     with pytest.raises(ProblemError) as caught:
         classify(read(*constraints))
     assert caught.value.diagnostics[0].code == code
-
-
-def test_a_constraint_given_twice_is_redundant() -> None:
-    assert classify(read("x'^2 + y'^2 = v^2", "3*x'^2 + 3*y'^2 = 3*v^2")).redundant == ("c2",)
 
 
 # Motion
