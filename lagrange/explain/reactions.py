@@ -14,8 +14,8 @@ from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.named_forces import SURFACES
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import SURFACES
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Keeper
 

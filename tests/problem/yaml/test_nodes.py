@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from lagrange.core.diagnostics import Source
-from lagrange.problem.yaml.composer import compose
+from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import MappingNode, scalars
 
 
 def test_scalars_are_in_the_order_of_the_file() -> None:
     text = "a: 1\nb: [x, {c: 'y'}]\nd: \n"
-    root = compose(Source("file", text), [])
+    root = parse(Source("file", text))
     assert isinstance(root, MappingNode)
     found = [*scalars(root)]
     assert [s.text for s in found] == ["a", "1", "b", "x", "c", "y", "d", ""]

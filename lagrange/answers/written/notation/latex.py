@@ -44,7 +44,6 @@ _L_SIGNS = re.compile(r":=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overs
 _L_CANCEL = re.compile(r"\\(?:cancel|bcancel|xcancel|sout|not)\s*(?=\{)")
 _L_BRACE = re.compile(r"\\(under|over)(?:brace|bracket|line|set)\s*(?=\{)")
 _L_DV = re.compile(r"\\(?P<kind>dv|odv|derivative|pdv|pderivative|fdv)\*?\s*(?:\[\s*(?P<order>[1-4])\s*\])?\s*(?=\{)")
-_L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
 _L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
 _L_PARTIAL = re.compile(
     r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"

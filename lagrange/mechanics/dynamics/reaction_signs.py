@@ -1,7 +1,8 @@
-"""The single force that a reaction is, where it is one: what the name of a reaction stands for.
+"""The sign convention of a reaction: where its multiplier is positive, and where the force that it is named after is.
 
-The multiplier λ belongs to the equation f = 0 as it is written: for 2f = 0 it is half as large. The force does not
-depend on the writing. With R_P = λ g_P (`free_bodies`) there are three cases.
+Newton's law reads m r'' = F + R with R = +λ ∂f/∂r, so that λ > 0 pushes to where f = left − right increases. λ belongs to
+the equation f = 0 as it is written: for 2f = 0 it is half as large, and for −f = 0 it has the other sign. The force does
+not depend on the writing. With R_P = λ g_P (`free_bodies`) there are three cases.
 
 *Tension.* A constraint keeps a length, or a sum of lengths Σ n_i ℓ_i, if f = k (Σ n_i ℓ_i − L) with constant k, n_i, L.
 The tension does the work −T Σ n_i δℓ_i = λ δf, so that

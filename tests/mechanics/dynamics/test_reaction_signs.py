@@ -19,8 +19,8 @@ from lagrange.explain.report import report
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
-from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, newton_equations
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load
 from lagrange.problem.model import Constraint, Friction, Problem
