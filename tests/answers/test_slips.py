@@ -22,8 +22,8 @@ def test_terms() -> None:
     assert not is_divided(g / 2)
 
 
-@pytest.mark.parametrize("meant", [-k * x, 2 * k * x, k * x / 2])
-def test_a_wrong_sign_or_factor_is_among_the_slips(meant: sp.Expr) -> None:
+@pytest.mark.parametrize("meant", [m * x, g * x, k * a])
+def test_another_letter_is_among_the_slips(meant: sp.Expr) -> None:
     assert meant in {e for _, e in variants(k * x, SLOTS, (m, g, k), ())}
 
 

@@ -20,7 +20,7 @@ def test_places_are_those_of_the_text_as_written() -> None:
 def test_parts_outside_brackets() -> None:
     text = "f(a, b), c"
     assert [text[a:b] for a, b in cuts(text, re.compile(","))] == ["f(a, b)", " c"]
-    assert closings("f(a[0])") == {6: 1, 5: 3}
+    assert closings("f(a[0])") == {1: 6, 3: 5}
     assert cut(Fragment.of(text), 0, 7).text == "f(a, b)"
 
 

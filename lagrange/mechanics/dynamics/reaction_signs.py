@@ -1,8 +1,8 @@
-"""The sign convention of a reaction: where its multiplier is positive, and where the force that it is named after is.
+"""The sign convention of a reaction: of its multiplier, and of the force that the name of the reaction stands for.
 
-Newton's law reads m r'' = F + R with R = +λ ∂f/∂r, so that λ > 0 pushes to where f = left − right increases. λ belongs to
-the equation f = 0 as it is written: for 2f = 0 it is half as large, and for −f = 0 it has the other sign. The force does
-not depend on the writing. With R_P = λ g_P (`free_bodies`) there are three cases.
+Newton's law is m r'' = F + R with R = +λ ∂f/∂r, so that λ > 0 pushes to where f = left − right increases. λ belongs to
+the equation f = 0 as it is written: for 2f = 0 it is half as large, and for −f = 0 it has the other sign. The force
+does not depend on the writing. With R_P = λ g_P (`free_bodies`) there are three cases.
 
 *Tension.* A constraint keeps a length, or a sum of lengths Σ n_i ℓ_i, if f = k (Σ n_i ℓ_i − L) with constant k, n_i, L.
 The tension does the work −T Σ n_i δℓ_i = λ δf, so that

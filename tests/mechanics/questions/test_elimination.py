@@ -12,8 +12,9 @@ m, g, length = sp.symbols("m g l", positive=True)
 
 def test_the_speed_after_a_fall() -> None:
     found = eliminated([m * v**2 / 2 - m * g * h, h - length], v**2, [v, h], [v], sp.Symbol("q"))
-    assert [sp.simplify(b.value - 2 * g * length) for b in found.branches] == [0] or found.free == frozenset()
+    assert [b.values for b in found.branches] == [(2 * g * length,)]
+    assert found.verified
 
 
 def test_a_contradiction_is_never() -> None:
-    assert eliminated([h - length, h - 2 * length], h, [h], [], sp.Symbol("q")).never
+    assert eliminated([h**2 + length**2], h, [h], [], sp.Symbol("q")).never

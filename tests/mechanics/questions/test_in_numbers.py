@@ -2,17 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import lagrange
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.in_numbers import branches_with
+from lagrange.mechanics.solution import solve
 from lagrange.mechanics.valued import values_in
-from tests.support.shared import SHIPPED, solved
 
-NAME = next(n for n in ("block-pulled-up-a-slope", "released-pendulum", "ball-thrown-up") if n in SHIPPED)
+STONE = """
+title: Stone
+parameters: {m: 2 kg, g: 9.81 m/s^2, v: 3 m/s, h: {unit: m}}
+coordinates: {y: {unit: m}}
+particles: {P: {mass: m, position: y*j}}
+gravity: -g*j
+initial: {y: 0, y': v}
+ask: {top: {quantity: y, when: y' = 0}}
+"""
 
 
-def test_no_branch_is_left_out_that_the_values_permit() -> None:
-    solution = solved(NAME)
-    values = values_in(solution)
-    for asked in solution.asked:
-        if values is not None:
-            assert set(branches_with(asked, values)) <= set(asked.branches)
-        assert asked.branches
+def test_a_condition_that_the_values_violate_excludes_its_branch_and_an_open_one_does_not() -> None:
+    solution = solve(lagrange.loads(STONE), complete=False)
+    [asked], values = solution.asked, values_in(solution)
+    assert values is not None
+    [branch] = asked.branches
+    m, g, v, h = (p.symbol for p in solution.problem.parameters)
+    conditions = [SignCondition(v, ">", 2 * v), SignCondition(g, ">", m), SignCondition(h, ">", m)]
+    branches = tuple(replace(branch, conditions=(c,)) for c in conditions)
+    assert branches_with(replace(asked, branches=branches), values) == branches[1:]

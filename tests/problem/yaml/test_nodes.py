@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from lagrange.core.diagnostics import Source
+from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import MappingNode, scalars
 
 
 def test_scalars_are_in_the_order_of_the_file() -> None:
     text = "a: 1\nb: [x, {c: 'y'}]\nd: \n"
-    root = parse(Source("file", text))
+    root = parse(Source("file", text), Diagnostics())
     assert isinstance(root, MappingNode)
     found = [*scalars(root)]
     assert [s.text for s in found] == ["a", "1", "b", "x", "c", "y", "d", ""]

@@ -6,7 +6,7 @@ import pytest
 
 from lagrange.answers.questions.texts.chains import sides_agree
 from lagrange.core.diagnostics import Fragment
-from tests.answers.test_equations import given_reference
+from tests.support.shared import reference_of
 
 
 @pytest.mark.parametrize(
@@ -20,4 +20,4 @@ from tests.answers.test_equations import given_reference
     ],
 )
 def test_sides_that_are_values(text: str, agree: bool | None) -> None:
-    assert sides_agree(Fragment.of(text), given_reference("pendulum")) is agree
+    assert sides_agree(Fragment.of(text), reference_of("ex11-ideal-pendulum")) is agree

@@ -14,7 +14,7 @@ from tests.answers.test_equations import given_reference
     [
         ("h_min = 5/2*R", "h_min"),
         (r"\theta_{\max} = 1", "theta_max"),
-        ("v₁ = 2", "v_1"),
+        ("v1 = 2", "v_1"),
         ("2*x = 3", ""),
         ("N(h) = m*g", "N"),
     ],
