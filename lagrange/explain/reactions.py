@@ -240,8 +240,8 @@ def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | N
     known = _balances(newton)
     if not known:
         yield prose(
-            "With multipliers for the reactions, the forces balance for every coordinate, not only for those whose "
-            "displacements are free:"
+            "With multipliers for the reactions, the generalized forces add up to zero in every coordinate, not only "
+            "in those whose displacements are free:"
         )
         yield _written_out(own or static, newton)
     where: list[Part] = ["At an equilibrium "]

@@ -8,23 +8,23 @@ from lagrange.mechanics.solution import solve
 from lagrange.mechanics.valued import values_in
 from tests.support.shared import solved
 
-BLOCK = """
-title: Block on an incline
+PENDULUM = """
+title: Weight on a rod
 coordinates: {x: {unit: m}, y: {unit: m}}
-parameters: {m: 10 kg, g: 9.81 m/s^2}
+parameters: {m: 10 kg, g: 9.81 m/s^2, l: 1 m}
 particles: {P: {mass: m, position: x*i + y*j}}
 gravity: -g*j
-constraints: {plane: {equation: y >= 0, reaction: N}}
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: S}}
 """
 
 
 def test_a_named_force_is_in_newtons() -> None:
-    solution = solve(lagrange.loads(BLOCK), complete=False)
+    solution = solve(lagrange.loads(PENDULUM), complete=False)
     values = values_in(solution)
     newton = unit_of("N")
     assert values is not None
     assert newton is not None
-    assert {s.name: d for s, d in values.units.items()}["N"] == newton.dimension
+    assert {s.name: d for s, d in values.units.items()}["S"] == newton.dimension
 
 
 def test_without_numbers_there_are_none() -> None:

@@ -48,8 +48,12 @@ def wrong_answers() -> list[WrongAnswer]:
 
 
 def answers_by(module: str) -> list[WrongAnswer]:
-    """The rows of one problem after the other whose cause is named by a model of this module; `""` for all others."""
-    return [w for w in wrong_answers() if _MADE_IN.get(w.expected[0] if w.expected else "", "") == module]
+    """The rows that are tried beside one module: that of the first model named, `pairs` for two, `groups` for others."""
+    return [w for w in wrong_answers() if _module_of(w.expected[0] if w.expected else "") == module]
+
+
+def _module_of(name: str) -> str:
+    return "pairs" if ";" in name else _MADE_IN.get(name, "groups")
 
 
 def name_of(answer: WrongAnswer) -> str:

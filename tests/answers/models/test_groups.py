@@ -1,4 +1,4 @@
-"""Wrong answers of two causes, in one equation alone, or of none that is known."""
+"""Mistakes in one equation alone, and answers of which no cause is known."""
 
 from __future__ import annotations
 
@@ -7,6 +7,6 @@ import pytest
 from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, name_of
 
 
-@pytest.mark.parametrize("answer", answers_by(""), ids=name_of)
+@pytest.mark.parametrize("answer", answers_by("groups"), ids=name_of)
 def test_the_cause_is_named(answer: WrongAnswer) -> None:
     assert_named(answer)
