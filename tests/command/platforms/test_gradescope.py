@@ -32,14 +32,6 @@ SOURCE = Source("ex11", PENDULUM)
 RIGHT, WRONG = "theta'' + g/l*sin(theta) = 0\n", "l*theta'' = g*sin(theta)\n"
 
 
-@pytest.fixture
-def submission(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of one submission, in the current folder."""
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "submission").mkdir()
-    return tmp_path / "submission"
-
-
 def written(*arguments: str) -> dict[str, Any]:
     found = run("grade", *arguments, "--jobs", "1")
     assert found.exit_code in (0, 3), found.stderr
@@ -90,17 +82,6 @@ def test_gradescope_is_told_what_is_late_and_what_counts() -> None:
     assert found["score"] == 0.5
     assert found["output"].endswith("An earlier submission has 0.5 points, which count.")
     assert gradescope.results([part(RIGHT)], [], before, Attempts.BEST)["score"] == 1
-
-
-@pytest.mark.parametrize("format_", ["gradescope", "prairielearn"])
-def test_these_formats_are_about_one_submission(format_: str, submission: Path) -> None:
-    (submission / "a").write_text(RIGHT)
-    for more, said in (
-        (["submission"], "one submission"),
-        (["--csv", "m.csv"], "leave out"),
-    ):
-        assert said in run("grade", "ex11", "submission", *more, "--format", format_).stderr
-    assert run("grade", "ex11", "nowhere", "--format", format_).exit_code == 2
 
 
 # In Python: nbgrader, Otter

@@ -133,15 +133,6 @@ initial: {x: 0, y: l, x': 0}
 """
 
 
-def test_the_reaction_has_its_share_in_the_stiffness(tmp_path) -> None:
-    problem, configuration = problem_of(tmp_path, PENDULUM)
-    found = linear_motion(problem, configuration)
-    [block] = found.blocks
-    assert (block.mass, block.damping) == (((2,),), ((7,),))
-    assert block.stiffness == ((sp.Rational(35, 3),),)  # s + m g/l
-    assert check_linear_motion(problem, configuration, found)[0].passed
-
-
 @pytest.mark.parametrize(
     ("old", "new", "code"),
     [
@@ -160,13 +151,6 @@ def test_what_is_refused(tmp_path, old: str, new: str, code: str) -> None:
 def test_what_is_no_polynomial_in_a_letter_is_refused(tmp_path) -> None:
     with pytest.raises(NotCoveredError):
         linear_motion(*problem_of(tmp_path, PENDULUM.replace("l: {value: 3}", "l: positive")))
-
-
-def test_velocities_that_nothing_determines(tmp_path) -> None:
-    text = DISC.replace("phi': 0, theta': 0, ", "")
-    with pytest.raises(ProblemError) as error:
-        linear_motion(*problem_of(tmp_path, text))
-    assert error.value.diagnostics[0].code == "undetermined-motion"
 
 
 ASKEW = """

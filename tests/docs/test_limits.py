@@ -1,8 +1,12 @@
-"""The limits of the algebra and its numbers of random points stand in one module a package, each with its reason."""
+"""Limits stand in one module a package, `limits.py`, each with its reason; so do the numbers of random points of the algebra.
+
+This is the test of every module `limits.py`.
+"""
 
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -10,7 +14,8 @@ import pytest
 from tests.support.paths import ROOT
 
 ALGEBRA = ROOT / "lagrange" / "algebra"
-GATHERED = sorted([*ALGEBRA.glob("*/limits.py"), ALGEBRA / "exact" / "points_needed.py"])
+PACKAGES = (ROOT / "lagrange", ROOT / "cli" / "lagsolve")
+GATHERED = sorted([*(p for k in PACKAGES for p in k.rglob("limits.py")), ALGEBRA / "exact" / "points_needed.py"])
 REPRESENTATION = {"BITS", "LARGEST", "M", "OPAQUE", "REAL_WEIGHT", "SIGNED", "UNIT", "WIDTH"}
 """Numbers that a representation is made of: bits of a packed exponent, the circle of a field. They bound nothing."""
 
@@ -34,17 +39,17 @@ def test_no_other_module_has_a_limit(path: Path) -> None:
     assert path in GATHERED or own <= REPRESENTATION
 
 
-@pytest.mark.parametrize("path", GATHERED, ids=lambda p: f"{p.parent.name}/{p.stem}")
-def test_every_limit_has_a_reason_above_it(path: Path) -> None:
-    """A comment may stand above several limits that belong together, with no empty line between them."""
+@pytest.mark.parametrize("path", GATHERED, ids=lambda p: p.relative_to(ROOT).as_posix())
+def test_every_limit_has_its_reason(path: Path) -> None:
+    """A comment above, or a docstring below, for one limit or for several that belong together, with no empty line."""
     lines = path.read_text(encoding="utf-8").splitlines()
     for name, place in numbers(path).items():
-        above = lines[:place][::-1]
-        paragraph = above[: above.index("")]
-        assert any(line.startswith("#") for line in paragraph), name
+        above, below = lines[:place][::-1], [*lines[place - 1 :], ""]
+        paragraph = [*above[: above.index("")], *below[: below.index("")]]
+        assert any(line.startswith(("#", '"""')) for line in paragraph), name
 
 
 def test_every_limit_is_used() -> None:
-    texts = [p.read_text(encoding="utf-8") for p in (ROOT / "lagrange").rglob("*.py") if p not in GATHERED]
-    unused = [name for path in GATHERED for name in numbers(path) if not any(name in text for text in texts)]
-    assert unused == []
+    texts = [p.read_text(encoding="utf-8") for k in PACKAGES for p in k.rglob("*.py") if p not in GATHERED]
+    used = {*re.findall(r"\w+", "\n".join(texts))}
+    assert [name for path in GATHERED for name in numbers(path) if name not in used] == []
