@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -173,9 +172,6 @@ class CommandLine(click.Group):
         with formatter.section("Options of solving"):
             formatter.write_dl([r for o in options if (r := o.get_help_record(ctx))])
         super().format_options(ctx, formatter)
-
-
-Completer = Callable[[click.Context, click.Parameter, str], "list[CompletionItem]"]
 
 
 def complete_names(_context: click.Context, _parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:

@@ -248,7 +248,7 @@ class _Search:
         return changes
 
     def _close_pairs(self, derived: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-        """The pairs of a term and one of a derived equation whose ratio makes the two equal but for one term, perhaps.
+        """The pairs of a term and one of a derived equation whose ratio may make the two equal up to one term.
 
         Most ratios do not, which their values at a state tell sooner than the terms do.
         """

@@ -1,6 +1,6 @@
 """What the name of a reaction may stand for in an answer.
 
-In the derivation it is a force, where the reaction is a single one (`named_forces`). A textbook may take the opposite
+In the derivation it is a force, where the reaction is a single one (`reaction_signs`). A textbook may take the opposite
 force as positive, and with R = λ ∂f/∂r in mind the name may be that of the multiplier, with either sign in front of it.
 So a name N may stand for ρ N of the derivation,
 
@@ -20,8 +20,8 @@ from lagrange.answers.limits import MOST_MEANINGS
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
-from lagrange.mechanics.dynamics.named_forces import ForceKind, SingleForce
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind, SingleForce
 
 
 @record

@@ -28,8 +28,8 @@ from lagrange.core.vectors import Vector
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import read_equation, read_value
 from lagrange.mechanics.dynamics.comparison import Standing, compare
-from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions

@@ -150,7 +150,7 @@ class NotCoveredError(ProblemError):
     """The error for something that the format allows and the program cannot do yet."""
 
     def __init__(self, what: str, span: Span | None = None, cure: str = "") -> None:
-        super().__init__(Diagnostic("not-covered", f"{what} cannot be treated yet", span, help=cure))
+        super().__init__(Diagnostic("not-covered", f"not supported yet: {what.rstrip(',')}", span, help=cure))
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:

@@ -456,10 +456,11 @@ def _withtime_of(classification: Classification) -> str:
     return " and ".join(where)
 
 
-def _difference(finite: int) -> str:
+def _difference(finite: int, kinematic: int) -> str:
     """Why the two counts differ; `finite` is the number of finite relations in the constraints."""
     if not finite:
-        return "The kinematic constraints restrict the velocities at each position, but not the positions."
+        which = plural(kinematic, "constraint restricts", "constraints restrict")
+        return f"The kinematic {which} the velocities at each position, but not the positions."
     which, beyond = plural(finite, "which restricts", "which restrict"), plural(finite, "it", "them")
     return (
         f"The constraints imply {in_words(finite, 'finite relation')}, {which} the positions; beyond {beyond} they "
@@ -489,6 +490,7 @@ def explain_freedom(classification: Classification) -> Step:
                                "restricts the velocities alone."))  # fmt: skip
     else:
         angles = ", the orientation of a body counted with three angles" if classification.further_angles else ""
+        kinematic = sum(c.constraint.kinematic for c in classification.constraints)
         sentences.append(prose(f"The space of reachable configurations has dimension {dimension}{angles}. "
-                               + _difference(classification.integrable_rank or 0)))  # fmt: skip
+                               + _difference(classification.integrable_rank or 0, kinematic)))  # fmt: skip
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences), sentences[0]),))

@@ -24,8 +24,8 @@ from lagrange.explain.words import (
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
-from lagrange.mechanics.dynamics.named_forces import SURFACES, ForceKind, SingleForce
 from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction, WorkOfReaction
+from lagrange.mechanics.dynamics.reaction_signs import SURFACES, ForceKind, SingleForce
 from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero

@@ -306,7 +306,7 @@ def _how(asked: Asked) -> tuple[Part, ...]:
     if asked.route is Route.STATE:
         return ("In this state",)
     if asked.route is Route.REST:
-        return ("The balance of the forces for every coordinate, the constraints and this condition together give"
+        return ("The balance of the generalized forces, the constraints and this condition together give"
                 if asked.question.when else "The balance of the forces and the constraints give",)  # fmt: skip
     if asked.route is Route.QUADRATURE:
         return ("It is elementary, as differentiation shows:",)

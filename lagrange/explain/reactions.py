@@ -14,8 +14,8 @@ from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.named_forces import SURFACES
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import SURFACES
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Keeper
 
@@ -240,8 +240,8 @@ def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | N
     known = _balances(newton)
     if not known:
         yield prose(
-            "With multipliers for the reactions, the forces balance for every coordinate, not only for those whose "
-            "displacements are free:"
+            "With multipliers for the reactions, the generalized forces add up to zero in every coordinate, not only "
+            "in those whose displacements are free:"
         )
         yield _written_out(own or static, newton)
     where: list[Part] = ["At an equilibrium "]

@@ -28,6 +28,9 @@ GREEK = {
 }  # fmt: skip
 """Greek letters and their names; ℓ is `l` where no `ell` is declared."""
 
+ABOUT = r"(?:≈|≃|≅|\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z]))"
+"""The pattern of a sign that says `approximately equal`, in plain text and in LaTeX."""
+
 VARIANTS = {
     "vartheta": "theta",
     "varphi": "phi",

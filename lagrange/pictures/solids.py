@@ -20,7 +20,6 @@ from lagrange.problem.model import BodyShape, Outline
 LIGHT, MEDIUM = 2, 3
 """Shades of insides."""
 TURN = [2 * math.pi * k / 48 for k in range(49)]
-_IN_PLANE: FloatVector = (0.0, 0.0, 0.0)
 
 
 @record

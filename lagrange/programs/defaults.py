@@ -108,21 +108,21 @@ def default_velocities(problem: Problem, configuration: Configuration) -> dict[s
     }
 
 
-class Slip(IntEnum):
+class KnownSense(IntEnum):
     """What the sense of a slip is known to be: as the sign of the velocity, as stated, or only that it slips."""
 
     UNKNOWN, STATED, ANY = range(3)
 
 
-def slip_speeds(dynamics: Motion | None) -> Iterator[tuple[Slip, sp.Expr]]:
+def slip_speeds(dynamics: Motion | None) -> Iterator[tuple[KnownSense, sp.Expr]]:
     """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
     for f in dynamics.friction_forces if dynamics is not None else ():
         if f.speed is None:
-            yield Slip.ANY, f.slip.dot(f.slip)
+            yield KnownSense.ANY, f.slip.dot(f.slip)
         elif f.sense.is_number:
-            yield Slip.STATED, f.speed * f.sense
+            yield KnownSense.STATED, f.speed * f.sense
         else:
-            yield Slip.UNKNOWN, f.speed
+            yield KnownSense.UNKNOWN, f.speed
 
 
 def slipping(

@@ -35,7 +35,7 @@ class StoppedError(Exception):
 
 
 @record
-class Step:
+class IntegrationStep:
     """One step, from t to t + h; `slopes` are k_1, ..., k_13."""
 
     time: float
@@ -66,7 +66,7 @@ def interpolated(before: Any, coefficients: Sequence[Any], x: Any) -> Any:
     return before + y
 
 
-def at(step: Step, coefficients: Sequence[State], time: float) -> State:
+def at(step: IntegrationStep, coefficients: Sequence[State], time: float) -> State:
     """The state at a time of the step."""
     x = (time - step.time) / step.length
     return tuple(interpolated(y, [c[k] for c in coefficients], x) for k, y in enumerate(step.before))
@@ -74,7 +74,7 @@ def at(step: Step, coefficients: Sequence[State], time: float) -> State:
 
 def steps(
     rate: Rate, start: float, state: State, end: float, relative: float, absolute: float, longest: float = math.inf
-) -> Iterator[Step]:
+) -> Iterator[IntegrationStep]:
     """The steps from the start to the end; a state that is sent back replaces the one at the end of the step.
 
     Raises StoppedError where steps become too short or too many.
@@ -103,7 +103,7 @@ def steps(
             factor = _SAFETY * error ** (-1 / _ORDER) if math.isfinite(error) else 0.0
             length *= max(_LEAST_FACTOR, factor)
             continue
-        step = Step(time, length, state, after, slopes, rate)
+        step = IntegrationStep(time, length, state, after, slopes, rate)
         corrected = yield step
         time = end if last else time + length
         state, slope = after, slopes[-1]

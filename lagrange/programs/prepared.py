@@ -19,7 +19,6 @@ from lagrange.programs.starting import Settings, Start, start
 from lagrange.programs.state_equations import StateEquations, state_equations
 
 EXTRA = 'pip install "lagsolve[sim]"'
-LIBRARIES = ("numpy", "scipy", "matplotlib")
 
 
 def require(*libraries: str) -> None:

@@ -32,7 +32,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.problem.model import ENERGY, Question
 from lagrange.programs.contacts import Guard
-from lagrange.programs.integrator import State, Step, StoppedError, at, interpolated, steps
+from lagrange.programs.integrator import IntegrationStep, State, StoppedError, at, interpolated, steps
 from lagrange.programs.limits import (
     DEFAULT_TIME,
     ENDED_SLIP,
@@ -288,7 +288,7 @@ class _Run:
         watched = self.asked or self.states.contacts or self.states.exchanges or self.states.masses or self.system.signs
         return self.until / 50 if watched else math.inf
 
-    def _projected(self, step: Step) -> State | None:
+    def _projected(self, step: IntegrationStep) -> State | None:
         try:
             return self.system.projected(step.end, step.after)
         except (ArithmeticError, ValueError):
@@ -352,7 +352,7 @@ class _Run:
         except (ArithmeticError, ValueError):
             return math.nan
 
-    def _crossed(self, step: Step, crossed: Sequence[_Watch]) -> tuple[float, State] | None:
+    def _crossed(self, step: IntegrationStep, crossed: Sequence[_Watch]) -> tuple[float, State] | None:
         """Records the events of a step; returns where to go on, at infinity for nowhere, None to the next step."""
         coefficients = step.interpolation()
         roots = ((self._root(w.value, step, coefficients), w) for w in crossed)
@@ -379,7 +379,7 @@ class _Run:
             return self._flipped(watch, time, state)
         return None
 
-    def _root(self, value: Watched, step: Step, coefficients: Sequence[State]) -> float:
+    def _root(self, value: Watched, step: IntegrationStep, coefficients: Sequence[State]) -> float:
         """The time at which a function changes its sign in a step, by bisection."""
         low, high = step.time, step.end
         sign = self._safely(value, low, step.before) > 0
@@ -472,7 +472,7 @@ class _Run:
 
     # -- results -------------------------------------------------------------------------------------------------------
 
-    def _keep(self, step: Step, end: float) -> None:
+    def _keep(self, step: IntegrationStep, end: float) -> None:
         """Keeps the interpolation of a step if some of the times lie in it."""
         place = self.pieces[-1][4] if self.pieces else 0
         last = bisect_right(self._times, end * (1 + ROUNDING))

@@ -25,7 +25,7 @@ from lagrange.pictures.floats import NoValueError, value
 from lagrange.problem.model import InitialValue, Problem
 from lagrange.problem.values import read_number_with_unit
 from lagrange.programs.defaults import (
-    Slip,
+    KnownSense,
     angles_in,
     default_velocities,
     drawn_position,
@@ -208,7 +208,7 @@ def _guess(states: StateEquations, values: Values, drawn: Mapping[sp.Symbol, flo
         at |= default_velocities(states.problem, states.configuration)
         defined = {s.symbol: states.configuration.rewritten(s.definition) for s in states.problem.speeds}
         speeds = {s: _known(defined.get(s, s), at) for s in e.speeds}
-        slips = [sp.Abs(x) if kind is Slip.UNKNOWN else x for kind, x in slip_speeds(states.view.dynamics)]
+        slips = [sp.Abs(x) if kind is KnownSense.UNKNOWN else x for kind, x in slip_speeds(states.view.dynamics)]
         speeds = slipping({**at, **speeds}, e.speeds, slips, values)
     return [*(at[q] for q in e.slots.coordinates), *(speeds[s] for s in e.speeds)]
 

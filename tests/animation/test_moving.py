@@ -5,10 +5,9 @@ import re
 import pytest
 import sympy as sp
 
-from lagrange.animation.figure import MovingFigure, Still
+from lagrange.animation.figure import MovingFigure
 from lagrange.animation.moving import moving_figure
 from lagrange.core.diagnostics import Fragment
-from lagrange.programs.defaults import angles_in
 from lagrange.programs.prepared import prepared
 from lagrange.programs.simulation import simulated
 from lagrange.programs.starting import settings_of
@@ -65,17 +64,6 @@ def test_what_is_taken_for_an_open_function_is_said():
 def test_equilibria_in_closed_form_have_buttons():
     figure = figure_of("bead-on-rotating-hoop")
     assert [str(e.relations[0][0]) for e in figure.equilibria] == ["theta", "theta", "cos(theta)"]
-
-
-def test_what_cannot_be_drawn_stays_still_and_says_why():
-    still = moving_figure(reported("form-in-two-variables", complete=False).solution)
-    assert isinstance(still, Still)
-    assert still.reason
-
-
-def test_angles_are_what_is_turned():
-    a, b, c = sp.symbols("a b c", real=True)
-    assert angles_in([sp.sin(2 * a + b) * c]) == {a, b}
 
 
 @pytest.mark.parametrize("name", ["ex13-moving-surface", "ex18-double-pendulum", "rolling-disc", "roberval-balance"])

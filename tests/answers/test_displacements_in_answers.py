@@ -71,21 +71,3 @@ def test_displacements(text: str, equations: list[str], verdict: str, said: list
     found = examiner(text).check(tuple(Fragment.of(e) for e in equations))
     assert found.verdict.value == verdict
     assert [" ".join([e.diagnosis, *e.remarks]).strip() for e in found.each] == said
-
-
-@pytest.mark.parametrize(
-    ("equations", "verdict"),
-    [
-        (["x*delta(x) + y*delta(y) = 0"], "incomplete"),
-        (["x*delta(x) + y*delta(y) = 0", "x = 0"], "equivalent"),
-        (["m*g*delta(y) = 0"], "equivalent"),  # the virtual work of the weight
-        (["m*g*delta(x) = 0"], "wrong"),
-        (["delta(y) = l*sin(theta)*delta(theta)"], "incomplete"),
-        (["m*g*l*sin(theta)*delta(theta) = 0"], "equivalent"),
-        (["m*g*l*sin(2*theta)*delta(theta) = 0"], "wrong"),
-        (["delta(x) = delta(x)"], "trivial"),
-    ],
-)
-def test_virtual_work(equations: list[str], verdict: str) -> None:
-    found = examiner(f"{PENDULUM}find: equilibrium\n").check(tuple(Fragment.of(e) for e in equations))
-    assert found.verdict.value == verdict

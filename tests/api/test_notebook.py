@@ -14,8 +14,6 @@ import lagrange
 from lagrange.api.notebook import Equations
 from lagrange.api.result import Result
 from lagrange.core.vectors import Vector
-from lagrange.render import html
-from lagrange.render.notes.notebook import style_sheet
 from tests.support.shared import reported
 
 
@@ -120,12 +118,3 @@ def test_formulas(pendulum: Result) -> None:
     for wrong in ((), ("x",), (None,), (True,), (sp.true,)):
         with pytest.raises(TypeError):
             angle.formula(*wrong)
-
-
-def test_the_style_sheet_reaches_nothing_outside() -> None:
-    rules = re.sub(r"@media[^{]*\{", "", style_sheet())
-    selectors = [s.strip() for rule in re.findall(r"([^{}]+)\{", rules) for s in rule.split(",")]
-    assert len(selectors) > 60
-    assert [s for s in selectors if ".lagsolve" not in s] == []
-    assert style_sheet().count("{") == style_sheet().count("}")
-    assert len(re.findall(r"[^{}]+\{", html.CSS)) < len(re.findall(r"[^{}]+\{", style_sheet()))

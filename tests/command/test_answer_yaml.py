@@ -19,12 +19,6 @@ reactions: {rod: "-m*g*cos(theta)/(2*l) - m*theta'^2/2"}
 """
 
 
-@pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
 def checked(here: Path, text: str, *arguments: str, problem: str = PENDULUM) -> tuple[int, dict[str, Any]]:
     (here / "a.yaml").write_text(text, encoding="utf-8")
     result = run("check", problem, "a.yaml", *arguments, "--format", "json")

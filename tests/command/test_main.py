@@ -53,13 +53,6 @@ def widest(text: str) -> int:
 
 
 @pytest.fixture
-def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder, which is the current one."""
-    monkeypatch.chdir(tmp_path)
-    return tmp_path
-
-
-@pytest.fixture
 def file(here: Path) -> Callable[[str], str]:
     """Writes a problem file; its name."""
 

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
-import pytest
 import yaml
 from packaging.requirements import Requirement
 
 import lagrange
-from lagsolve.command_group import COMMANDS
-from lagsolve.main import main
-from lagsolve.man_page import escape, man_page
 from tests.support.paths import ROOT
 from tests.support.processes import PATIENCE
 
@@ -65,30 +60,6 @@ def test_files_that_are_named_are_there() -> None:
     for page in ("SECURITY.md", "CONTRIBUTING.md", "CHANGELOG.md"):
         for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", (ROOT / page).read_text(encoding="utf-8")):
             assert (ROOT / target).exists(), f"{page}: {target}"
-
-
-def test_the_manual_page_has_every_command_and_option() -> None:
-    page = man_page()
-    for name in COMMANDS:
-        assert f".SH {'SOLVING' if name == 'solve' else escape(name.upper())}\n" in page
-        for option in main.commands[name].params:
-            for written in (o for o in option.opts if o.startswith("--")):
-                assert escape(written) in page
-    assert "\b" not in page
-    assert not re.search(r"^'", page, re.MULTILINE)
-
-
-@pytest.mark.skipif(shutil.which("man") is None or shutil.which("groff") is None, reason="there is no groff")
-def test_groff_reads_the_manual_page() -> None:
-    done = subprocess.run(
-        ["groff", "-man", "-ww", "-Tutf8"],
-        input=man_page(),
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=True,
-    )
-    assert done.stderr == ""
 
 
 def test_another_package_of_the_same_name_is_noticed(tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ NOT_RUN = {
     "make test-all": "runs this test",
     "pip install .": "test_packaging installs the wheel and runs the command",
     "pipx install .": "pip in an environment of its own, as in test_packaging",
-    "lagsolve bead.yaml --watch": "never ends; command/test_watching.py runs it",
+    "lagsolve bead.yaml --watch": "never ends; command/test_solve_task.py runs it",
 }
 COMMANDS = [line for line in LINES if line not in NOT_RUN]
 

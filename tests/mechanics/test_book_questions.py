@@ -11,7 +11,6 @@ import sympy as sp
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.friction import friction_at_rest
-from lagrange.mechanics.questions.results import How
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
@@ -63,27 +62,6 @@ def test_impending_motion_is_kept_where_rest_is_given_up(problem: Read, monkeypa
         solve(problem(text.replace(", impending", "")))
 
 
-ROLLER = """
-title: A cylinder slides in a pipe
-axes: {i: right, j: down}
-parameters: [m, g, R, r]
-coordinates: [x, y]
-particles: {c: {mass: m, position: x*i + y*j}}
-constraints: {wall: {equation: x^2 + y^2 <= (R - r)^2, reaction: N, by: surface}}
-gravity: g*j
-generalized_coordinates:
-  a: {coordinates: [phi], substitute: {x: (R - r)*sin(phi), y: (R - r)*cos(phi)}}
-"""
-
-
-def test_a_difference_of_radii_is_positive_in_the_sense_of_the_file(problem: Read) -> None:
-    solved = report(problem(ROLLER))
-    page = terminal.text(solved.derivation, solved.notation, 120)
-    assert "N = m (R − r) (ẋ² + ẏ² + g y)/(x² + y²) = m (R − r) φ̇² + m g cos φ" in page
-    assert "|R − r|" not in page
-    assert "with R − r > 0" in page
-
-
 ROUGH = """
 title: A block on a rough slope
 parameters: {m: positive, g: positive, mu: positive, alpha: acute}
@@ -124,24 +102,6 @@ def test_the_order_of_two_lengths_may_stay_open(problem: Read) -> None:
     assert sp.simplify(branch.rhs - (l - a) * sp.sqrt(k / m)) == 0
     assert not branch.provided
     assert [b.rhs for b in end.branches] == [2 * l - a]
-
-
-CENTRE = """
-title: Straight up
-parameters: [m, a, K]
-coordinates: [r]
-particles: {P: {mass: m, position: r*i}}
-forces: {attraction: {potential: -m*K/r}}
-initial: {r: a, r': sqrt(K/a)}
-ask: {time: {quantity: t, when: r' = 0}}
-"""
-
-
-def test_the_time_to_a_turning_point_that_the_energy_gives(problem: Read) -> None:
-    [time] = solve(problem(CENTRE)).asked
-    assert time.how is How.EXACT
-    value = time.branches[0].rhs
-    assert float(value.xreplace(dict.fromkeys(value.free_symbols, sp.S.One))) == pytest.approx(1 + math.pi / 2)
 
 
 RATES = """
@@ -204,10 +164,3 @@ ask: {quarter: {quantity: t, when: theta = 0}}
     solved = report(problem(text))
     page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
     assert f"t ≈ {float(sp.elliptic_k(sp.Rational(1, 4)) / sp.sqrt(9.81)):.4g} s" in page
-
-
-def test_a_system_that_stays_at_rest_never_gets_anywhere(problem: Read) -> None:
-    text = SPRING.partition("forces:")[0] + "initial: {x: 0, x': 0}\nask: {it: {quantity: t, when: x = a}}\n"
-    with pytest.raises(ProblemError) as error:
-        solve(problem(text))
-    assert [d.code for d in error.value.diagnostics] == ["never-holds"]

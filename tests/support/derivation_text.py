@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from lagrange.document.derivation import CheckMark, Derivation, Display, Math, Part, Prose, Ref, Step, Table
+from lagrange.document.derivation import CheckMark, Derivation, Display, Math, Part, Prose, Ref, Rule, Step, Table
 from lagrange.document.math_writer import unicode
+from tests.support.shared import reported
 
 
 def reading(derivation: Derivation) -> list[tuple[str, str]]:
@@ -52,3 +53,9 @@ def words(step: Step) -> str:
                 p if isinstance(p, str) else unicode(p.sides[0]) if isinstance(p, Math) else "" for p in block.parts
             ]
     return "".join(texts)
+
+
+def said_in(name: str, rule: Rule, *, on_page: bool = False) -> str:
+    """The sentences of a shipped problem's steps of one kind: of all steps, or of those that a page shows."""
+    derivation = reported(name).derivation
+    return " ".join(words(s) for s in (derivation.page if on_page else derivation.steps) if s.rule is rule)

@@ -8,6 +8,12 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from lagsolve.grading.worker import Limits
+
+GENEROUS = Limits(120, 512)
+"""Seconds and megabytes that no test reaches by itself."""
+
+
 if TYPE_CHECKING:  # a process that loads no more is ready at once
     from lagrange.answers.submissions import Graded, Submission
     from lagrange.core.diagnostics import Source

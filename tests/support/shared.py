@@ -29,7 +29,7 @@ def asking(question: str) -> list[str]:
     Those of `large/` are not among them: their equations stand in abbreviations (tests/mechanics/nearby).
 
     Read from the YAML alone, since tests are collected by this, and loading every problem would take seconds in every
-    process; `command/test_files.py` compares it with what the loader understands.
+    process; `command/test_problem_commands.py` compares it with what the loader understands.
     """
     return [
         e.name.rpartition("/")[2] for e in containing(()) if question in e.asked and not e.name.startswith("large/")

@@ -24,7 +24,7 @@ def test_what_is_named_is_there(name: str) -> None:
     ("test", "tier"),
     [
         ("truth/test_laws.py::test_energy_is_conserved", "truth"),
-        ("command/test_grade.py::test_a_device_has_no_journal", "process"),
+        ("command/grading/test_run.py::test_a_device_has_no_journal", "process"),
         ("render/test_tikz.py::test_pictures_compile", "process"),
         ("algebra/closed_forms/test_branching.py::test_systems[x-y]", "slow"),
         ("algebra/closed_forms/test_branching.py::test_systems_of_one", None),

@@ -35,8 +35,8 @@ def tests_of(module: str) -> list[Path]:
     reached, seen = [module], {module}
     while reached:
         if found := [p for p in _imports_of_tests() if any(_is_about(p, m) for m in reached)]:
-            home = [p for p in found if p.parent in _homes(module)]
-            return sorted(home or found, key=lambda p: (p.stem != f"test_{module.rpartition('.')[2]}", p))
+            home = [p for p in found if p.parent == named_test(module).parent]
+            return sorted(home or found, key=lambda p: (p != named_test(module), p))
         reached = [m for m in FILES if m not in seen and not imports_of(m).isdisjoint(reached)]
         reached = [m for m in reached if m.rpartition(".")[0] == module.rpartition(".")[0]] or reached
         seen |= {*reached}
@@ -44,13 +44,15 @@ def tests_of(module: str) -> list[Path]:
 
 
 def _is_about(test: Path, module: str) -> bool:
-    named = test.name == f"test_{module.rpartition('.')[2]}.py" and test.parent in _homes(module)
-    return named or module in _imports_of_tests()[test]
+    return test == named_test(module) or module in _imports_of_tests()[test]
 
 
-def _homes(module: str) -> set[Path]:
-    folder = "/".join(module.split(".")[1:-1])
-    return {TESTS / "command" / folder if module.startswith("lagsolve") else TESTS / folder}
+def named_test(module: str) -> Path:
+    """The test file with the name of a module, in the folder that its package has among the tests."""
+    if module.endswith(".limits"):
+        return TESTS / "docs" / "test_limits.py"
+    *folder, name = module.split(".")[1:]
+    return (TESTS / "command" if module.startswith("lagsolve") else TESTS).joinpath(*folder, f"test_{name}.py")
 
 
 def main(name: str) -> None:

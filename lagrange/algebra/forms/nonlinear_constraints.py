@@ -34,7 +34,7 @@ from lagrange.algebra.forms.limits import (
     MOST_FACTORED_BRANCH_TERMS,
     MOST_REDUCED,
 )
-from lagrange.algebra.forms.reductions import Alternative, Alternatives, Condition, Reduction, Why
+from lagrange.algebra.forms.reductions import Alternative, Alternatives, Reduction, SideCondition, Why
 from lagrange.algebra.forms.velocity_polynomials import (
     Polynomial,
     Square,
@@ -199,7 +199,7 @@ class _Search:
             return self._next(f, Why.FUNCTION, f.args[0], depth)
         return self._inverted(f, sp.S.One, f, sp.S.Zero, depth)
 
-    def _next(self, f: sp.Expr, why: Why, form: sp.Expr, depth: int, *conditions: Condition) -> list[Alternative]:
+    def _next(self, f: sp.Expr, why: Why, form: sp.Expr, depth: int, *conditions: SideCondition) -> list[Alternative]:
         """f = 0 if and only if `form` = 0, which is reduced in turn."""
         step = Reduction(f, why, (form,), conditions)
         return [_after(step, a) for a in self.zeros(form, depth)]
@@ -314,7 +314,7 @@ class _Search:
         return None
 
     def _root(
-        self, f: sp.Expr, g: sp.Expr, w: sp.Expr, depth: int, conditions: tuple[Condition, ...]
+        self, f: sp.Expr, g: sp.Expr, w: sp.Expr, depth: int, conditions: tuple[SideCondition, ...]
     ) -> list[Alternative] | None:
         """u^(n/m) = w: from even powers two branches, from odd ones and from roots one."""
         u, p = g.base, g.exp
@@ -333,7 +333,7 @@ class _Search:
         return None if root is None else self._next(f, Why.INVERSE, u - root, depth, *conditions)
 
     def _both_signs(
-        self, f: sp.Expr, u: sp.Expr, w: sp.Expr, depth: int, conditions: tuple[Condition, ...]
+        self, f: sp.Expr, u: sp.Expr, w: sp.Expr, depth: int, conditions: tuple[SideCondition, ...]
     ) -> list[Alternative]:
         """|u| = w: u = w or u = −w."""
         if w.is_negative:
@@ -344,7 +344,7 @@ class _Search:
         return self._split(f, (u - w, u + w), depth, (*conditions, *known))
 
     def _split(
-        self, f: sp.Expr, branches: Sequence[sp.Expr], depth: int, conditions: tuple[Condition, ...]
+        self, f: sp.Expr, branches: Sequence[sp.Expr], depth: int, conditions: tuple[SideCondition, ...]
     ) -> list[Alternative]:
         """f = 0 if and only if one of the branches vanishes."""
         return [

@@ -25,7 +25,7 @@ class Why(StrEnum):
     SPLIT = "split"  # u v = 0: u = 0 or v = 0
 
 
-Condition = tuple[sp.Expr, str]
+SideCondition = tuple[sp.Expr, str]
 """An assumption of a step: (e, "≠") for e ≠ 0, (e, "≥") for e ≥ 0."""
 
 
@@ -39,7 +39,7 @@ class Reduction:
     function: sp.Expr
     why: Why
     forms: tuple[sp.Expr, ...]
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[SideCondition, ...] = ()
     excluded: tuple[sp.Expr, ...] = ()
 
 

@@ -14,17 +14,18 @@ from dataclasses import replace
 
 from lagrange.answers.written.notation.special import signs_as_indices
 from lagrange.core.diagnostics import Fragment
+from lagrange.expressions.characters import ABOUT
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 
-_ABOUT = re.compile(r"≈|≃|≅|~=|\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])")
+_ABOUT = re.compile(rf"{ABOUT}|~=")
 _EQUALS = re.compile(r"(?<![<>!:])==?(?![=>])")
 _JOINT = re.compile(
     r"[,;]|⇒|⟹|→|==?>|-->?|\\(?:Rightarrow|Longrightarrow|implies|to|rightarrow|q?quad|therefore)(?![A-Za-z])"
     r"|(?<![\w\\])(?:i\.?\s?e\.|d\.\s?h\.|or|so|thus|hence|that is|also|somit|bzw\.|soit|donc)(?!\w)"
 )
 _ALONE = re.compile(
-    r"(?P<left>[^=<>≤≥≈+]{0,60}[\w)}'])\s*(?P<about>≈|≃|~=|\\(?:approx|simeq)(?![A-Za-z]))"
+    rf"(?P<left>[^=<>≤≥≈+]{{0,60}}[\w)}}'])\s*(?P<about>{ABOUT}|~=)"
     r"\s*[-+−]?\s*[0-9]{1,9}\.[0-9]{1,9}[^=≈<>]{0,30}\Z"
 )
 _PART = re.compile(r"[\s$]*\(\s*(?:(?P<letter>[a-h])|(?P<roman>[ivx]{1,4}))\s*\)\s*(?=[^\s=)*/^+])")

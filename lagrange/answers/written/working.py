@@ -43,7 +43,7 @@ from lagrange.answers.written.vector_names import with_names_of_vectors
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import GREEK
+from lagrange.expressions.characters import ABOUT, GREEK
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -52,7 +52,7 @@ from lagrange.expressions.reader import read_value, token_texts
 from lagrange.expressions.scope import RESERVED
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
-_ABOUT = re.compile(r"\\(?:approx|simeq|cong|thickapprox|sim)(?![A-Za-z])|[≈≃≅]|~=|(?<=\s)~(?=\s)")
+_ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
 _AT_ZERO = re.compile(
     r"[^=+/]{1,40}(?:\(\s*(?:t\s*=\s*)?(?:0|t_?\{?0\}?)\s*\)|\[\s*0\s*\]|\|_\{?\s*t\s*=\s*0\s*\}?|_\{t=0\})\s*\Z"
 )

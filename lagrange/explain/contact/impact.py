@@ -19,7 +19,7 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.constraints.displacements import virtual_displacement
-from lagrange.mechanics.dynamics.named_forces import ForceKind
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.energy_symbols import EnergySymbols
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, ReactionImpulse
 from lagrange.mechanics.momenta.vanishing_impulses import vanishings

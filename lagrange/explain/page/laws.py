@@ -134,15 +134,15 @@ def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     laws = sum(len(b.laws) for b in newton.bodies or ())
     freedom = solution.classification.degrees_of_freedom
     as_many = ", as many as there are degrees of freedom" if before.missing == freedom else ""
-    missing = f"{before.missing} {plural(before.missing, 'is', 'are')} missing{as_many}"
+    missing = f"{before.missing} too few{as_many}"
     constraints = before.equations - laws
     bound = "the constraint" if constraints == 1 else f"the {constraints} constraints"
     its = plural(len(newton.bodies or ()), "its", "their")
     one = len(newton.reactions) == 1
     yield prose(
-        f"With {bound}, {its} {counted(laws, 'component')} are {before.equations} equations for {before.unknowns} "
-        f"unknowns: {missing}. The {'direction' if one else 'directions'} of the {'reaction' if one else 'reactions'} "
-        "must be known."
+        f"Together with {bound}, {its} {counted(laws, 'component')} give {before.equations} equations for "
+        f"{before.unknowns} unknowns: {missing}. The {'direction' if one else 'directions'} of the "
+        f"{'reaction' if one else 'reactions'} must be known."
     )
 
 

@@ -30,8 +30,8 @@ from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
 from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, point_on, relative_partials, velocity_at
-from lagrange.mechanics.dynamics.named_forces import where_it_holds
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import where_it_holds
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Friction
 

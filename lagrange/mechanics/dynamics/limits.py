@@ -57,7 +57,7 @@ RECOGNISED_DIGITS = 60
 ZERO_DIGITS = 20
 # Denominator of a fraction that is recognised; beyond, six figures are easier to type than the fraction.
 LARGEST_DENOMINATOR = 1000
-# Velocities of a state. Two rods in line do not admit every velocity of their end: the pivot is zero but for the last
+# Velocities of a state. Two rods in line do not admit every velocity of their end: the pivot is zero up to the last
 # digits of the position, and the other velocities would be 10³².
 LARGEST_VELOCITY = 10**6
 # Sets of numbers that are tried for the parameters.

@@ -6,7 +6,7 @@ Sign convention, with a plus sign throughout:
 
 and for a rigid body dH/dt = M + Γ as well, Γ being the moment of the reactions about the mass centre. λ_j is the
 multiplier of the constraint as it is written. A name that the file gives to a reaction is that of a force, where it is
-a single one: a tension, positive where it pulls, or the force along a unit vector (`named_forces`). A coordinate that
+a single one: a tension, positive where it pulls, or the force along a unit vector (`reaction_signs`). A coordinate that
 moves nothing has the generalized force λ_j a_k. Where coordinates by themselves keep a particle on a surface or curve,
 that reaction is perpendicular to the directions in which the particle can move, and Newton's law is written along these
 only. Where coordinates place one particle relative to another, there are no free bodies.
@@ -47,14 +47,14 @@ from lagrange.mechanics.dynamics.free_bodies import (
     recognised_rod,
     without_root,
 )
-from lagrange.mechanics.dynamics.named_forces import (
+from lagrange.mechanics.dynamics.principle import given_forces
+from lagrange.mechanics.dynamics.reaction_signs import (
     SURFACES,
     ForceKind,
     SingleForce,
     single_force,
     tension_of_rod,
 )
-from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Constraint, Keeper
 
 

@@ -39,9 +39,9 @@ from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.principle import Balance
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 
 Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 """A multiplier λ, and the generalized forces for the file's coordinates for λ = 1, shape (n,)."""

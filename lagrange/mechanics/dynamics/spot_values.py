@@ -112,7 +112,7 @@ def _at(
     values |= positions
     values |= _velocities(configuration, values, trial, signs[1])
     if any(abs(values[v]) > LARGEST_VELOCITY for v in slots.velocities):
-        raise ValueError("no velocities, but for a pivot that is zero rounded")
+        raise ValueError("no velocities: a pivot is zero up to rounding")
     accelerations = _solved(system, values)
     if accelerations is None:
         raise ValueError("no accelerations")

@@ -148,7 +148,7 @@ class Linearization:
     decay         the letter σ for a decay rate
     driven        whether positions contain time, which cancels
     at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
-    copies        for each branch the earlier one with the same linear equations, but for the signs of some ξ; or None
+    copies        for each branch the earlier one with the same linear equations up to the signs of some ξ; or None
     omitted       the branches whose linear equations are not worked out because there are too many, by index
     """
 

@@ -79,7 +79,7 @@ class ReactionImpulse:
 
 
 @record
-class Condition:
+class Presupposition:
     """What a one-sided constraint presupposes: `quantity` > 0, or ≥ 0 if it is an impulse."""
 
     constraint: str
@@ -124,7 +124,7 @@ class ImpulsiveMotion:
     equations: tuple[sp.Expr, ...]
     velocities: tuple[sp.Expr, ...]
     impulses: tuple[ReactionImpulse, ...]
-    conditions: tuple[Condition, ...]
+    conditions: tuple[Presupposition, ...]
     work: sp.Expr
     energy_lost: sp.Expr
     kinetic: tuple[sp.Expr, sp.Expr]
@@ -474,7 +474,7 @@ def reactions_of(full: Configuration, problem: Problem, impact: Impact) -> Newto
     return newton_equations(full, constraints, 0, frozenset(problem.scope.names()))
 
 
-def _conditions(found: ImpulsiveMotion) -> Iterator[Condition]:
+def _conditions(found: ImpulsiveMotion) -> Iterator[Presupposition]:
     """Of one-sided constraints: new ones are approached, and no impulse pulls. Raises ProblemError otherwise."""
     sides = {i.name: i.reaction.constraint.side for i in found.impulses}
     spans = {i.name: i.reaction.constraint.span for i in found.impulses}
@@ -490,14 +490,14 @@ def _conditions(found: ImpulsiveMotion) -> Iterator[Condition]:
                 help_ = "correct the velocities before, or leave the constraint out"
                 raise ProblemError(Diagnostic("contradictory-impact", message, spans[impulse.name], help=help_))
             if not _is_positive(approach) and approach != 0:
-                yield Condition(impulse.name, approach, False)
+                yield Presupposition(impulse.name, approach, False)
         push = None if impulse.multiplier is None else _tidy(side * impulse.multiplier)
         if push is not None and push != 0 and _is_positive(-push):
             message = f"the impulse of `{impulse.name}` would have to pull: the contact ends in the impact"
             help_ = "leave the constraint out of this impact"
             raise ProblemError(Diagnostic("contradictory-impact", message, spans[impulse.name], help=help_))
         if push is not None and push != 0 and not _is_positive(push):
-            yield Condition(impulse.name, push, True)
+            yield Presupposition(impulse.name, push, True)
 
 
 def _is_positive(expression: sp.Expr) -> bool:

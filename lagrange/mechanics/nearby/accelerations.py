@@ -26,7 +26,7 @@ from lagrange.mechanics.nearby.checks import lagrange_in_numbers
 from lagrange.mechanics.nearby.expansions import Expansions
 from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, SHOWN_DIGITS
 from lagrange.mechanics.nearby.linear_equations import first_order
-from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.mechanics.nearby.reference import ReferenceState, reference
 from lagrange.problem.model import Problem
 
 NOT_POSSIBLE = (ProblemError, NoExpansionError, WorkLimitError, ZeroDivisorError, InadmissibleError)
@@ -49,7 +49,7 @@ class StateInNumbers:
     agrees: bool
 
 
-def at_state(configuration: Configuration, near: Reference) -> StateInNumbers | None:
+def at_state(configuration: Configuration, near: ReferenceState) -> StateInNumbers | None:
     """Accelerations and multipliers at a state; None where they are not determined. Raises NotCoveredError."""
     slots = configuration.slots
     rows = [configuration.rows[k] for k in near.used]

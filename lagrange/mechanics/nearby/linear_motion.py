@@ -44,7 +44,7 @@ from lagrange.mechanics.nearby.limits import (
     SPARE_VALUES,
 )
 from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
-from lagrange.mechanics.nearby.reference import Reference, reference
+from lagrange.mechanics.nearby.reference import ReferenceState, reference
 from lagrange.mechanics.nearby.stable_range import Entries, StableRange, stable_ranges
 from lagrange.problem.model import Problem
 
@@ -118,7 +118,7 @@ class LinearMotion:
 class Reduced:
     """Sᵀ M S and so on at one set of numbers; the state, and the columns of the stiffness."""
 
-    about: Reference
+    about: ReferenceState
     mass: Table
     damping: Table
     stiffness: Table
@@ -206,7 +206,7 @@ def not_steady() -> ProblemError:
     )
 
 
-def _check_steady(linear: FirstOrder, state: Reference) -> None:
+def _check_steady(linear: FirstOrder, state: ReferenceState) -> None:
     """The constraints must hold with velocities that stay as they are."""
     if any(abs(linear.misfit[r]) > CLEARLY_ZERO for r in state.used):
         raise not_steady()

@@ -23,7 +23,7 @@ Table = Sequence[Sequence[Any]]
 
 
 @record
-class Reference:
+class ReferenceState:
     """A state in numbers, and which coordinates stand for the others in its neighbourhood.
 
     values       of parameters, coordinates and velocities
@@ -43,7 +43,7 @@ def reference(
     stated: Mapping[sp.Symbol, sp.Expr],
     parameters: Numbers,
     start: Mapping[sp.Symbol, sp.Expr] | None = None,
-) -> Reference:
+) -> ReferenceState:
     """The state that `initial` and the constraints determine. Raises ProblemError where they do not.
 
     start  where the iteration begins, for coordinates that are not stated; 0 by default
@@ -87,7 +87,7 @@ def reference(
             raise _contradicted()
         values[slots.velocities[k]] = sp.Float(v, REAL_DIGITS + 5)
     bound = _columns(about, gradients, [*loose, *(k for k in range(size) if k not in loose)]) if gradients else ()
-    return Reference(values, independent, tuple(k for k in range(size) if k not in bound), used)
+    return ReferenceState(values, independent, tuple(k for k in range(size) if k not in bound), used)
 
 
 def _columns(about: Expansions, rows: Table, order: Sequence[int]) -> tuple[int, ...]:

@@ -7,7 +7,6 @@ from random import Random
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.both_signs import takes_both_signs
 from lagrange.algebra.closed_forms.signs import (
     SignCondition,
     always_holds,
@@ -120,15 +119,6 @@ def test_conditions_that_always_hold() -> None:
     assert always_holds(SignCondition(sp.exp(a), "≥", sp.S.One))
     assert not always_holds(SignCondition(2 * two_thirds, "≤", sp.S.One))
     assert not always_holds(SignCondition(a, "≥", b))
-
-
-def test_both_signs_are_seen_at_points_and_one_sign_is_not() -> None:
-    long = (a + b) * (a + c) * (b + c) + a * b
-    assert takes_both_signs(sp.expand(long - 3 * a * b * c * x)) is True
-    assert takes_both_signs(sp.expand(long)) is False
-    # where x > 0 it is positive, and points outside are not looked at
-    assert takes_both_signs(sp.expand(long * x), (x,)) is False
-    assert sign_of(sp.expand(long * x), (x,)) == 1
 
 
 def test_what_is_not_zero_is_said_without_the_root() -> None:

@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.models.table import MODELS
 from lagrange.answers.verdicts import EquationVerdict, Judgement, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
@@ -46,6 +47,23 @@ def wrong_answers() -> list[WrongAnswer]:
     return found
 
 
+def answers_by(module: str) -> list[WrongAnswer]:
+    """The rows that are tried beside one module: that of the first model named, `pairs` for two, `groups` for others."""
+    return [w for w in wrong_answers() if _module_of(w.expected[0] if w.expected else "") == module]
+
+
+def _module_of(name: str) -> str:
+    return "pairs" if ";" in name else _MADE_IN.get(name, "groups")
+
+
+def name_of(answer: WrongAnswer) -> str:
+    """The name of a row among tests."""
+    return f"{answer.problem}-{answer.mistake}"
+
+
+_MADE_IN = {m.name: m.changes.__module__.rpartition(".")[2] for m in MODELS}
+
+
 @cache
 def examiner(problem: str) -> Examiner:
     """The examiner of a problem, for all its answers."""
@@ -65,3 +83,20 @@ def helps(answer: WrongAnswer, judgement: Judgement) -> bool:
 def wrong_parts(judgement: Judgement) -> list[EquationVerdict]:
     """The wrong equations."""
     return [e for e in judgement.each if e.verdict is Verdict.WRONG]
+
+
+def assert_named(answer: WrongAnswer) -> None:
+    """The answer is wrong, something is said of each of its wrong equations, and it is the cause."""
+    judgement = judged(answer)
+    assert judgement.verdict is Verdict.WRONG
+    parts = wrong_parts(judgement)
+    assert all(part.diagnosis for part in parts)
+    if answer.expected and f"{answer.problem}: {answer.mistake}" not in UNEXPLAINED:
+        assert helps(answer, judgement), [part.diagnosis for part in parts]
+
+
+UNEXPLAINED = {
+    "cylinder-in-cylinder: R for R - r",
+    "swinging-yo-yo: offset r left out",
+}
+"""Where another cause, or none, is named."""

@@ -10,7 +10,7 @@ import pytest
 
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import ProblemError
-from lagsolve.grading.roster import Roster, late_by, read_roster
+from lagsolve.grading.roster import Roster, read_roster
 from lagsolve.grading.students import Attempts, Identity, attributed, identity
 from lagsolve.grading.table import TableRow
 
@@ -54,24 +54,6 @@ def test_a_number_at_the_end_is_that_of_an_attempt(name: str, student: str, numb
 def row(name: str, points: float | None, problem: str = "") -> TableRow:
     verdict = Verdict.UNDECIDED if points is None else Verdict.EQUIVALENT
     return TableRow(name, verdict, None, None, None, "", 0.0, points=points, possible=2.0, problem=problem)
-
-
-def counted(rows: list[TableRow], attempts: Attempts) -> list[str]:
-    return [r.submission for r in attributed(rows, Roster(), "", attempts) if r.counts]
-
-
-def test_the_best_attempt_counts_or_the_last() -> None:
-    rows = [row("anna-1", 1), row("anna-2", 2), row("anna-3", 2), row("anna-10", 0), row("ben", None), row("ben-2", 0)]
-    assert counted(rows, Attempts.BEST) == ["anna-2", "ben-2"]
-    assert counted(rows, Attempts.LAST) == ["anna-10", "ben-2"]
-    assert [r.attempt for r in attributed(rows, Roster(), "", Attempts.BEST)] == [1, 2, 3, 4, 1, 2]
-    assert [r.attempt for r in attributed(rows, Roster(), "", None)] == [None] * 6
-
-
-def test_attempts_are_counted_for_each_problem() -> None:
-    rows = [row("a-1", 1, "p"), row("a-1", 0, "q"), row("a-2", 0, "p"), row("a-2", 2, "q")]
-    found = attributed(rows, Roster(), "", Attempts.BEST)
-    assert [(r.submission, r.problem) for r in found if r.counts] == [("a-1", "p"), ("a-2", "q")]
 
 
 def roster(tmp_path: Path, text: str, due: str | None = None, name: str = "r.csv") -> Roster:
@@ -137,13 +119,6 @@ def test_gradescopes_metadata_say_when(tmp_path: Path) -> None:
     assert (table.of("submission", "x").late, table.of("submission", "x").student) == ("1 h 1 min", "Student User")
     extended = METADATA | {"users": [{"name": "S", "assignment": {"due_date": "2018-07-02T00:00:00-07:00"}}]}
     assert roster(tmp_path, json.dumps(extended), name="m.json").of("s", "s").late == ""
-
-
-@pytest.mark.parametrize(
-    ("late", "said"), [("18:00:00", ""), ("17:59", ""), ("18:00:20", "1 min"), ("19:00", "1 h"), ("20:05", "2 h 5 min")]
-)
-def test_how_late(late: str, said: str) -> None:
-    assert late_by(datetime.fromisoformat(f"2026-11-20T{late}"), datetime.fromisoformat("2026-11-20T18:00")) == said
 
 
 @pytest.mark.parametrize(

@@ -198,13 +198,6 @@ def solution_of(name: str) -> Solution:
     return shared.solved(name)
 
 
-def test_a_triad_that_does_not_spin_gives_the_same_equations() -> None:
-    one, other = solution_of("heavy_top"), solution_of("heavy_top_without_spin")
-    result = compare(other.own.motion.expressions, System(one.own.configuration, one.own.motion.expressions))
-    assert result is not None
-    assert result.agree
-
-
 def angular_acceleration(
     solution: Solution, sequence: str, names: str, angles: list[mpf], rates: list[mpf], constants_: dict[str, mpf]
 ) -> list[mpf]:

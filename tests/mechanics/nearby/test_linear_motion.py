@@ -2,23 +2,16 @@
 
 from dataclasses import replace
 from functools import cache
-from types import SimpleNamespace
 
 import pytest
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.questions import linear_motion as answers_about
-from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
-from lagrange.explain.rest.large_systems import result_of_large_system
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
 from lagrange.mechanics.nearby.checks import check_linear_motion
 from lagrange.mechanics.nearby.linear_motion import LinearMotion, linear_motion
-from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
-from lagrange.mechanics.nearby.stable_range import stable_ranges
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
 from tests.support.shared import loaded
@@ -46,42 +39,6 @@ def bicycle() -> tuple[Problem, Configuration, LinearMotion]:
     problem = loaded("large/whipple-bicycle")
     configuration = configuration_of(problem)
     return problem, configuration, linear_motion(problem, configuration)
-
-
-def test_the_speeds_at_which_the_bicycle_is_stable() -> None:
-    """Weave and capsize speed of the same paper, and between them, as at 5 m/s, all exponents on the left."""
-    *_, block = bicycle()[2].blocks
-    assert block.stable_ranges is not None
-    [found] = block.stable_ranges
-    assert float(found.low) == pytest.approx(4.29238253634111, rel=1e-12)
-    assert float(found.high) == pytest.approx(6.02426201538837, rel=1e-12)
-    assert found.oscillating == (found.low,)
-
-
-def test_the_page_of_the_bicycle_begins_with_these_speeds() -> None:
-    solution = SimpleNamespace(linear_motion=bicycle()[2], classification=SimpleNamespace(degrees_of_freedom=3))
-    [step] = result_of_large_system(solution)
-    [head] = step.body
-    words = "".join(p if isinstance(p, str) else str([float(x) for x in p.sides if x.is_number]) for p in head.parts)
-    assert words.startswith("Three degrees of freedom; small deviations from the steady motion decay if [4.292")
-    assert "6.024" in words
-
-
-@pytest.mark.parametrize(
-    ("damping", "stiffness", "expected"),
-    [
-        ("v", "1", [(0, float("inf"))]),
-        ("-v", "1", []),
-        ("1", "v - 2", [(2, float("inf"))]),
-        ("3 - v", "v - 1", [(1, 3)]),
-        ("1", "(v - 1)*(v - 2)*(v - 4)", [(1, 2), (4, float("inf"))]),
-        ("0", "v", None),
-    ],
-)
-def test_ranges_of_one_equation(damping: str, stiffness: str, expected: list[tuple[float, float]] | None) -> None:
-    """q'' + d q' + k q = 0 decays if and only if d > 0 and k > 0."""
-    found = stable_ranges(((sp.S.One,),), ((sp.sympify(damping),),), ((sp.sympify(stiffness),),))
-    assert (None if found is None else [(float(r.low), float(r.high)) for r in found]) == expected
 
 
 def coefficients(table, letter: sp.Symbol, power: int) -> list[list[float]]:
@@ -115,26 +72,6 @@ def published(row: int, damping: float | None = None) -> Fragment:
     )
 
 
-@pytest.mark.parametrize(
-    ("answer", "verdict"),
-    [
-        ([published(0), published(1)], Verdict.EQUIVALENT),
-        ([published(1)], Verdict.INCOMPLETE),
-        ([published(0, 33.87), published(1)], Verdict.EQUIVALENT),
-        ([published(0, 33.88), published(1)], Verdict.WRONG),
-        ([Fragment.of("sin(phi) + phi'' = 0")], Verdict.WRONG),
-        ([Fragment.of("psi'' = 0")], Verdict.UNDECIDED),
-    ],
-)
-def test_published_matrices_as_an_answer(
-    answer: list[Fragment], verdict: Verdict, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    problem, _, found = bicycle()
-    reference = SimpleNamespace(scope=problem.scope, declared=problem.scope.names(), values={})
-    monkeypatch.setattr(answers_about, "reference_of_solution", lambda _: reference)
-    assert answers_about.check_linear_motion(answer, SimpleNamespace(linear_motion=found)).verdict is verdict
-
-
 def test_the_published_exponents_at_five_metres_a_second() -> None:
     *_, found = bicycle()
     five = {found.letters[0]: sp.Integer(5)}
@@ -146,34 +83,6 @@ def test_the_published_exponents_at_five_metres_a_second() -> None:
     numbers = replace(b, mass=at(b.mass), damping=at(b.damping), stiffness=at(b.stiffness))
     exponents = sorted((complex(p) for p in numbers.exponents), key=lambda p: (p.real, p.imag))
     assert exponents == pytest.approx(sorted(AT_5, key=lambda p: (p.real, p.imag)), rel=1e-11)
-
-
-def test_lagranges_equations_agree_and_a_slip_is_found() -> None:
-    problem, configuration, found = bicycle()
-    [check] = check_linear_motion(problem, configuration, found)
-    assert check.passed
-    [alone, block] = found.blocks
-    for name in ("mass", "damping", "stiffness"):
-        table = [list(row) for row in getattr(block, name)]
-        table[1][1] *= sp.Rational(1000001, 1000000)
-        wrong = replace(found, blocks=(alone, replace(block, **{name: tuple(map(tuple, table))})))
-        assert not check_linear_motion(problem, configuration, wrong)[0].passed
-
-
-def test_the_equations_of_the_bicycle_in_abbreviations() -> None:
-    problem, configuration, _ = bicycle()
-    found = long_equations(problem, configuration)
-    [check] = check_long_equations(found, configuration)
-    assert check.passed
-    wrong = replace(found, whole=(*found.whole[:-1], found.whole[-1] + problem.slots.accelerations[0]))
-    assert not check_long_equations(wrong, configuration)[0].passed
-    z = next(iter(found.definitions))
-    # Written out again, an equation is what it was before, whatever the abbreviations are.
-    whole = found.left[-2]
-    for name, e in reversed(found.definitions.items()):
-        whole = whole.xreplace({name: e})
-    assert z.name == "Z_1"
-    assert is_zero(whole - found.whole[-2]) is True
 
 
 def problem_of(tmp_path, text: str) -> tuple[Problem, Configuration]:
@@ -224,15 +133,6 @@ initial: {x: 0, y: l, x': 0}
 """
 
 
-def test_the_reaction_has_its_share_in_the_stiffness(tmp_path) -> None:
-    problem, configuration = problem_of(tmp_path, PENDULUM)
-    found = linear_motion(problem, configuration)
-    [block] = found.blocks
-    assert (block.mass, block.damping) == (((2,),), ((7,),))
-    assert block.stiffness == ((sp.Rational(35, 3),),)  # s + m g/l
-    assert check_linear_motion(problem, configuration, found)[0].passed
-
-
 @pytest.mark.parametrize(
     ("old", "new", "code"),
     [
@@ -251,13 +151,6 @@ def test_what_is_refused(tmp_path, old: str, new: str, code: str) -> None:
 def test_what_is_no_polynomial_in_a_letter_is_refused(tmp_path) -> None:
     with pytest.raises(NotCoveredError):
         linear_motion(*problem_of(tmp_path, PENDULUM.replace("l: {value: 3}", "l: positive")))
-
-
-def test_velocities_that_nothing_determines(tmp_path) -> None:
-    text = DISC.replace("phi': 0, theta': 0, ", "")
-    with pytest.raises(ProblemError) as error:
-        linear_motion(*problem_of(tmp_path, text))
-    assert error.value.diagnostics[0].code == "undetermined-motion"
 
 
 ASKEW = """

@@ -9,10 +9,8 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
-from lagrange.mechanics.questions import numerical
-from lagrange.mechanics.questions.results import Asked, Because, How, Route
+from lagrange.mechanics.questions.results import Asked, How, Route
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
@@ -160,148 +158,11 @@ def test_the_answer_is_that_of_the_hand(
     assert is_zero(values[0] - value(expected)) is True
 
 
-def test_a_position_at_rest_that_may_be_left_to_either_side_leaves_the_sense_open(problem: Read) -> None:
-    answer = asked(
-        problem, SPHERE + "initial: {theta: 0, theta': 0}\nask: {it: {quantity: \"R*theta'\", when: N = 0}}\n"
-    )
-    assert answer.mirrored
-    assert len(answer.branches) == 2
-
-
 def test_a_particle_beside_the_top_leaves_to_its_side(problem: Read) -> None:
     """No turning point lies between: the other side comes later."""
     text = SPHERE + "initial: {theta: 1/10, theta': 0}\nask: {it: {quantity: theta, when: N = 0}}\n"
     answer = asked(problem, text)
     assert [b.states[0][sp.Symbol("theta'", real=True)].could_extract_minus_sign() for b in answer.branches] == [False]
-
-
-def test_of_two_turning_points_that_of_the_start_is_left_out(problem: Read) -> None:
-    text = PENDULUM + 'initial: {x: 3/5*l, y: 4/5*l, y\': 0}\nask: {it: {quantity: x, when: ["x\' = 0", "y\' = 0"]}}\n'
-    answer = asked(problem, text)
-    dropped = [why for _, why in answer.dropped]
-    assert Because.INITIAL in dropped or len(answer.branches) == 1
-
-
-@pytest.mark.parametrize(
-    ("text", "code"),
-    [
-        (PENDULUM + "initial: {x: l, y: l, x': 0}\nask: {it: {quantity: T, when: x = 0}}\n", "initial-contradicts"),
-        (PENDULUM + "initial: {x: 0, y: l, y': 1}\nask: {it: {quantity: T, when: x = 0}}\n", "initial-contradicts"),
-        (PENDULUM + 'initial: {x: l}\nask: {it: {quantity: "x\'", when: y = l}}\n', "not-determined"),
-        (PENDULUM + "initial: {x: l, y: 0, y': 0}\nask: {it: {quantity: \"x'\"}}\n", "not-determined"),
-        (PENDULUM + "initial: {x: l, y: 0, y': 0}\nask: {it: {quantity: \"x'\", when: y = -l}}\n", "never-holds"),
-        (WIRE + "ask: {it: {quantity: t, when: r = b/2}}\n", "never-holds"),
-    ],
-)
-def test_what_contradicts_or_is_not_determined_is_an_error_with_its_place(text: str, code: str, problem: Read) -> None:
-    with pytest.raises(ProblemError) as error:
-        solve(problem(text), complete=False)
-    [found] = error.value.diagnostics
-    assert (found.code, found.span is not None) == (code, True)
-
-
-QUARTER = """
-title: Pendulum
-axes: {i: right, j: down}
-parameters: {m: {value: 1}, l: {value: 1}, g: {value: 9.81}, alpha: {value: 1}}
-coordinates: [theta]
-particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
-gravity: g*j
-initial: {theta: alpha, theta': 0}
-ask: {it: {quantity: t, when: theta = 0}}
-"""
-
-
-def test_a_time_that_is_no_elementary_integral_is_found_in_numbers(problem: Read) -> None:
-    """A quarter of the period is K(sin α/2) √(l/g); the integral needs no extra."""
-    answer = asked(problem, QUARTER)
-    assert answer.integrand is not None
-    exact = sp.elliptic_k(sp.sin(sp.Rational(1, 2)) ** 2).evalf() / sp.sqrt(9.81)
-    assert answer.how is How.NUMERICAL
-    assert float(answer.branches[0].rhs) == pytest.approx(float(exact), rel=1e-5)
-
-
-def test_without_the_extra_it_is_said_which_one_is_missing(problem: Read, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(numerical, "is_available", lambda: False)
-    answer = asked(problem, QUARTER.replace("when: theta = 0", "when: theta'^2 = 1"))
-    assert not answer.answered
-    assert answer.needs == "sim"
-
-
-def test_without_values_such_a_question_is_left_open(problem: Read) -> None:
-    answer = asked(
-        problem,
-        QUARTER.replace("{m: {value: 1}, l: {value: 1}, g: {value: 9.81}, alpha: {value: 1}}", "[m, l, g, alpha]"),
-    )
-    assert (answer.how, answer.branches, answer.needs) == (None, (), "")
-    assert answer.integrand is not None
-    assert answer.integrals
-
-
-SLOPE = """\
-title: A block slides down
-parameters:
-  m: {assume: positive, value: 40 kg}
-  g: {assume: positive, value: "9.81 m/s^2"}
-  alpha: {assume: acute, value: 30 deg}
-  mu: {assume: positive, value: "1/4"}
-  d: {assume: positive, value: 6 m}
-coordinates: [x, y]
-particles: {A: {mass: m, position: x*i + y*j}}
-constraints: {plane: {equation: y >= 0, reaction: N}}
-forces:
-  weight: {on: A, vector: "m*g*(sin(alpha)*i - cos(alpha)*j)"}
-  rub: {friction: mu, constraint: plane, on: A, slip: positive}
-initial: {x: 0, x': 0}
-ask:
-  speed: {quantity: "x'", when: "x = d"}
-  time: {quantity: t, when: "x = d"}
-  push: {quantity: N, when: "x = d"}
-"""
-
-
-def test_answers_in_numbers_with_their_units(problem: Read) -> None:
-    """a = g (sin 30° − cos 30°/4); the units of ẋ and t follow from those of the parameters."""
-    a = 9.81 * (0.5 - math.sqrt(3) / 8)
-    expected = {"speed": (math.sqrt(12 * a), "m/s"), "time": (math.sqrt(12 / a), "s")}
-    expected["push"] = (40 * 9.81 * math.sqrt(3) / 2, "N")
-    found = report(problem(SLOPE))
-    answers = {a["name"]: (a["number"], a["unit"]) for a in as_object(found)["asked"]}
-    assert {name: unit for name, (_, unit) in answers.items()} == {name: unit for name, (_, unit) in expected.items()}
-    assert all(answers[name][0] == pytest.approx(value) for name, (value, _) in expected.items())
-    page = terminal.text(found.derivation, found.notation, 80)
-    assert "ẋ ≈ 5.777 m/s" in page
-    assert "t ≈ 2.077 s" in page
-
-
-def test_an_angle_is_given_in_degrees(problem: Read) -> None:
-    state = "initial: {theta: 0, theta': 0}\nask: {leaves: {quantity: theta, when: N = 0}}\n"
-    found = report(problem(SPHERE + state))
-    [leaves] = as_object(found)["asked"]
-    assert (leaves["number"], leaves["unit"]) == (pytest.approx(math.acos(2 / 3)), "rad")
-    assert "That is θ ≈ 48.19°." in terminal.text(found.derivation, found.notation, 80)
-
-
-def test_an_absolute_value_is_no_angle(problem: Read) -> None:
-    found = report(problem(SLOPE.replace('speed: {quantity: "x\'"', 'speed: {quantity: "abs(x\')"')))
-    page = terminal.text(found.derivation, found.notation, 80)
-    assert "|ẋ| ≈ 5.777 m/s" in page
-    assert "°" not in page[page.index("Question") :]
-
-
-def test_a_branch_that_the_values_exclude_has_no_number(problem: Read) -> None:
-    """Into a buffer: k x²/2 − m g x (sin 25° − cos 25°/5) = m v²/2 has one positive root, which is the answer."""
-    text = SLOPE[: SLOPE.index("initial")].replace("forces:\n", 'forces:\n  buffer: {potential: "k*(x - d)^2/2"}\n')
-    text = text.replace("parameters:\n", "parameters:\n  k: {assume: positive, value: 20 N/cm}\n")
-    start = 'initial: {x: d, x\': "sqrt(2*d*g*(sin(alpha) - mu*cos(alpha)))"}\n'
-    found = report(problem(text + start + 'ask: {furthest: {quantity: x, when: "x\' = 0"}}\n'))
-    [furthest] = as_object(found)["asked"]
-    pull = 40 * 9.81 * (0.5 - math.sqrt(3) / 8)
-    compressed = (pull + math.sqrt(pull**2 + 2 * 2000 * pull * 6)) / 2000
-    assert furthest["number"] == pytest.approx(6 + compressed)
-    page = terminal.text(found.derivation, found.notation, 80)
-    assert "does not exist with the given values" in page
-    assert page.count("x ≈") == 2  # at the head and with the answer, of the one branch that exists
 
 
 UP_AND_DOWN = """
@@ -378,34 +239,6 @@ ask: {least: {quantity: mu, when: F = mu*N}}
     assert [a.opposite is None for a in answers] == [False, True]
 
 
-BOAT = """
-title: Boat that drifts
-parameters: [m, b, v, s]
-coordinates: [x]
-particles: {P: {mass: m, position: x*i}}
-forces: {drag: {on: P, vector: "-b*x'*i"}}
-initial: {x: 0, x': v}
-"""
-
-
-def test_a_rest_that_is_only_approached_is_said_to_be(problem: Read) -> None:
-    solution = report(problem(BOAT + 'ask: {rest: {quantity: x, when: "x\' = 0"}}\n'), None)
-    [answer] = solution.solution.asked
-    assert answer.branches[0].limit
-    assert "in the limit t → ∞" in terminal.text(solution.derivation, solution.notation, 100)
-    assert "in the limit t → ∞" in as_object(solution)["asked"][0]["conditions"]
-    with pytest.raises(ProblemError) as error:
-        solve(problem(BOAT + 'ask: {rest: {quantity: t, when: "x\' = 0"}}\n'), complete=False)
-    assert "only in the limit" in error.value.diagnostics[0].message
-
-
-def test_a_place_beyond_that_limit_is_under_a_condition(problem: Read) -> None:
-    [branch] = asked(problem, BOAT + 'ask: {there: {quantity: "x\'", when: x = s}}\n').branches
-    m, b, v, s = (sp.Symbol(n, positive=True) for n in "mbvs")
-    [condition] = branch.conditions
-    assert sp.cancel((condition.lhs - condition.rhs) / (m * v - b * s)).is_positive
-
-
 def test_what_is_not_decided_is_said(problem: Read) -> None:
     """Two degrees of freedom coupled by a fourth power: nothing tells whether x gets to a."""
     text = """
@@ -421,43 +254,3 @@ ask: {motion: {quantity: b*(x*y)^2 + a*x*b, when: [x = a, y = a]}}
     assert told.solution.asked[0].branches[0].provided
     assert "provided that the motion gets there" in terminal.text(told.derivation, told.notation, 100)
     assert "provided that the motion gets there" in as_object(told)["asked"][0]["conditions"]
-
-
-def test_a_pendulum_never_gets_above_where_it_was_let_go(problem: Read) -> None:
-    text = """
-title: Pendulum
-parameters: {m: positive, l: positive, g: positive, alpha: acute}
-coordinates: [theta]
-particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}
-gravity: -g*j
-initial: {theta: alpha, theta': 0}
-ask: {QUESTION}
-"""
-    for quantity in ("theta'", "theta''", "energy"):
-        question = f'side: {{quantity: "{quantity}", when: theta = pi/2}}'
-        with pytest.raises(ProblemError) as error:
-            solve(problem(text.replace("QUESTION", question)), complete=False)
-        assert error.value.diagnostics[0].code == "never-holds"
-
-
-def test_the_initial_state_is_used_where_nothing_is_asked(problem: Read) -> None:
-    boat = report(problem(BOAT), None)
-    assert boat.solution.from_start is not None
-    [motion] = boat.solution.from_start.motions
-    m, b, v = (sp.Symbol(n, positive=True) for n in "mbv")
-    [(x, solution)] = motion.solutions.items()
-    t = sp.Symbol("t", real=True)
-    assert x.name == "x"
-    assert is_zero(solution - m * v / b * (1 - sp.exp(-b * t / m))) is True
-    assert "Motion from the initial state" in terminal.text(boat.derivation, boat.notation, 100)
-    assert as_object(boat)["from_start"][0]["solutions"].keys() == {"x"}
-    sphere = report(problem(SPHERE + "initial: {theta: 0, theta': 0}\n"), None)
-    assert sphere.solution.from_start is not None
-    assert not sphere.solution.from_start.motions
-    assert "do not integrate in closed form" in terminal.text(sphere.derivation, sphere.notation, 100)
-
-
-def test_an_initial_state_without_questions_must_still_satisfy_the_constraints(problem: Read) -> None:
-    with pytest.raises(ProblemError) as error:
-        solve(problem(PENDULUM + "initial: {x: l, y: l}\n"), complete=False)
-    assert error.value.diagnostics[0].code == "initial-contradicts"

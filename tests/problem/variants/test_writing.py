@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 import pytest
 
-from lagrange.api.variants import variant
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.problem.loader import read_problem
-from lagrange.problem.variants.vary import decimal
 from lagrange.problem.variants.writing import variant_source
 
 REST = "particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}\ngravity: g*j\n"
@@ -88,17 +84,6 @@ def test_the_values_of_a_range_are_exact() -> None:
 
 
 @pytest.mark.parametrize(
-    ("number", "digits"),
-    [("1/2", "0.5"), ("-1/8", "-0.125"), ("7", "7"), ("1/3", "1/3"), ("21/20", "1.05"), ("1000", "1000"), ("0", "0")],
-)
-def test_decimals(number: str, digits: str) -> None:
-    import sympy as sp
-
-    assert decimal(sp.Rational(number)) == digits
-    assert Fraction(digits) == Fraction(number)
-
-
-@pytest.mark.parametrize(
     ("vary", "code"),
     [
         ("vary: {q: [1]}", "unknown-parameter"),
@@ -132,27 +117,3 @@ def test_a_seed_is_a_text_that_is_not_too_long(seed: str) -> None:
 def test_a_seed_cannot_write_into_the_file() -> None:
     found = written(text(" [m, l, g]"), "anna\ntitle: other")
     assert found.split("\n")[1] == "title: Pendulum   # the first"
-
-
-LOOP = """title: Loop
-parameters: [m, R, g, h]
-coordinates: [phi]
-vary: {m: [1 kg], R: [1 m], g: [9.81 m/s^2], h: [0.5 m, 3 m]}
-particles: {P: {mass: m, position: R*sin(phi)*i - R*cos(phi)*j}}
-gravity: -g*j
-initial: {phi: 0, phi': "sqrt(2*g*h)/R"}
-ask: {top: {quantity: "R*phi'", when: phi = pi}}
-"""
-
-
-def test_a_variant_without_an_answer_is_refused() -> None:
-    """With h = 3 m it reaches the top; with h = 0.5 m it does not, because 2 R > h."""
-    assert "h = 3 m" in variant(Source("loop.yaml", LOOP), "a").text
-    with pytest.raises(ProblemError, match=r"h = 0.5 m has no answer: the `when` of the question `top` never holds"):
-        variant(Source("loop.yaml", LOOP), "d")
-
-
-def test_stated_answers_of_other_values_are_found() -> None:
-    stated = text(" [m, l, g]", VARY, REST + "answers: {equations: [\"theta'' + g/0.2*sin(theta) = 0\"]}\n")
-    with pytest.raises(ProblemError, match="has no answer"):
-        variant(Source("p.yaml", stated), "anna")

@@ -44,8 +44,6 @@ _L_SIGNS = re.compile(r":=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overs
 _L_CANCEL = re.compile(r"\\(?:cancel|bcancel|xcancel|sout|not)\s*(?=\{)")
 _L_BRACE = re.compile(r"\\(under|over)(?:brace|bracket|line|set)\s*(?=\{)")
 _L_DV = re.compile(r"\\(?P<kind>dv|odv|derivative|pdv|pderivative|fdv)\*?\s*(?:\[\s*(?P<order>[1-4])\s*\])?\s*(?=\{)")
-_L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
-_L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
 _L_PARTIAL = re.compile(
     r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
@@ -59,7 +57,6 @@ _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
     r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*([aA]rctan|[aA]rcsin|[aA]rccos|[Ss]in|[Cc]os|[Tt]an|[Cc]ot|sgn|sign|ln|log|exp)\s*\}"
 )
-_L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
 
 
 def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = False) -> Fragment:
@@ -93,10 +90,6 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.apply(power_groups(draft.text))
     draft.apply(products_with_numbers(draft.text))
     return draft.finished(latex=True)
-
-
-def _named_function(match: re.Match[str]) -> str:
-    return rf"\operatorname{{{match[1]}}}" if match[1] in ("sgn", "sign") else f"\\{match[1].lower()} "
 
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:

@@ -36,7 +36,6 @@ _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
-_LETTERS = "A-Za-z" + "".join(GREEK)
 _NAME = rf"(?:[{''.join(GREEK)}]|[A-Za-z]+)(?:_?\{{[A-Za-z0-9]{{1,8}}\}}|[A-Za-z0-9_{''.join(SUBSCRIPTS)}])*"
 _POWER = r"(?:\s*\^\s*\{?\s*([1-4])\s*\}?|([²³])|\*\*([1-4]))?"
 _RATE = re.compile(
@@ -97,7 +96,6 @@ _EXPONENTIAL = re.compile(
 )
 _AFTER_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp)\s*\Z")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
-_PRODUCT = re.compile(r"[A-Za-z]+")
 
 
 def rewritten(fragment: Fragment, scope: Scope) -> Fragment:

@@ -1,0 +1,485 @@
+"""The sign convention of a reaction: of its multiplier, and of the force that the name of the reaction stands for.
+
+Newton's law is m r'' = F + R with R = +λ ∂f/∂r, so that λ > 0 pushes to where f = left − right increases. λ belongs to
+the equation f = 0 as it is written: for 2f = 0 it is half as large, and for −f = 0 it has the other sign. The force
+does not depend on the writing. With R_P = λ g_P (`free_bodies`) there are three cases.
+
+*Tension.* A constraint keeps a length, or a sum of lengths Σ n_i ℓ_i, if f = k (Σ n_i ℓ_i − L) with constant k, n_i, L.
+The tension does the work −T Σ n_i δℓ_i = λ δf, so that
+
+    T = −k λ ,          T > 0 where it pulls;      f = c (d·d − l²) has k = 2 c l.
+
+ℓ = |d| is the distance between two points, each at rest or on a particle or body, if d depends on the places of the
+particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
+straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d. It grows or decreases
+toward the pulley; a weight tells which, because a string that passes over a pulley holds it up.
+
+*Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
+
+    R = N n ,      n = g/|g| ,      N = |g| λ .
+
+n points to where left minus right increases; for a one-sided constraint to the permitted side, so that n = −g/|g| if
+f ≤ 0 is permitted. |g| is written without the moduli of lengths and of single sines and cosines, as for ranges in which
+these are positive.
+
+*Neither.* A moment, forces on several bodies, or coordinates that do not place the bodies: the name is the multiplier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.fourier.linear_systems import tidy_quotient
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import t
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.dynamics.free_bodies import Forces, Placed, Rod, form_as_forces
+from lagrange.problem.model import Keeper
+
+SURFACES = frozenset({Keeper.SURFACE, Keeper.WIRE})
+"""What presses at right angles, even if it keeps a distance."""
+
+
+class ForceKind(StrEnum):
+    """The kinds of single forces."""
+
+    TENSION = "tension"
+    ALONG = "along a unit vector"
+
+
+@record
+class SingleForce:
+    """A reaction that is one force.
+
+    factor     the force is factor · λ
+    on         the particle or body that `direction` refers to; empty if the direction is not known
+    direction  the unit vector of the force on it, where the force is positive
+    opposite   the particle or body on which the opposite force acts, if there is one
+    presumed   what is taken to be positive in |g|
+    """
+
+    kind: ForceKind
+    factor: sp.Expr
+    on: str = ""
+    direction: Vector | None = None
+    opposite: str = ""
+    presumed: tuple[sp.Expr, ...] = ()
+
+
+def tension_of_rod(rod: Rod) -> SingleForce:
+    """The tension of a rod; on its first end it is directed to the second."""
+    direction = (rod.span * (-1 / rod.length)).map(tidy_quotient)
+    return SingleForce(ForceKind.TENSION, rod.factor, rod.ends[0], direction, rod.ends[1])
+
+
+def single_force(
+    row: Row,
+    by: Keeper | None,
+    acts: Forces | None,
+    placed: Placed | None,
+    configuration: Configuration,
+    side: int | None = None,
+) -> SingleForce | None:
+    """The single force that a reaction is, if it is not that of a rod; None if it is none.
+
+    acts  the forces and moments for λ = 1; None if they are not known
+    side  of a one-sided constraint: the force is positive where it pushes or pulls to that side
+    """
+    if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
+        tension = _tension(keeping, by, acts, placed, configuration)
+        if tension is not None and (side is None or (side * tension.factor).is_positive):
+            return tension
+    if acts is None or placed is None or by is Keeper.GEAR:
+        return None
+    return _along_unit_vector(row, acts, placed, configuration, side or 1)
+
+
+def _kept(row: Row, configuration: Configuration) -> Row | None:
+    """A constraint on velocities that keeps a sum of coordinates, as the finite one: y' = R φ' as y = R φ."""
+    slots = configuration.slots
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+    if (
+        row.nonlinear is not None
+        or row.drift != 0
+        or any(not moving.isdisjoint(a.free_symbols) for a in row.coefficients)
+    ):
+        return None
+    return replace(row, finite=sp.Add(*(a * q for a, q in zip(row.coefficients, slots.coordinates, strict=True))))
+
+
+# -- forces along a unit vector ----------------------------------------------------------------------------------------
+
+
+def _along_unit_vector(
+    row: Row, acts: Forces, placed: Placed, configuration: Configuration, side: int
+) -> SingleForce | None:
+    ends = _ends(acts, placed, configuration)
+    if ends is None:
+        return None
+    direction = acts.forces[ends[0]]
+    root = _root_of_square(direction, row, configuration)
+    written = _differences(row, configuration)
+    plain = _without_signs(root, written)
+    size = side * plain
+    sizes = (a for a in sorted(root.atoms(sp.Abs), key=str) if not plain.has(a))
+    presumed = tuple(written.get(a.args[0], a.args[0]) for a in sizes)
+    unit = direction.map(lambda c: textbook_form(c / size))
+    return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
+
+
+def _ends(acts: Forces, placed: Placed, configuration: Configuration) -> tuple[str, str] | None:
+    """The body on which one force acts along a line, and that on which its opposite does (empty: none); None: neither.
+
+    What a body's coordinates leave out, a component of the force or of its moment, is taken by what guides the body:
+    the full force is that on the body with more freedom, and at a fixed mass centre only the moment is seen.
+    """
+    forces, moments = acts.forces, acts.moments
+    if not 1 <= len(forces) <= 2 or len({*forces, *moments}) > 2:
+        return None
+    surface = configuration.states
+    moved = {f.name: [f.partials[b] for b in f.basis] for f in placed if not f.turning}
+    turned = {f.name: [f.partials[b] for b in f.basis] for f in placed if f.turning}
+    first, *others = sorted(forces, key=lambda name: -len(moved[name]))
+    g = forces[first].fixed()
+    if any(not surface.is_zero((forces[other] + g).dot(along)) for other in others for along in moved[other]):
+        return None
+    if any(_is_wrench(forces[n], h, turned[n], surface) for n, h in moments.items() if n in forces):
+        return None
+    pinned = [name for name in moments if name not in forces]
+    if not pinned:
+        return first, others[0] if others else ""
+    places = {p.name: p.position.fixed() for p in configuration.points}
+    arm = places[first] - places[pinned[0]]
+    total = sum((h.fixed() for h in moments.values()), arm.cross(g))
+    return (first, pinned[0]) if all(surface.is_zero(c) for c in total.components) else None
+
+
+def _is_wrench(force: Vector, moment: Vector, turnings: Sequence[Vector], surface: Surface) -> bool:
+    """Whether a moment has a component along the force that no shift of its line can explain."""
+    if surface.is_zero(moment.dot(force)):
+        return False
+    axes = [w.fixed().components for w in turnings]
+    return surface.rank([*axes, force.fixed().components]) == len(axes)
+
+
+def _root_of_square(direction: Vector, row: Row, configuration: Configuration) -> sp.Expr:
+    square = textbook_form(direction.dot(direction))
+    return textbook_form(sp.sqrt(where_it_holds(square, row, configuration)))
+
+
+def _without_signs(root: sp.Expr, written: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    return root.replace(
+        lambda e: isinstance(e, sp.Abs) and (e.args[0] in written or _has_a_sign(e.args[0])),
+        lambda e: written.get(e.args[0], e.args[0]),
+    )
+
+
+def _differences(row: Row, configuration: Configuration) -> dict[sp.Expr, sp.Expr]:
+    """Differences of lengths, R − r, as the constraint and the substitution write them, by ±(R − r): positive, as
+    (R − r) sin φ is the way to the centre of a body within another.
+    """
+    places = [row.finite or sp.S.Zero, *configuration.substitution.values()]
+    found: dict[sp.Expr, sp.Expr] = {}
+    for e in (a for place in places for a in place.atoms(sp.Add)):
+        if e.is_positive is None and all(s.is_positive for s in e.free_symbols) and len(e.free_symbols) > 1:
+            if e in found and found[e] != e:
+                return {}
+            found |= {e: e, -e: e}
+    return found
+
+
+def _has_a_sign(e: sp.Expr) -> bool:
+    """Whether an expression is a length or the sine or cosine of an angle, or a product of such."""
+    factors = (f.as_base_exp()[0] for f in sp.Mul.make_args(e))
+    return all(f.is_positive or f.is_Symbol or isinstance(f, sp.sin | sp.cos) for f in factors)
+
+
+def where_it_holds(square: sp.Expr, row: Row, configuration: Configuration) -> sp.Expr:
+    """|g|² on the constraint, if that contains no coordinates: 4R² for x² + y² = R² in space."""
+    coordinates = configuration.slots.coordinates
+    finite = (row.finite or sp.S.Zero).xreplace(configuration.substitution)
+    if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
+        return square
+    relation, squared = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
+    if relation.is_ground or squared.is_ground:
+        return square
+    remainder = squared - relation * (squared.coeff_monomial(relation.monoms()[0]) / relation.LC())
+    return sp.factor(remainder.as_expr()) if remainder.is_ground else square
+
+
+# -- tensions ----------------------------------------------------------------------------------------------------------
+
+
+@record
+class Length:
+    """A term k ℓ of f.
+
+    share   k
+    toward  −1 if a tension makes ℓ shorter, +1 if it makes ℓ longer; None: shorter if ℓ is a length
+    shown   whether the equation itself shows that ℓ is the distance between two points
+    on      the particle or body on which the tension acts along `unit`, which is where ℓ increases
+    """
+
+    share: sp.Expr
+    toward: int | None
+    shown: bool
+    on: str = ""
+    unit: Vector | None = None
+    opposite: str = ""
+
+
+def _tension(
+    row: Row, by: Keeper | None, acts: Forces | None, placed: Placed | None, configuration: Configuration
+) -> SingleForce | None:
+    """The tension that keeps a distance to a point of a body, or a sum of lengths; None if it is no tension."""
+    assert row.finite is not None
+    coordinates = set(configuration.slots.coordinates)
+    constant, terms = _separated(row.finite, coordinates)
+    roots = [t for t in terms if isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2)]
+    if not roots and placed is not None and acts is not None and acts.moments and by is not Keeper.STRING:
+        squared = _of_square(row, placed, configuration)
+        if squared is not None:
+            return squared
+    lengths = [_length(k, e, placed, configuration) for k, e in terms]
+    if len(terms) > 1 and all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
+        lengths = [
+            x if x is None or x.shown else _carried(k, e, configuration)
+            for x, (k, e) in zip(lengths, terms, strict=True)
+        ]
+    if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
+        return None
+    known = [x for x in lengths if x is not None]
+    bar = _between_two(constant, terms, configuration)
+    if bar is not None:
+        return bar
+    if by not in (Keeper.STRING, Keeper.ROD) and not _is_seen(constant, known):
+        return None
+    return _pulling(constant, known)
+
+
+def _between_two(
+    constant: sp.Expr, terms: Sequence[tuple[sp.Expr, sp.Expr]], configuration: Configuration
+) -> SingleForce | None:
+    """The tension of what keeps two points apart along a line, x_1 − x_2 = d with d > 0: f = k (x_1 − x_2 − d)."""
+    if len(terms) != 2 or any(e not in configuration.slots.coordinates for _, e in terms):
+        return None
+    (k, first), (other, second) = terms
+    apart = -constant / k  # x_1 − x_2
+    if k + other != 0 or not (apart.is_positive or apart.is_negative):
+        return None
+    ends = []
+    for q in (first, second):
+        column = configuration.slots.coordinates.index(q)
+        moved = [(p.name, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+        if len(moved) != 1:
+            return None
+        ends += moved
+    (one, unit), (two, same) = ends
+    steady = all(unit.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    if one == two or not steady or not (unit - same).map(textbook_form).is_zero:
+        return None
+    if textbook_form(unit.dot(unit)) != 1:
+        return None
+    if apart.is_positive:
+        return SingleForce(ForceKind.TENSION, -k, one, -unit, two)
+    return SingleForce(ForceKind.TENSION, k, two, -unit, one)
+
+
+def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
+    """Whether an equation shows a string: a distance between two points, or equal shares of several lengths."""
+    if not all(x.shown for x in lengths):
+        return False
+    if len(lengths) == 1:
+        return True
+    return constant != 0 and len({x.share for x in lengths}) == 1
+
+
+def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None:
+    """T = −k λ; the sign by what the string holds up, otherwise because the terms are lengths."""
+    placing = [x for x in lengths if x.on]
+    unit = _unit_share(constant, [x.share for x in placing])
+    if unit is None:
+        return None
+    signs = {x.toward if x.share.is_positive else -x.toward for x in placing if x.toward is not None}
+    signs = signs or {-1 if x.share.is_positive else 1 for x in placing}
+    if len(signs) != 1:
+        return None
+    [sign] = signs
+    names = [x.on for x in placing]
+    for x in placing:
+        if x.unit is not None and abs(x.share) == unit and names.count(x.on) == 1:  # one part of the string pulls there
+            direction = x.unit if x.share.is_positive == (sign == 1) else -x.unit
+            return SingleForce(ForceKind.TENSION, sign * unit, x.on, direction, x.opposite)
+    return SingleForce(ForceKind.TENSION, sign * unit)
+
+
+def _unit_share(constant: sp.Expr, shares: Sequence[sp.Expr]) -> sp.Expr | None:
+    """|k|: the share of L where the others are multiples of it, otherwise the smallest share; None: no such shares."""
+    if not shares or any(not k.is_positive and not k.is_negative for k in shares):
+        return None
+    sizes = [abs(k) for k in shares]
+    ratios = [tidy_quotient(k / sizes[0]) for k in sizes]
+    if not all(r.is_Rational for r in ratios):
+        return None
+    number, length = constant.as_coeff_Mul()
+    whole = [tidy_quotient(k / abs(number)) for k in sizes] if length.is_Symbol else []
+    if whole and all(k.is_Integer for k in whole):
+        return sp.Abs(number)
+    return sizes[ratios.index(min(ratios))]
+
+
+def _separated(f: sp.Expr, coordinates: set[sp.Symbol]) -> tuple[sp.Expr, list[tuple[sp.Expr, sp.Expr]]]:
+    """The terms of f without coordinates, and (share, rest) of the others, those with the same rest joined."""
+    constant: sp.Expr = sp.S.Zero
+    shares: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(f, power_base=False, power_exp=False)):
+        share, rest = term.as_independent(*coordinates, as_Add=False)
+        if rest == 1:
+            constant = constant + share
+        else:
+            shares[rest] = shares.get(rest, sp.S.Zero) + share
+    return constant, [(k, rest) for rest, k in shares.items() if k != 0]
+
+
+def _length(share: sp.Expr, rest: sp.Expr, placed: Placed | None, configuration: Configuration) -> Length | None:
+    """A term as a length: a distance √S, or a coordinate; None if it is neither."""
+    if isinstance(rest, sp.Pow) and rest.exp == sp.Rational(1, 2):
+        return _distance(share, rest.base, placed, configuration)
+    if rest not in configuration.slots.coordinates:
+        return None
+    return _coordinate(share, rest, configuration)
+
+
+def _distance(share: sp.Expr, square: sp.Expr, placed: Placed | None, configuration: Configuration) -> Length | None:
+    """√S of f, S = c d·d with the distance |d| of two points."""
+    if placed is None:
+        return Length(share, -1, shown=False)
+    found = _squared_distance(square, placed, configuration)
+    if found is None:
+        return None
+    between, scale = found
+    if not scale.is_positive:
+        return None
+    unit = (between.span / sp.sqrt(square / scale)).map(tidy_quotient)
+    return Length(textbook_form(share * sp.sqrt(scale)), -1, True, between.on, unit, between.opposite)
+
+
+def _coordinate(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
+    """A coordinate as a length: r of polar coordinates is the distance from O; on a straight line it may be one."""
+    column = configuration.slots.coordinates.index(q)
+    for p in configuration.points:
+        moved = p.partials[column].fixed()
+        if moved.is_zero or textbook_form(moved.dot(moved)) != 1:
+            continue
+        coordinates = configuration.slots.coordinates
+        origin = p.position.fixed() - moved * q
+        if any(not origin.partial(s).map(textbook_form).is_zero for s in coordinates):
+            continue
+        if any(not moved.partial(s).map(textbook_form).is_zero for s in coordinates):
+            return Length(share, -1, True, p.name, moved)
+        return Length(share, _held_up(p, moved, configuration), True, p.name, moved)
+    return Length(share, None, shown=False)
+
+
+def _move_apart(moving: Sequence[sp.Symbol], configuration: Configuration) -> bool:
+    """Whether no point moves with two of these coordinates: x + y = a of one particle is a line and no string."""
+    columns = [configuration.slots.coordinates.index(q) for q in moving]
+    return all(sum(not p.partials[k].is_zero for k in columns) <= 1 for p in configuration.points)
+
+
+def _carried(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
+    """A coordinate along a line that is counted from what moves, or moves several points: a weight below a pulley."""
+    column = configuration.slots.coordinates.index(q)
+    moved = [(p, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+    if not moved:
+        return Length(share, None, shown=False)
+    along = moved[0][1]
+    alike = all((u - along).map(textbook_form).is_zero for _, u in moved)
+    steady = all(along.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    if not alike or not steady or textbook_form(along.dot(along)) != 1:
+        return Length(share, None, shown=False)
+    toward = next((h for p, _ in moved if (h := _held_up(p, along, configuration)) is not None), None)
+    single = moved[0][1] if len(moved) == 1 else None
+    return Length(share, toward, True, moved[0][0].name, single)
+
+
+def _held_up(point: MassPoint, along: Vector, configuration: Configuration) -> int | None:
+    """−1 if a tension against the weight makes the coordinate along a line smaller, +1 if larger; None: no weight."""
+    for load in configuration.loads:
+        if load.on == point.name and load.name == "weight":
+            share = textbook_form(load.vector.dot(along))
+            return -1 if share.is_positive else 1 if share.is_negative else None
+    return None
+
+
+@record
+class Between:
+    """The vector d to a point of `on` from a fixed point, or from a point of `opposite`."""
+
+    span: Vector
+    on: str
+    opposite: str = ""
+
+
+def _of_square(row: Row, placed: Placed, configuration: Configuration) -> SingleForce | None:
+    """The tension of f = c (d·d − l²): T = −2 c l λ."""
+    assert row.finite is not None
+    found = _squared_distance(row.finite, placed, configuration)
+    if found is None:
+        return None
+    between, scale = found
+    square = sp.factor(textbook_form(between.span.dot(between.span) - row.finite / scale))
+    if square.free_symbols & {*configuration.slots.coordinates} or square.is_nonpositive:
+        return None
+    length = sp.sqrt(square)
+    factor = textbook_form(-2 * scale * length)
+    direction = (between.span * (-1 / length)).map(tidy_quotient)
+    return SingleForce(ForceKind.TENSION, factor, between.on, direction, between.opposite)
+
+
+def _squared_distance(
+    function: sp.Expr, placed: Placed, configuration: Configuration
+) -> tuple[Between, sp.Expr] | None:
+    """d and c, if a function is c d·d up to a constant, and |d| is the distance of two points."""
+    coordinates = configuration.slots.coordinates
+    row = Row("", tuple(function.diff(q) for q in coordinates), sp.S.Zero)
+    try:
+        acts = form_as_forces(row, placed, configuration.states)
+    except DivisionByZeroError:
+        return None
+    if acts is None or not 1 <= len(acts.forces) <= 2 or len({*acts.forces, *acts.moments}) > 2:
+        return None
+    first, *second = acts.forces
+    gradient = acts.forces[first].fixed()
+    if second and not (gradient + acts.forces[second[0]].fixed()).map(textbook_form).is_zero:
+        return None
+    points = {p.name: p for p in configuration.points}
+    turned = {k for r in configuration.rotations if r.name in {*acts.moments, *acts.forces}
+              for k, w in enumerate(r.partials) if not w.is_zero}  # fmt: skip
+    scale: sp.Expr | None = None
+    for k, q in enumerate(coordinates):
+        if k in turned:
+            continue
+        moved = points[first].partials[k].fixed()
+        if second:
+            moved = moved - points[second[0]].partials[k].fixed()
+        rate = gradient.partial(q)
+        if scale is None and not moved.is_zero:
+            scale = textbook_form(rate.dot(moved) / moved.dot(moved)) / 2
+            if scale == 0 or scale.free_symbols & {*coordinates}:
+                return None
+        if not (rate - moved * (2 * (scale or sp.S.Zero))).map(textbook_form).is_zero:
+            return None
+    if scale is None:
+        return None
+    others = [name for name in (*acts.moments,) if name not in acts.forces]
+    span = (gradient / (2 * scale)).map(textbook_form)
+    return Between(span, first, *(second or others)), scale

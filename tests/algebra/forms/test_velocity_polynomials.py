@@ -1,0 +1,49 @@
+"""Polynomials in the velocities: squares, and where they vanish."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.forms.velocity_polynomials import degree, is_definite, polynomial, primitive, squares, written
+
+u, v, w = sp.symbols("x' y' z'", real=True)
+x, r = sp.Symbol("x", real=True), sp.Symbol("r", positive=True)
+
+
+def is_zero(e: sp.Expr) -> bool:
+    return sp.expand(e) == 0
+
+
+def test_exponents_and_coefficients() -> None:
+    p = polynomial(x * u**2 - 2 * u * v + 3, (u, v), is_zero)
+    assert p == {(2, 0): x, (1, 1): -2, (0, 0): 3}
+    assert degree(p) == 2
+    assert sp.expand(written(p, (u, v)) - (x * u**2 - 2 * u * v + 3)) == 0
+    assert polynomial(sp.sin(u), (u,), is_zero) is None
+
+
+@pytest.mark.parametrize(
+    ("form", "definite"),
+    [(u**2 + v**2, True), (u**2 - v**2, False), (u**2 + u * v + v**2, True), (u**2 + 2 * u * v + v**2, False)],
+)
+def test_a_definite_form_is_zero_at_zero_only(form: sp.Expr, definite: bool) -> None:
+    p = polynomial(form, (u, v), is_zero)
+    assert p is not None
+    assert is_definite(p) is definite
+
+
+@pytest.mark.parametrize("form", [u**2 + v**2 - 2 * u * v, u * v, u**2 + 4 * u * v + v**2 + w**2, x * u**2 + u])
+def test_a_sum_of_squares_is_the_same_polynomial(form: sp.Expr) -> None:
+    p = polynomial(form, (u, v, w), is_zero)
+    assert p is not None
+    found = squares(p, (u, v, w), is_zero)
+    if found is not None:
+        assert sp.expand(sum(s.factor * s.form**2 for s in found) - form) == 0
+
+
+def test_rank_one_is_one_square_and_common_denominators_go() -> None:
+    p = polynomial(u**2 + v**2 - 2 * u * v, (u, v), is_zero)
+    assert p is not None
+    assert len(squares(p, (u, v), is_zero) or ()) == 1
+    assert primitive(u / r + v / r) == u + v

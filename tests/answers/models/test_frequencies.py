@@ -1,0 +1,23 @@
+"""Wrong frequencies of small oscillations."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.answers.results.diagnoses import Row, assert_explained, diagnoses
+
+WRONG: list[Row] = [
+    ("triatomic-molecule", "frequencies", ["0", "sqrt(2*c/M)"], "that is the frequency of x2 with the other"),
+    ("bead-on-rotating-hoop", "frequencies", [["sqrt(g/R)"]], "for a frame or support that does not move"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
+def test_frequencies(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+def test_right_frequencies_in_another_list_explain_nothing() -> None:
+    stated = [["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g/R)"]]  # the first is right, with -Omega for Omega as well
+    _, diagnosis = diagnoses("bead-on-rotating-hoop", {"frequencies": stated})
+    assert "Omega with the opposite sign" not in diagnosis

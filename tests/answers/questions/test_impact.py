@@ -1,0 +1,49 @@
+"""Verdicts on velocities after an impact."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.verdicts import Verdict
+from tests.answers.questions.test_response import DAMPED, judged
+
+EDGE, WEDGE, HINGE = "rod-falls-on-an-edge", "ball-on-a-wedge", "centre-of-percussion"
+
+
+IMPACT = [
+    (EDGE, "theta'", "3*a*v/(l^2 + 3*a^2)", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta", "3*a*v/(l^2 + 3*a^2)", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta'", "theta' = 3*a*v/(l^2 + 3*a^2)", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta'", "(l^2 + 3*a^2)*theta' = 3*a*v", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta'", r"\\frac{3av}{l^2+3a^2}", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta'", "-y'/a", Verdict.EQUIVALENT, ""),
+    (EDGE, "theta'", "-3*a*v/(l^2 + 3*a^2)", Verdict.WRONG, ""),
+    (EDGE, "theta'", "3*a*v/(l^2 + a^2)", Verdict.WRONG, ""),
+    (EDGE, "y'", "-v", Verdict.WRONG, ""),
+    (EDGE, "N", "m*l^2*v/(l^2 + 3*a^2)", Verdict.EQUIVALENT, ""),
+    (EDGE, "edge", "-m*l^2*v/(l^2 + 3*a^2)", Verdict.EQUIVALENT, "opposite"),
+    (EDGE, "N", "m*v", Verdict.WRONG, ""),
+    (EDGE, "energy_lost", "m*v^2*l^2/(2*l^2 + 6*a^2)", Verdict.EQUIVALENT, ""),
+    (EDGE, "energy_lost", "m*v^2/2", Verdict.WRONG, ""),
+    (EDGE, "phi'", "0", Verdict.UNREADABLE, "neither"),
+    (EDGE, "y'", "v/(a - a)", Verdict.UNREADABLE, ""),
+    (EDGE, "y'", "v/(", Verdict.UNREADABLE, ""),
+    (WEDGE, "X'", "-m*v*(1 + e)*sin(2*alpha)/(2*(M + m*sin(alpha)^2))", Verdict.EQUIVALENT, ""),
+    (WEDGE, "X'", "-m*v*(1 - e)*sin(2*alpha)/(2*(M + m*sin(alpha)^2))", Verdict.WRONG, ""),
+    (WEDGE, "energy_lost", "(1 - e^2)*v^2*cos(alpha)^2/2*m*M/(M + m*sin(alpha)^2)", Verdict.EQUIVALENT, ""),
+    (HINGE, "hinge.1", "J*(3*a - 2*l)/(2*l)", Verdict.EQUIVALENT, ""),
+    (HINGE, "x'", "J/m", Verdict.WRONG, ""),
+]
+
+
+@pytest.mark.parametrize(("name", "key", "answer", "verdict", "said"), IMPACT)
+def test_the_verdict_on_an_impact(name: str, key: str, answer: str, verdict: Verdict, said: str) -> None:
+    other = judged(name, "impact", key, answer)
+    assert other.verdict == verdict
+    [part] = other.equations
+    assert said in " ".join((part.diagnosis, *part.remarks, *(d.message for d in other.unreadable)))
+
+
+@pytest.mark.parametrize(("kind", "name"), [("impact", DAMPED), ("response", EDGE)])
+def test_a_problem_without_the_question_is_not_judged(kind: str, name: str) -> None:
+    assert judged(name, kind, "x", "0").verdict is Verdict.UNDECIDED

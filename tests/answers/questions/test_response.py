@@ -1,0 +1,42 @@
+"""Verdicts on amplitudes of forced oscillations."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.verdicts import AnswerVerdict, Verdict
+from lagrange.core.diagnostics import Source
+from lagrange.problem.stated_answers import read_answers
+from tests.support.shared import SHIPPED, loaded, reported
+
+DAMPED, ABSORBER = "damped-oscillator", "dynamic-absorber"
+
+
+def judged(name: str, kind: str, key: str, answer: str) -> AnswerVerdict:
+    path = SHIPPED[name]
+    answers = read_answers(Source("answers", f'{kind}: {{"{key}": "{answer}"}}\n'), loaded(path))
+    [other] = Examiner(loaded(path), reported(path).solution).check_answers(answers).others
+    assert other.name == kind
+    return other
+
+
+RESPONSE = [
+    (DAMPED, "x", "F/sqrt((c - m*w^2)^2 + b^2*w^2)", Verdict.EQUIVALENT),
+    (DAMPED, "x", "-F/sqrt((c - m*w^2)^2 + (b*w)^2)", Verdict.EQUIVALENT),
+    (DAMPED, "x", "x = F/c/sqrt((1 - m*w^2/c)^2 + (b*w/c)^2)", Verdict.EQUIVALENT),
+    (DAMPED, "x", r"\\frac{F}{\\sqrt{(c - m w^2)^2 + b^2 w^2}}", Verdict.EQUIVALENT),
+    (DAMPED, "x", "F/sqrt((c - m*w^2)^2 - b^2*w^2)", Verdict.WRONG),
+    (DAMPED, "x", "F/(c - m*w^2)", Verdict.WRONG),
+    (DAMPED, "x", "F*cos(w*t)/sqrt((c - m*w^2)^2 + b^2*w^2)", Verdict.WRONG),
+    (DAMPED, "y", "F", Verdict.UNREADABLE),
+    (DAMPED, "x", "F/(", Verdict.UNREADABLE),
+    (ABSORBER, "y", "F*c_2/(c_2^2 - (c_1 + c_2 - m_1*w^2)*(c_2 - m_2*w^2))", Verdict.EQUIVALENT),
+    (ABSORBER, "x", "F*c_2/((c_1 + c_2 - m_1*w^2)*(c_2 - m_2*w^2) - c_2^2)", Verdict.WRONG),
+    (ABSORBER, "x", "abs(F*(c_2 - m_2*w^2)/((c_1 + c_2 - m_1*w^2)*(c_2 - m_2*w^2) - c_2^2))", Verdict.EQUIVALENT),
+]
+
+
+@pytest.mark.parametrize(("name", "key", "answer", "verdict"), RESPONSE)
+def test_the_verdict_on_an_amplitude(name: str, key: str, answer: str, verdict: Verdict) -> None:
+    assert judged(name, "response", key, answer).verdict == verdict

@@ -1,0 +1,62 @@
+"""Wrong conditions of rest and limits of friction: what they are the conditions of."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.answers.results.conditions import Stated, explained_conditions
+from tests.answers.results.diagnoses import LADDER, Row, assert_explained
+
+BLOCKS = "stacked-blocks"
+CRATE = "crate-tips-or-slides"
+DRUM = "block-held-over-a-drum"
+INCLINE = "rough-incline"
+
+WRONG: list[Row] = [
+    (CRATE, "rest", ["P <= mu*W", "P*c <= W*b"], "with c in place of h"),
+    (CRATE, "rest", ["P <= mu*W", "P*h >= W*b"], "the inequality has the wrong sense"),
+    (CRATE, "rest", ["P <= mu*W/2", "P*h <= W*b"], "the limit of P is half of what it should be"),
+    (CRATE, "rest", ["mu*P <= W", "P*h <= W*b"], "with 1/mu in place of mu"),
+    (LADDER, "rest", ["(1 + mu*nu)*tan(theta) <= 2*mu"], "friction with the coefficient nu that acts the other way"),
+    (LADDER, "rest", ["tan(theta) <= 2*mu"], "without the friction that has the coefficient nu"),
+    (LADDER, "rest", ["(1 - mu*nu)/tan(theta) <= 2*mu"], "sine and cosine of theta exchanged"),
+    (
+        BLOCKS,
+        "rest",
+        ["F <= mu_2*W_1", "F <= mu_1*(W_1 + W_2)"],
+        "these are the conditions with mu_1 and mu_2 exchanged",
+    ),
+    (BLOCKS, "rest", ["F <= mu_1*W_1 + mu_2*(W_1 + W_2)"], "the limits of two contacts are added"),
+    (BLOCKS, "rest", ["F <= mu_1*W_1", "F <= mu_2*W_2"], "without W_1"),
+    (
+        INCLINE,
+        "rest",
+        ["abs(P*cos(alpha) - W*sin(alpha)) <= mu_s*W*cos(alpha)"],
+        "the term mu_s*P*sin(alpha) is missing",
+    ),
+    (
+        INCLINE,
+        "rest",
+        ["W*sin(alpha) - P*cos(alpha) <= mu_s*(W*cos(alpha) + P*sin(alpha))"],
+        "may act the other way as well",
+    ),
+    (
+        DRUM,
+        "rest",
+        ["Q >= W*(sin(alpha) - mu*cos(alpha))", "Q <= W*(sin(alpha) + mu*cos(alpha))"],
+        "the coefficient nu",
+    ),
+    (LADDER, "equilibrium", [["tan(theta) = 2*mu"]], "without the friction that has the coefficient nu"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
+def test_conditions(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+def test_nothing_is_said_of_a_condition_that_no_change_explains() -> None:
+    force, weight, mu = sp.symbols("P W mu", positive=True)
+    stated = Stated("P <= W*exp(mu)", weight * sp.exp(mu) - force, equation=False)
+    assert explained_conditions([stated], [mu * weight - force], [mu]) == ""

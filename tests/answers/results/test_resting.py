@@ -1,0 +1,29 @@
+"""Wrong positions of equilibrium, and wrong forces that hold a system."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.answers.results.diagnoses import Row, assert_explained
+
+WRONG: list[Row] = [
+    ("ladder", "equilibrium", ["P = W/2/tan(phi)"], "sine and cosine"),
+    ("inverted-pendulum-springs", "equilibrium", [["cos(theta) = W/(c*l)"]], "with l in place of b"),
+    ("inverted-pendulum-springs", "equilibrium", [["cos(theta) = W*l/(2*c*b^2)"]], "as from an energy without its 1/2"),
+    ("roberval-balance", "equilibrium", ["P = W*(b + d)/(b + f)"], "do not depend on d, f"),
+    ("beads-on-hoop", "equilibrium", ["tan(theta) = (m_1 + m_2)/(m_1 - m_2)*tan(beta)"], "the other way round"),
+    ("three-weights", "equilibrium", ["y = b*sqrt(4*P^2 - W^2)/W"], "the other way round"),
+    ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "its right side has to be multiplied by 3"),
+    ("masses-on-springs", "equilibrium", ["c_1*x_1 = m_1*g", "x_2 = m_2*g/c_2"], "without the weight of `B` in the"),
+    (
+        "hill-moon",
+        "equilibrium",
+        [["r^3 = K/(2*n^2)", "phi = 0"]],
+        "for a frame, support or length that does not change",
+    ),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
+def test_positions_and_forces_at_rest(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)

@@ -1,0 +1,78 @@
+"""The examiner: how much it reads, and the exit status of its verdicts."""
+
+from __future__ import annotations
+
+import pytest
+from click.testing import CliRunner
+
+from lagrange.core.diagnostics import ProblemError
+from lagsolve.main import main
+from tests.answers.test_equations import (
+    EQUIVALENT,
+    SOLVED,
+    solved_reference,
+    verdict_on,
+)
+
+RIGHT = "theta'' + g/l*sin(theta) = 0"
+
+
+def test_twelve_equations_are_read_and_thirteen_refused() -> None:
+    against = solved_reference("pendulum")
+    assert verdict_on(" ; ".join([RIGHT] * 12), against).verdict.value == EQUIVALENT
+    with pytest.raises(ProblemError, match="12 equations"):
+        verdict_on(" ; ".join([RIGHT] * 13), against)
+
+
+@pytest.fixture
+def pendulum_file(tmp_path: object) -> str:
+    path = tmp_path / "pendulum.yaml"  # type: ignore[operator]
+    path.write_text(SOLVED["pendulum"] + "answers: {equations: [\"l*theta'' = -g*sin(theta)\"]}\n", encoding="utf-8")
+    return str(path)
+
+
+@pytest.mark.parametrize(
+    ("answer", "status"),
+    [
+        ([RIGHT], 0),
+        (["theta'' = 0"], 1),
+        (["0 = 0"], 1),
+        (["x^2 + y^2 = l^2"], 1),
+        (["theta'' + q = 0"], 2),
+        (["theta''/0 = 0"], 2),
+        (["theta'' == 0"], 1),
+        (["="], 2),
+        (["theta''"], 2),
+        (["   "], 2),
+        ([RIGHT] * 13, 2),
+        (["x" * 2001], 2),
+        ([], 0),
+    ],
+)
+def test_exit_status_of_check(pendulum_file: str, answer: list[str], status: int) -> None:
+    arguments = [part for e in answer for part in ("-e", e)]
+    result = CliRunner().invoke(main, ["check", pendulum_file, *arguments])
+    assert result.exit_code == status, result.output
+    assert "Traceback" not in result.output
+
+
+@pytest.mark.parametrize(
+    ("said", "status"),
+    [
+        ("degrees_of_freedom: 1", 0),
+        ("degrees_of_freedom: 2", 3),
+        ("classification: [nonholonomic]", 3),
+        ("integrable: {rod: false}", 3),
+        ("equations: [\"theta'' = 0\"]", 3),
+        ('equations: ["x^2 + y^2 = l^2"]', 3),
+        ("equations: [\"theta'' + q = 0\"]", 2),
+        ("degrees_of_freedom: many", 2),
+        ("integrable: {rope: true}", 2),
+    ],
+)
+def test_exit_status_of_a_solve(tmp_path: object, said: str, status: int) -> None:
+    path = tmp_path / "pendulum.yaml"  # type: ignore[operator]
+    path.write_text(SOLVED["pendulum"] + f"answers: {{{said}}}\n", encoding="utf-8")
+    result = CliRunner().invoke(main, [str(path)])
+    assert result.exit_code == status, result.output
+    assert "Traceback" not in result.output

@@ -1,0 +1,32 @@
+"""Which lines of a solution are equations, conditions, or words."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.written.lines import condition_alone, equations_of_line
+from lagrange.core.diagnostics import Fragment
+
+
+@pytest.mark.parametrize(
+    ("line", "beside"),
+    [
+        ("theta = 0, stable for W < c h, theta = pi is unstable", ["stable for W < c h", "is unstable"]),
+        ("theta = 0 (stable), theta = pi (unstable)", ["stable", "unstable"]),
+    ],
+)
+def test_words_on_stability_stay_beside_their_equation(line: str, beside: list[str]) -> None:
+    found = [*equations_of_line(Fragment.of(line))]
+    assert [f.text.strip() for f in found] == ["theta = 0", "theta = pi"]
+    assert [getattr(f, "beside", "").strip(" ,") for f in found] == beside
+
+
+@pytest.mark.parametrize(
+    ("text", "condition"),
+    [
+        ("It stays at rest if P < mu W.", "P < mu W"),
+        (r"The ladder stands as long as $\tan\theta \le 2\mu$", r"\tan\theta \le 2\mu"),
+    ],
+)
+def test_conditions_without_words(text: str, condition: str) -> None:
+    assert condition_alone(Fragment.of(text)).text.strip() == condition

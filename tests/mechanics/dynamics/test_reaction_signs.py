@@ -1,0 +1,373 @@
+"""What the name of a reaction stands for: the force, whatever the constraint's equation looks like.
+
+The truth is independent of the program: the force on a particle is m r'' − F, from Lagrange's equations with a
+multiplier solved in numbers, and a tension pulls along the line from one end to the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from sympy.parsing.sympy_parser import parse_expr
+
+from lagrange.core.symbols import Sign
+from lagrange.core.vectors import Vector
+from lagrange.explain.report import report
+from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
+from lagrange.mechanics.dynamics.newton import Newton, newton_equations
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Constraint, Friction, Problem
+from lagrange.render.json import as_object
+from tests.support.paths import PROBLEMS
+
+Read = Callable[[str], Problem]
+
+
+# -- forces on one particle in numbers ---------------------------------------------------------------------------------
+
+x, y, v, w = sp.symbols("x y x' y'", real=True)
+NUMBERS = {name: value for value, name in enumerate(["m", "g", "l", "a", "alpha"], start=1)}
+NUMBERS["alpha"] = sp.Rational(1, 2)
+NUMBERS["l"], NUMBERS["a"] = 5, 2
+
+
+def force_on_particle(curve: sp.Expr, state: Mapping[sp.Symbol, float]) -> sp.Matrix:
+    """m r'' − m g of a particle of mass 1 on a plane curve f(x, y) = 0 in the gravity −2j, at a state on the curve."""
+    gradient = sp.Matrix([curve.diff(x), curve.diff(y)])
+    bending = sp.Matrix([v, w]).T * sp.hessian(curve, (x, y)) * sp.Matrix([v, w])
+    gravity = sp.Matrix([0, -2])
+    left = sp.eye(2).row_join(-gradient).col_join(gradient.T.row_join(sp.zeros(1)))
+    right = gravity.col_join(-bending)
+    solution = left.subs(state).LUsolve(right.subs(state))
+    return (solution[:2, :] - gravity).evalf()
+
+
+def along(direction: Vector, size: sp.Expr, rule: Mapping[sp.Basic, object]) -> sp.Matrix:
+    first, second, _ = (c.subs(rule) for c in direction.fixed().components)
+    return (sp.Matrix([first, second]) * size.subs(rule)).evalf()
+
+
+SLOPE = y + x * sp.tan(sp.Rational(1, 2))
+PARABOLA = y - x**2 / 2
+CIRCLE = x**2 + y**2 - 25
+ON_SLOPE = {x: 2, y: -2 * sp.tan(sp.Rational(1, 2)), v: 3, w: -3 * sp.tan(sp.Rational(1, 2))}
+ON_PARABOLA = {x: 1, y: sp.Rational(1, 2), v: 2, w: 2}
+ON_CIRCLE = {x: 3, y: 4, v: 4, w: -3}
+
+
+@pytest.mark.parametrize(
+    ("equation", "curve", "state", "outward"),
+    [
+        ("y = -x*tan(alpha)", SLOPE, ON_SLOPE, (sp.sin(0.5), sp.cos(0.5))),
+        ("x*sin(alpha) + y*cos(alpha) = 0", SLOPE, ON_SLOPE, (sp.sin(0.5), sp.cos(0.5))),
+        ("m*y*cos(alpha)/3 = -m*x*sin(alpha)/3", SLOPE, ON_SLOPE, (sp.sin(0.5), sp.cos(0.5))),
+        ("-x*tan(alpha) = y", SLOPE, ON_SLOPE, (-sp.sin(0.5), -sp.cos(0.5))),
+        ("y = x^2/a", PARABOLA, ON_PARABOLA, (-1 / sp.sqrt(2), 1 / sp.sqrt(2))),
+        ("a*y = x^2", PARABOLA, ON_PARABOLA, (-1 / sp.sqrt(2), 1 / sp.sqrt(2))),
+        ("x^2 = a*y", PARABOLA, ON_PARABOLA, (1 / sp.sqrt(2), -1 / sp.sqrt(2))),
+        ("x^2 + y^2 = l^2", CIRCLE, ON_CIRCLE, (-0.6, -0.8)),
+        ("l^2 = x^2 + y^2", CIRCLE, ON_CIRCLE, (-0.6, -0.8)),
+        ("norm(r_P) = l", CIRCLE, ON_CIRCLE, (-0.6, -0.8)),
+        ("-m*dot(r_P, r_P) = -m*l^2", CIRCLE, ON_CIRCLE, (-0.6, -0.8)),
+        ("x^2 + y^2 = l^2, by: surface", CIRCLE, ON_CIRCLE, (0.6, 0.8)),
+        ("l = norm(r_P), by: surface", CIRCLE, ON_CIRCLE, (-0.6, -0.8)),
+    ],
+)
+def test_the_force_on_a_particle(
+    problem: Read, equation: str, curve: sp.Expr, state: Mapping[sp.Symbol, float], outward: tuple[float, float]
+) -> None:
+    """N n is m r'' − F, n the unit normal from the equation, or toward the other end of what keeps a distance."""
+    text, _, by = equation.partition(", by: ")
+    solution = solve(
+        problem(
+            "title: Example\nparameters: [m, g, l, a, alpha]\ncoordinates: [x, y]\n"
+            "particles: {P: {mass: m, position: x*i + y*j}}\n"
+            f"constraints: {{c: {{equation: '{text}', reaction: N{f', by: {by}' if by else ''}}}}}\ngravity: -g*j\n"
+        )
+    )
+    numbers = {sp.Symbol(n, positive=True): value for n, value in NUMBERS.items()}
+    rule = {**numbers, **state}
+    assert solution.own.dynamics is not None
+    reactions = solution.own.dynamics.reactions
+    assert reactions is not None
+    direction = along(reactions.units["c"], sp.S.One, rule)
+    assert (direction - sp.Matrix(outward)).norm() < 1e-12
+    found = along(reactions.units["c"], reactions.sizes["c"], rule)
+    assert (found - force_on_particle(curve, state)).norm() < 1e-12
+    assert solution.holds
+
+
+# -- tensions of strings -----------------------------------------------------------------------------------------------
+
+PULLEY = """title: Example
+axes: {j: down}
+parameters: [m1, m2, g, L]
+coordinates: [a, b]
+particles: {A: {mass: m1, position: a*j}, B: {mass: m2, position: b*j}}
+gravity: g*j
+"""
+
+
+@pytest.mark.parametrize(
+    ("constraint", "gravity", "tension"),
+    [
+        ("equation: a + b = L", "g*j", "2*m1*m2*g/(m1 + m2)"),
+        ("equation: L = a + b", "g*j", "2*m1*m2*g/(m1 + m2)"),
+        ("equation: 3*L - 3*a = 3*b", "g*j", "2*m1*m2*g/(m1 + m2)"),
+        ("equation: a + b = L", "-g*j", "2*m1*m2*g/(m1 + m2)"),  # heights: the string pulls up all the same
+        ("equation: a + 2*b = L, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
+        ("equation: L = 2*b + a, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
+        ("equation: L/2 - a/2 = b, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
+        ("equation: 2*b = -a, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),  # displacements
+        ("equation: a' + 2*b' = 0, by: string", "g*j", "3*m1*m2*g/(4*m1 + m2)"),
+        ("equation: 2*a + 2*b = L, by: string", "g*j", "m1*m2*g/(m1 + m2)"),  # four parts of one string
+    ],
+)
+def test_the_tension_of_a_string_over_pulleys(problem: Read, constraint: str, gravity: str, tension: str) -> None:
+    """m1 a'' = m1 g − T, m2 b'' = m2 g − n T, a'' = −n b''."""
+    text = PULLEY.replace("gravity: g*j", f"gravity: {gravity}")
+    found = as_object(report(problem(f"{text}constraints: {{s: {{{constraint}, reaction: T}}}}\n")))["reactions"]["s"]
+    assert sp.simplify(sp.sympify(found["force"]) - sp.sympify(tension)) == 0
+    assert found["tension"] == found["force"]
+
+
+def test_a_string_that_unrolls(problem: Read) -> None:
+    """A yo-yo: T = m g J/(J + m R²), upward, on whichever side of the equation the length stands."""
+    for equation in ("y = R*theta", "R*theta = y", "y' = R*theta'", "R*theta' = y'"):
+        text = f"""title: Example
+parameters: [m, J, R, g]
+coordinates: [y, theta]
+bodies: {{b: {{mass: m, inertia: J, position: y*j, angle: theta}}}}
+constraints: {{thread: {{equation: {equation}, reaction: T, by: string}}}}
+gravity: g*j
+"""
+        found = as_object(report(problem(text)))["reactions"]["thread"]
+        assert (found["force"], found["direction"]) == ("m*g*J/(m*R^2 + J)", "-j")
+
+
+# -- forces for a unit of the name: without solving anything -----------------------------------------------------------
+
+
+def newton_of(problem: Problem, configuration: Configuration, constraints: Sequence[Constraint]) -> Newton:
+    rough = frozenset(f.constraint for f in problem.forces if isinstance(f, Friction))
+    return newton_equations(configuration, constraints, 0, frozenset(problem.scope.names()), rough=rough)
+
+
+def kinematics(problem: Problem) -> Configuration:
+    return file_configuration(problem, classify(problem).constrained)
+
+
+def same(a: Vector | None, b: Vector | None, configuration: Configuration) -> bool:
+    if a is None or b is None:
+        return a is b
+    return all(configuration.states.is_zero(c) is True for c in (a.fixed() - b.fixed()).components)
+
+
+CORD = """title: Example
+parameters: [m, J, a, g, h, c, l]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+let: {end: r_rod + a*e1_rod, peg: c*i + h*j}
+gravity: -g*j
+"""
+
+
+@pytest.mark.parametrize(
+    "equation",
+    [
+        "3*l = 3*norm(end - peg)",
+        "l^2 = dot(end - peg, end - peg)",
+        "m*l^2/2 = m*((x + a*cos(theta) - c)^2 + (y + a*sin(theta) - h)^2)/2",
+    ],
+)
+def test_a_cord_to_a_point_of_a_body_pulls_toward_its_other_end(problem: Read, equation: str) -> None:
+    """On the rod T acts at its end, along the line to the peg, and turns it about the mass centre accordingly."""
+    read = problem(f"{CORD}constraints: {{cord: {{equation: '{equation}', reaction: T}}}}\n")
+    configuration = kinematics(read)
+    [reaction] = newton_of(read, configuration, read.constraints).reactions
+    names = read.scope.scalars
+    x, y, theta, a, c, h, l = (names[n] for n in ("x", "y", "theta", "a", "c", "h", "l"))
+    arm = Vector((a * sp.cos(theta), a * sp.sin(theta), sp.S.Zero))
+    pull = (Vector((c - x, h - y, sp.S.Zero)) - arm) / l
+    assert reaction.tension == sp.Symbol("T", real=True)
+    assert same(reaction.per_unit("rod"), pull, configuration)
+    assert same(reaction.moment_per_unit("rod"), arm.cross(pull), configuration)
+
+
+def test_a_rod_between_points_of_two_bodies(problem: Read) -> None:
+    read = problem(
+        """title: Example
+parameters: [m, J, a, b, l]
+coordinates: [x, y, theta, u, v, phi]
+bodies:
+  A: {mass: m, inertia: J, position: x*i + y*j, angle: theta}
+  B: {mass: m, inertia: J, position: u*i + v*j, angle: phi}
+let: {d: r_A + a*e1_A - r_B - b*e2_B}
+constraints: {rod: {equation: "l^2 = dot(d, d)", reaction: S}}
+"""
+    )
+    configuration = kinematics(read)
+    [reaction] = newton_of(read, configuration, read.constraints).reactions
+    names = read.scope.scalars
+    x, y, theta, u, v, phi, a, b, l = (names[n] for n in ("x", "y", "theta", "u", "v", "phi", "a", "b", "l"))
+    end = (x + a * sp.cos(theta) - u + b * sp.sin(phi), y + a * sp.sin(theta) - v - b * sp.cos(phi))
+    pull = Vector((-end[0] / l, -end[1] / l, sp.S.Zero))
+    assert same(reaction.per_unit("A"), pull, configuration)
+    assert same(reaction.per_unit("B"), -pull, configuration)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("{equation: R1*a = -R2*b, reaction: F}", "has a moment"),
+        ("{equation: R1*a = -R2*b, reaction: F, by: gear}", "has a moment"),
+    ],
+)
+def test_a_moment_is_no_force(problem: Read, text: str, why: str) -> None:
+    read = problem(
+        "title: Example\nparameters: [J, R1, R2, M]\ncoordinates: [a, b]\n"
+        "bodies: {A: {inertia: J, position: 0*i, angle: a}, B: {inertia: J, position: (R1 + R2)*i, angle: b}}\n"
+        f"constraints: {{teeth: {text}}}\nforces: {{drive: {{on: A, moment: M*k}}}}\n"
+    )
+    found = report(read)
+    [reaction] = found.solution.law.newton.reactions if found.solution.law else ()
+    assert (reaction.single, reaction.multiplier.name) == (None, "F")
+    assert "force" not in as_object(found)["reactions"]["teeth"]
+    prose = " ".join(str(b.get("prose")) for s in as_object(found)["steps"] for b in s["body"])
+    assert f"It {why} and is no single force: F is the multiplier." in prose
+
+
+def test_a_curve_that_also_acts_elsewhere_is_no_single_force(problem: Read) -> None:
+    """x + y + u = l on three particles: neither a string that is seen in the equation nor one force."""
+    read = problem(
+        "title: Example\nparameters: [m, l]\ncoordinates: [x, y, u]\nparticles: {A: {mass: m, position: x*i}, "
+        "B: {mass: m, position: y*j}, C: {mass: m, position: u*k}}\n"
+        "constraints: {c: {equation: x + 2*y - u = l, reaction: F}}\n"
+    )
+    configuration = kinematics(read)
+    [reaction] = newton_of(read, configuration, read.constraints).reactions
+    assert (reaction.single, reaction.force.name) == (None, "F")
+
+
+# -- every shipped problem with a named reaction, written in other ways ------------------------------------------------
+
+NAMED = sorted(
+    str(path.relative_to(PROBLEMS).with_suffix(""))
+    for path in PROBLEMS.glob("*/*.yaml")
+    if "reaction:" in path.read_text()
+)
+
+
+WITHOUT_A_SINGLE_FORCE = {
+    *("impacts/ball-on-a-wedge", "impacts/rod-falls-on-an-edge"),  # of the impact
+    *("motion/four-bar-linkage", "motion/governor", "motion/planetary-gear"),  # between angles
+    *("motion/skewed-disc", "motion/suslov-body"),  # moments
+}
+"""Shipped problems whose named reactions are multipliers."""
+
+
+def rewritten(row: Row, lhs: sp.Expr, rhs: sp.Expr, configuration: Configuration) -> Row:
+    """The row of another equation for the same constraint."""
+    slots, f = configuration.slots, lhs - rhs
+    variables = slots.coordinates if row.finite is not None else slots.velocities
+    coefficients = tuple(f.diff(s) for s in variables)
+    if row.finite is not None:
+        return replace(row, coefficients=coefficients, drift=slots.frozen_derivative(f), finite=f)
+    return replace(row, coefficients=coefficients, drift=f.xreplace(dict.fromkeys(slots.velocities, sp.S.Zero)))
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
+    """Multiplied by a positive factor, with squared lengths for lengths or the converse: the same force for N = 1.
+
+    With the sides exchanged, or a negative factor, a tension is the same, and so is N of a one-sided constraint, whose
+    normal points to the permitted side; another unit normal, and N with it, change their signs.
+    """
+    problem = load(PROBLEMS / f"{name}.yaml")
+    configuration = kinematics(problem)
+    before = newton_of(problem, configuration, problem.constraints)
+    tried = 0
+    for n, (c, reaction) in enumerate(zip(problem.constraints, before.reactions, strict=True)):
+        if c.reaction == reaction.row.multiplier or reaction.single is None or reaction.row.nonlinear is not None:
+            continue
+        is_tension = reaction.single.kind is ForceKind.TENSION
+        exchanged = 1 if is_tension or c.side is not None else -1
+        assert any(reaction.per_unit(body) is not None for body in reaction.acts_on)
+        tried += 1
+        other_ways = [(3 * c.lhs, 3 * c.rhs, 1), (c.rhs, c.lhs, exchanged), (-2 * c.lhs, -2 * c.rhs, exchanged)]
+        if reaction.rod is not None:
+            power = sp.Rational(1, 2) if c.rhs.is_Pow else sp.Integer(2)
+            other_ways.append((c.lhs**power, c.rhs**power, 1))
+        for lhs, rhs, sign in other_ways:
+            rows = list(configuration.rows)
+            rows[n] = rewritten(rows[n], lhs, rhs, configuration)
+            other = replace(configuration, constrained=configuration.constrained.with_rows(rows))
+            is_exchanged = lhs == c.rhs or lhs == -2 * c.lhs != 0 or rhs == -2 * c.rhs != 0
+            side = -c.side if c.side is not None and is_exchanged else c.side
+            constraints = [replace(d, lhs=lhs, rhs=rhs, side=side) if d is c else d for d in problem.constraints]
+            after = newton_of(problem, other, constraints).reactions[n]
+            assert after.force == reaction.force
+            assert after.single is not None
+            assert after.single.kind is reaction.single.kind
+            for body in reaction.acts_on:
+                # λ ∂f/∂r is N times the direction that belongs to N: otherwise the size of N is another one.
+                by_multiplier = after.on(body)
+                scaled = None if by_multiplier is None else by_multiplier * after.per_force
+                if not after.per_force.atoms(Sign):  # r² = l(t)²: σ is the sign of r, at every point another one
+                    assert same(scaled, after.per_unit(body), configuration), (c.name, body)
+                for one, two in (
+                    (reaction.per_unit(body), after.per_unit(body)),
+                    (reaction.moment_per_unit(body), after.moment_per_unit(body)),
+                ):
+                    assert same(one, None if two is None else two * sp.Integer(sign), configuration), (c.name, body)
+    assert bool(tried) is (name not in WITHOUT_A_SINGLE_FORCE)
+
+
+# -- what keeps two points apart on a line; strings counted from what moves ---------------------------------------------
+
+NUMBERS_OF_WAGONS = {"m": 2, "M": 3, "F": 10, "d": 4}
+WAGONS = """title: Two wagons
+parameters: [m, M, F, d]
+coordinates: [x, y]
+particles: {front: {mass: m, position: x*i}, rear: {mass: M, position: y*i + h*j}}
+constraints: {coupling: {equation: "%s", reaction: T, by: rod}}
+forces: {pull: {on: front, vector: F*i}}
+let: {h: "%s"}
+"""
+
+
+@pytest.mark.parametrize("equation", ["x - y = d", "y = x - d", "2*(y - x) + 2*d = 0", "d = x - y"])
+@pytest.mark.parametrize("height", ["0", "d"])
+def test_a_bar_between_two_points_of_a_line_pulls(problem: Read, equation: str, height: str) -> None:
+    """The rear wagon of mass M is pulled with M a."""
+    reactions = as_object(report(problem(WAGONS % (equation, height))))["reactions"]
+    tension = sp.Rational(3 * 10, 2 + 3) * (sp.sqrt(2) if height == "d" else 1)  # an oblique bar is pulled along itself
+    force = parse_expr(reactions["coupling"]["force"], {n: sp.Integer(v) for n, v in NUMBERS_OF_WAGONS.items()})
+    assert sp.simplify(force - tension) == 0
+
+
+def test_tensions_of_a_double_atwood_machine(problem: Read) -> None:
+    """m a = T − m g for each weight by hand: T_1 = 2 T_2 = 8 m_1 m_2 m_3 g/(4 m_2 m_3 + m_1 (m_2 + m_3))."""
+    text = """title: Three weights on two pulleys
+axes: {j: down}
+parameters: {m_1: {value: 4}, m_2: {value: 3}, m_3: {value: 2}, g: {value: 10}, L: positive, l: positive}
+coordinates: [x, p, y, z]
+particles:
+  A: {mass: m_1, position: x*j}
+  P: {position: p*j}
+  B: {mass: m_2, position: (p + y)*j}
+  C: {mass: m_3, position: (p + z)*j}
+constraints: {upper: {equation: L = x + p, reaction: T_1}, lower: {equation: y + z = l, reaction: T_2}}
+gravity: g*j
+"""
+    reactions = as_object(report(problem(text)))["reactions"]
+    expected = 8 * 4 * 3 * 2 * 10 / (4 * 3 * 2 + 4 * 5)
+    assert reactions["upper"]["number"] == pytest.approx(expected)
+    assert reactions["lower"]["number"] == pytest.approx(expected / 2)

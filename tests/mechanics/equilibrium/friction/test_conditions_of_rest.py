@@ -1,0 +1,221 @@
+"""Conditions of rest as inequalities: those of a linear program, and as they are written."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from math import cos, sin
+
+import pytest
+
+from lagrange.explain.report import report
+from lagrange.render import json as in_json
+from lagrange.render import terminal
+from tests.mechanics.equilibrium.friction.test_friction_at_rest import (
+    LADDER,
+    PUSHED,
+    ROUGH,
+    Numbers,
+    Read,
+    rest_of,
+    said,
+    solved,
+)
+
+Rows = list[dict[str, float]]
+
+
+SMOOTH = LADDER.format(below="", above="", find="equilibrium").replace(", mu_B]", "]")
+
+
+COLLAR = """title: Collar on a vertical shaft
+parameters: [W, a, h, mu]
+coordinates: [x, y, theta]
+bodies: {collar: {inertia: 0, position: x*i + y*j, angle: theta}}
+constraints:
+  upper: {equation: "dot(r_collar + h/2*e2_collar, i) >= 0", reaction: N_A}
+  lower: {equation: "dot(r_collar - h/2*e2_collar, i) <= 0", reaction: N_B}
+forces:
+  load: {on: collar, vector: -W*j, at: r_collar - a*e1_collar}
+  rub_A: {friction: mu, static: mu, constraint: upper, on: collar, at: r_collar + h/2*e2_collar, slip: -j}
+  rub_B: {friction: mu, static: mu, constraint: lower, on: collar, at: r_collar - h/2*e2_collar, slip: -j}
+find: [equilibrium, impending]
+generalized_coordinates: {up: {coordinates: [y], substitute: {x: 0, theta: 0}}}
+"""
+
+
+BOOK = """title: Book between wall and hand
+parameters: [W, P, mu]
+coordinates: [x, y, X]
+particles: {book: {position: x*i + y*j}, hand: {position: X*i}}
+constraints: {wall: {equation: x >= 0, reaction: N_1}, palm: {equation: x <= X, reaction: N_2}}
+forces:
+  weight: {on: book, vector: -W*j}
+  push: {on: hand, vector: -P*i}
+  rub_1: {friction: mu, static: mu, constraint: wall, on: book}
+  rub_2: {friction: mu, static: mu, constraint: palm, on: book}
+find: equilibrium
+"""
+
+
+WEDGE = """title: Wedge under a load in a smooth vertical guide
+parameters: [W, P, alpha, mu]
+coordinates: [x, y, X, Y]
+particles: {wedge: {position: x*i + y*j}, block: {position: X*i + Y*j}}
+constraints:
+  floor: {equation: y >= 0, reaction: N_1}
+  face: {equation: "(Y - y)*cos(alpha) - (X - x)*sin(alpha) >= 0", reaction: N_2}
+  guide: {equation: X = 0, reaction: N_3}
+forces:
+  load: {on: block, vector: -W*j}
+  push: {on: wedge, vector: -P*i}
+  rub_1: {friction: mu, static: mu, constraint: floor, on: wedge}
+  rub_2: {friction: mu, static: mu, constraint: face, on: block}
+find: equilibrium
+"""
+
+
+STACKED = """title: Two blocks, the upper one pulled
+parameters: [m, M, g, F, mu_1, mu_2]
+coordinates: [x, y, X, Y]
+particles: {top: {mass: m, position: x*i + y*j}, bottom: {mass: M, position: X*i + Y*j}}
+constraints: {floor: {equation: Y >= 0, reaction: N_2}, between: {equation: y >= Y, reaction: N_1}}
+gravity: -g*j
+forces:
+  pull: {on: top, vector: F*i}
+  rub_1: {friction: mu_1, static: mu_1, constraint: between, on: top}
+  rub_2: {friction: mu_2, static: mu_2, constraint: floor, on: bottom}
+find: equilibrium
+"""
+
+
+HELD = """title: Block held on an incline by a horizontal force; books mean their limits where the divisors are positive
+parameters: {W: positive, alpha: acute, mu: positive}
+unknowns: [P]
+coordinates: [x, y]
+particles: {B: {position: x*i + y*j}}
+constraints: {plane: {equation: y >= x*tan(alpha), reaction: N}}
+forces:
+  weight: {on: B, vector: -W*j}
+  push: {on: B, vector: P*i}
+  rub: {friction: mu, static: mu, constraint: plane, on: B, slip: cos(alpha)*i + sin(alpha)*j}
+find: equilibrium
+"""
+
+
+def ladder(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    s, c, w = sin(v["theta"]), cos(v["theta"]), v["m"] * v["g"]
+    rows = [{"F_A": 1, "N_B": 1}, {"N_A": 1, "F_B": 1, "": w}, {"F_B": 2 * s, "N_B": 2 * c, "": w * s}]
+    return rows, [("F_A", "N_A", v["mu_A"]), ("F_B", "N_B", v.get("mu_B", 0))]
+
+
+def collar(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    rows = [{"N_A": 1, "N_B": -1}, {"F_A": 1, "F_B": 1, "": v["W"]}]
+    rows += [{"N_A": v["h"] / 2, "N_B": v["h"] / 2, "": v["W"] * v["a"]}]
+    return rows, [("F_A", "N_A", v["mu"]), ("F_B", "N_B", v["mu"])]
+
+
+def book(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    rows = [{"N_1": 1, "N_2": -1}, {"N_2": 1, "": v["P"]}, {"F_1": 1, "F_2": 1, "": v["W"]}]
+    return rows, [("F_1", "N_1", v["mu"]), ("F_2", "N_2", v["mu"])]
+
+
+def wedge(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    s, c = sin(v["alpha"]), cos(v["alpha"])
+    rows = [{"F_1": 1, "N_2": s, "F_2": -c, "": v["P"]}, {"N_1": 1, "N_2": -c, "F_2": -s}]
+    rows += [{"N_2": c, "F_2": s, "": v["W"]}, {"N_2": -s, "F_2": c, "+": 1, "-": -1}]
+    return rows, [("F_1", "N_1", v["mu"]), ("F_2", "N_2", v["mu"])]
+
+
+def stacked(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    rows = [{"F_1": 1, "": -v["F"]}, {"F_2": 1, "F_1": -1}, {"N_1": 1, "": v["m"] * v["g"]}]
+    rows += [{"N_2": 1, "N_1": -1, "": v["M"] * v["g"]}]
+    return rows, [("F_1", "N_1", v["mu_1"]), ("F_2", "N_2", v["mu_2"])]
+
+
+def incline(v: Numbers) -> tuple[Rows, list[tuple[str, str, float]]]:
+    s, c, w = sin(v["alpha"]), cos(v["alpha"]), v["m"] * v["g"]
+    rows = [{"F": 1, "": v["P"] * c - w * s}, {"N": 1, "": w * c + v["P"] * s}]
+    return rows, [("F", "N", v["mu_s"])]
+
+
+def feasible(rows: Rows, rough: list[tuple[str, str, float]]) -> bool:
+    """Whether the rows, Σ row·x = row[""], have a solution with N ≥ 0 and |F| ≤ μ N."""
+    linprog = pytest.importorskip("scipy.optimize").linprog
+    names = sorted({n for row in rows for n in row if n} | {n for f, p, _ in rough for n in (f, p)})
+    equal = [[row.get(n, 0) for n in names] for row in rows]
+    bounds = [[s * (n == f) - mu * (n == p) for n in names] for f, p, mu in rough for s in (1, -1)]
+    free = {f for f, *_ in rough}
+    found = linprog(
+        [0] * len(names), bounds, [0] * len(bounds), equal, [row.get("", 0) for row in rows],
+        [(None, None) if n in free else (0, None) for n in names],
+    )  # fmt: skip
+    assert found.status in (0, 2)
+    return bool(found.status == 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "program"),
+    [(ROUGH, ladder), (SMOOTH, ladder), (COLLAR, collar), (BOOK, book), (WEDGE, wedge), (STACKED, stacked), (PUSHED, incline)],
+    ids=["ladder", "smooth wall", "collar", "book", "wedge", "stacked", "incline"],
+)  # fmt: skip
+def test_the_conditions_are_those_of_a_linear_program(problem: Read, text: str, program: Callable[..., object]) -> None:
+    solution = solved(problem, text)
+    rest = rest_of(solution)
+    draw, seen = random.Random(7), set()
+    names = [p.symbol.name for p in solution.problem.parameters]
+    for _ in range(150):
+        values = {n: draw.uniform(0.05, 1.5) if n == "alpha" else draw.lognormvariate(0, 0.7) for n in names}
+        values["theta"] = draw.uniform(0.05, 1.5)
+        claim = said(rest, values)
+        if claim is not None:
+            seen.add(claim)
+            assert claim is feasible(*program(values)), values  # type: ignore[misc]
+    assert seen == {True, False}
+
+
+HELIX = """title: Bead on a rough helical wire
+parameters: [m, g, R, c, mu, F]
+coordinates: [rho, phi, z]
+frame: {type: cylindrical, coordinates: [rho, phi, z]}
+particles: {P: {mass: m, position: rho*e_rho + z*k}}
+constraints:
+  cylinder: {equation: rho = R, reaction: A}
+  thread: {equation: z = c*phi, reaction: B}
+gravity: -g*k
+forces:
+  rub: {friction: mu, static: mu, constraint: [cylinder, thread], on: P}
+  push: {on: P, vector: F*e_rho}
+find: equilibrium
+"""
+"""At rest F_t = m g c/√(R² + c²) along the wire, across it A = −F and B = m g R/√(R² + c²)."""
+
+
+@pytest.mark.parametrize(
+    ("text", "conditions"),
+    [
+        (HELIX, ["m*c*g/sqrt(m^2*g^2*R^2 + c^2*F^2 + F^2*R^2) <= mu"]),
+        (HELIX.replace("  push: {on: P, vector: F*e_rho}\n", ""), ["c/R <= mu"]),
+        (SMOOTH, ["tan(theta)/2 <= mu_A"]),
+        (COLLAR, ["h/(2*a) <= mu"]),
+        (BOOK, ["W/(2*P) <= mu"]),
+        (STACKED, ["F/(m*g) <= mu_1", "F/((M + m)*g) <= mu_2"]),
+        (PUSHED.replace("  push: {on: block, vector: P*(-cos(alpha)*i - sin(alpha)*j)}\n", ""), ["tan(alpha) <= mu_s"]),
+    ],
+)
+def test_how_they_are_written(problem: Read, text: str, conditions: list[str]) -> None:
+    written = in_json.as_object(report(problem(text)))["rest"]
+    assert sorted(written["conditions"]) == sorted(conditions)
+    assert written["possible"]
+
+
+def test_conditions_in_numbers_stay_inequalities(problem: Read) -> None:
+    """W tan(α ± arctan μ) with 100 N, 20° and 0.3."""
+    values = "{W: {value: 100 N}, alpha: {assume: acute, value: 20 deg}, mu: {value: 0.3}}"
+    told = report(problem(HELD.replace("{W: positive, alpha: acute, mu: positive}", values)), complete=False)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "P ≥ 5.767 N" in page
+    assert "P ≤ 74.54 N" in page
+    low, high = in_json.as_object(told)["rest"]["in_numbers"]
+    assert (low["number"], low["unit"]) == (pytest.approx(5.767287), "N")
+    assert high["condition"].startswith("P <= 74.5356")

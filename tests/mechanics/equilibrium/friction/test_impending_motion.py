@@ -1,0 +1,41 @@
+"""Motion that impends: friction at its limit, in each sense of slip."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.core.diagnostics import ProblemError
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import solve
+from lagrange.render import json as in_json
+from tests.mechanics.equilibrium.friction.test_friction_at_rest import ABOVE, INCLINE, LADDER, PUSHED, Read, solved
+
+
+def test_without_a_sense_both_are_tried(problem: Read) -> None:
+    text = (
+        INCLINE.format(relation="=", more="", find="impending")
+        .replace("P, ", "")
+        .replace("  push: {on: block, vector: P*(-cos(alpha)*i - sin(alpha)*j)}\n", "")
+    )
+    written = in_json.as_object(report(problem(text)))
+    assert written["equilibrium"] == [["tan(alpha) = mu_s", "y = 0"]]
+
+
+def test_slips_that_no_displacement_has(problem: Read) -> None:
+    """A ladder that slides out below slides down above, and never up: x = 2l sin θ, y = 2l cos θ of the ends."""
+    text = LADDER.format(below="", above=ABOVE % "", find="impending")
+    motions = next(v.impending for v in reversed(solved(problem, text).views) if v.impending)
+    [motion] = motions
+    friction = {c.name: (c.tangents[0] * motion.senses[c.name]).fixed().components for c in motion.contacts}
+    assert friction == {"below": (-1, 0, 0), "above": (0, 1, 0)}
+    [relation] = (r for r in motion.equilibrium.branches[0].relations if "theta" in str(r.lhs))
+    values = {"mu_A": 0.4, "mu_B": 0.3}
+    assert float(relation.rhs.subs({s: values[s.name] for s in relation.rhs.free_symbols})) == pytest.approx(0.8 / 0.88)
+    assert str(relation.rhs) == "2*mu_A/(-mu_A*mu_B + 1)"
+
+
+def test_impending_motion_needs_friction(problem: Read) -> None:
+    text = PUSHED.replace("  rub: {friction: mu, static: mu_s, constraint: plane, on: block}\n", "")
+    with pytest.raises(ProblemError) as caught:
+        solve(problem(text.replace("find: equilibrium", "find: impending")))
+    assert caught.value.diagnostics[0].code == "impending-without-friction"

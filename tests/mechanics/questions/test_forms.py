@@ -1,0 +1,27 @@
+"""How values are written."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.mechanics.questions.forms import under_one_root, without_roots_below, without_roots_in_logarithms
+
+g, h, m, x = sp.symbols("g h m x", positive=True)
+
+
+@pytest.mark.parametrize(
+    "e", [sp.sqrt(2) * sp.sqrt(g) * sp.sqrt(h), m * sp.sqrt(g) / sp.sqrt(h), g + sp.sqrt(2) * sp.sqrt(h)]
+)
+def test_square_roots_under_one_root(e: sp.Expr) -> None:
+    written = under_one_root(e)
+    assert len([p for p in written.atoms(sp.Pow) if p.exp == sp.S.Half]) <= 1
+    values = {g: 1.3, h: 0.7, m: 2.1}
+    assert float(written.subs(values)) == pytest.approx(float(e.subs(values)))
+
+
+def test_logarithms_and_denominators() -> None:
+    assert sp.expand(without_roots_in_logarithms(sp.log(sp.sqrt(x))) - sp.log(x) / 2) == 0
+    e = h / (sp.sqrt(g + h) - sp.sqrt(g))
+    assert sp.simplify(without_roots_below(e) - e) == 0
+    assert without_roots_below(g * h) == g * h

@@ -1,0 +1,47 @@
+"""Questions answered in numbers."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.mechanics.questions import numerical
+from lagrange.mechanics.questions.results import How
+from tests.mechanics.questions.test_questions import Read, asked
+
+QUARTER = """
+title: Pendulum
+axes: {i: right, j: down}
+parameters: {m: {value: 1}, l: {value: 1}, g: {value: 9.81}, alpha: {value: 1}}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
+gravity: g*j
+initial: {theta: alpha, theta': 0}
+ask: {it: {quantity: t, when: theta = 0}}
+"""
+
+
+def test_a_time_that_is_no_elementary_integral_is_found_in_numbers(problem: Read) -> None:
+    """A quarter of the period is K(sin α/2) √(l/g); the integral needs no extra."""
+    answer = asked(problem, QUARTER)
+    assert answer.integrand is not None
+    exact = sp.elliptic_k(sp.sin(sp.Rational(1, 2)) ** 2).evalf() / sp.sqrt(9.81)
+    assert answer.how is How.NUMERICAL
+    assert float(answer.branches[0].rhs) == pytest.approx(float(exact), rel=1e-5)
+
+
+def test_without_the_extra_it_is_said_which_one_is_missing(problem: Read, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(numerical, "is_available", lambda: False)
+    answer = asked(problem, QUARTER.replace("when: theta = 0", "when: theta'^2 = 1"))
+    assert not answer.answered
+    assert answer.needs == "sim"
+
+
+def test_without_values_such_a_question_is_left_open(problem: Read) -> None:
+    answer = asked(
+        problem,
+        QUARTER.replace("{m: {value: 1}, l: {value: 1}, g: {value: 9.81}, alpha: {value: 1}}", "[m, l, g, alpha]"),
+    )
+    assert (answer.how, answer.branches, answer.needs) == (None, (), "")
+    assert answer.integrand is not None
+    assert answer.integrals

@@ -1,0 +1,38 @@
+"""The initial state."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.diagnostics import ProblemError
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import solve
+from lagrange.render import terminal
+from lagrange.render.json import as_object
+from tests.mechanics.questions.test_arrivals import BOAT
+from tests.mechanics.questions.test_questions import PENDULUM, SPHERE, Read
+
+
+def test_the_initial_state_is_used_where_nothing_is_asked(problem: Read) -> None:
+    boat = report(problem(BOAT), None)
+    assert boat.solution.from_start is not None
+    [motion] = boat.solution.from_start.motions
+    m, b, v = (sp.Symbol(n, positive=True) for n in "mbv")
+    [(x, solution)] = motion.solutions.items()
+    t = sp.Symbol("t", real=True)
+    assert x.name == "x"
+    assert is_zero(solution - m * v / b * (1 - sp.exp(-b * t / m))) is True
+    assert "Motion from the initial state" in terminal.text(boat.derivation, boat.notation, 100)
+    assert as_object(boat)["from_start"][0]["solutions"].keys() == {"x"}
+    sphere = report(problem(SPHERE + "initial: {theta: 0, theta': 0}\n"), None)
+    assert sphere.solution.from_start is not None
+    assert not sphere.solution.from_start.motions
+    assert "do not integrate in closed form" in terminal.text(sphere.derivation, sphere.notation, 100)
+
+
+def test_an_initial_state_without_questions_must_still_satisfy_the_constraints(problem: Read) -> None:
+    with pytest.raises(ProblemError) as error:
+        solve(problem(PENDULUM + "initial: {x: l, y: l}\n"), complete=False)
+    assert error.value.diagnostics[0].code == "initial-contradicts"

@@ -1,0 +1,31 @@
+"""The values of a problem, with the units of named forces."""
+
+from __future__ import annotations
+
+import lagrange
+from lagrange.core.units import unit_of
+from lagrange.mechanics.solution import solve
+from lagrange.mechanics.valued import values_in
+from tests.support.shared import solved
+
+PENDULUM = """
+title: Weight on a rod
+coordinates: {x: {unit: m}, y: {unit: m}}
+parameters: {m: 10 kg, g: 9.81 m/s^2, l: 1 m}
+particles: {P: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: S}}
+"""
+
+
+def test_a_named_force_is_in_newtons() -> None:
+    solution = solve(lagrange.loads(PENDULUM), complete=False)
+    values = values_in(solution)
+    newton = unit_of("N")
+    assert values is not None
+    assert newton is not None
+    assert {s.name: d for s, d in values.units.items()}["S"] == newton.dimension
+
+
+def test_without_numbers_there_are_none() -> None:
+    assert values_in(solved("ex11-ideal-pendulum")) is None
