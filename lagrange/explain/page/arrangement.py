@@ -434,7 +434,10 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     if made is None:
         return
     made = replace(made, choice=step.choice, body=tuple(_without_certain_contact(made.body, newton, view)))
-    if view is first and own is not None and own.reactions is not None:
+    shown = solution.own.motion is not None and not _is_detour(
+        solution, replace(step, rule=Rule.EQUATIONS_OF_MOTION, choice="")
+    )
+    if view is first and shown and own is not None and own.reactions is not None:
         sizes = {
             r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
             for r in newton.reactions
@@ -464,7 +467,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
 
 
 def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]) -> Block:
-    """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
+    """T = (in the file's coordinates) = (in the chosen ones), on a page with the motion in both, if that is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
     return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))

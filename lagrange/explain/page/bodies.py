@@ -15,7 +15,7 @@ from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
-from lagrange.explain.words import capital, joined, plural, the
+from lagrange.explain.words import capital, introduced, joined, plural, the
 from lagrange.mechanics.results import Solution
 
 FEWEST = 2
@@ -68,9 +68,9 @@ def _bodies(solution: Solution) -> Prose:
         parts += [("of mass ", math(masses[name]))] if masses[name] != 0 else []
         if b.inertia[0] != 0:
             parts.append(("with the moment of inertia ", math(b.inertia[0])))
-        clauses.append((f"{the(name)} (", *series(parts, ", "), ")"))
+        clauses.append((f"{introduced(name)} (", *series(parts, ", "), ")"))
     particles: list[tuple[Part, ...]] = [
-        (the(p.name), *((" (of mass ", math(p.mass), ")") if p.mass != sp.S.Zero else ()))
+        (introduced(p.name), *((" (of mass ", math(p.mass), ")") if p.mass != sp.S.Zero else ()))
         for p in configuration.particles
     ]
     beside: tuple[Part, ...] = (capital(plural(len(particles), "the particle is ", "the particles are ")),
