@@ -14,6 +14,7 @@ class Called(str):
     words: str
 
     def __new__(cls, name: str, words: str = "") -> Called:
+        """The name with its words."""
         called = super().__new__(cls, name)
         called.words = words
         return called

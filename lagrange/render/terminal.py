@@ -197,7 +197,7 @@ class _Page(Emitter[Text]):
             yield from ((line, "") for line in below)
 
     def apart(self, equations: Sequence[Equation], width: int) -> Iterator[tuple[Equation, str]]:
-        """The equations with their numbers; of two in a line, where there is no room, the second on a line of its own."""
+        """The equations with their numbers; two in a line on lines of their own where there is no room."""
         lefts = [cell_len(self.writer.plain(e.sides[0])) for e in equations]
         widest = max(lefts, default=0)
         for e, left in zip(equations, lefts, strict=True):

@@ -15,7 +15,7 @@ from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
-from lagrange.explain.words import capital, introduced, joined, plural, the
+from lagrange.explain.words import capital, introduced, joined, plural
 from lagrange.mechanics.results import Solution
 
 FEWEST = 2

@@ -150,12 +150,9 @@ def _described(solution: Solution) -> Prose | None:
     if view is None or explain_independence(solution, view) is None:
         return None
     kind = "finite relation" if view.configuration.rows else "relation"
-    number = len(view.coordinates.satisfied)
-    return prose(
-        "Described by ", *listed(map(math, solution.problem.slots.coordinates)),
-        f", with {in_words(number, kind)} between them, or by ", *listed(map(math, view.configuration.slots.coordinates)),
-        ", with none.",
-    )  # fmt: skip
+    own, chosen = (listed(map(math, slots.coordinates)) for slots in (solution.problem.slots, view.configuration.slots))
+    related = in_words(len(view.coordinates.satisfied), kind)
+    return prose("Described by ", *own, f", with {related} between them, or by ", *chosen, ", with none.")
 
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
