@@ -34,12 +34,13 @@ from lagrange.document.limits import LONGEST_LIST
 from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
 from lagrange.document.notation import Notation, SymbolKind
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
-from lagrange.document.style_latex import Latex, WideLatex
+from lagrange.document.style_latex import Latex, RunningLatex, WideLatex
 from lagrange.document.styles import BARE, POWERED, BoldVectors, Text, Unicode
 
-__all__ = ["BOLD", "LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
+__all__ = ["BOLD", "LATEX", "RUNNING_LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
 
-TEXT, UNICODE, BOLD, LATEX, WIDE_LATEX = Text(), Unicode(), BoldVectors(), Latex(), WideLatex()
+TEXT, UNICODE, BOLD = Text(), Unicode(), BoldVectors()
+LATEX, WIDE_LATEX, RUNNING_LATEX = Latex(), WideLatex(), RunningLatex()
 NOTHING = Notation()
 _CONSTANT = {SymbolKind.PARAMETER, SymbolKind.SIGN}
 _POSITION = {SymbolKind.COORDINATE, *_CONSTANT}

@@ -38,6 +38,9 @@ from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
 
+_ADJECTIVES = ("horizontal", "vertical")
+"""Words for an axis that do not say which way it points."""
+
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
     """Description, symbols, positions, applied forces.
@@ -48,7 +51,10 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     if problem.description:
         body.append(prose(*set_text(problem.description, problem)))
     if problem.axes:
-        axes = ((math(UNITS[name]), f" points {word}") for name, word in problem.axes.items())
+        axes = (
+            (math(UNITS[name]), f" {'is' if word in _ADJECTIVES else 'points'} {word}")
+            for name, word in problem.axes.items()
+        )
         body.append(prose(*series(axes), "."))
     body += _symbols(problem)
     body += _functions(problem)
