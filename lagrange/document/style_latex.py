@@ -172,6 +172,7 @@ class RunningLatex(Latex):
     """LaTeX in running text, where a fraction line would make the letters too small: W/(2 cos α)."""
 
     stacked = False
+    within_argument = " "
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """A quotient with a slash; of numbers alone, a small fraction."""

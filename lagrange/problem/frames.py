@@ -100,9 +100,7 @@ def _check_names(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], 
     raise ProblemError(Diagnostic("frame-coordinates", message, span, help=help_))
 
 
-def _declare(
-    triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], context: LoadContext, span: Span
-) -> None:
+def _declare(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], context: LoadContext, span: Span) -> None:
     """Adds the unit vectors to the scope. A third that is k is also `k` and `e_z`, so that sums stay in the frame."""
     units = {name: unit_vector(triad, n) for n, name in enumerate(triad.names)}
     if kind is FrameType.CYLINDRICAL:

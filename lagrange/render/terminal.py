@@ -140,7 +140,7 @@ class _Page(Emitter[Text]):
     # Words
 
     def paragraphs(self, run: Sequence[Prose]) -> Iterator[Text]:
-        return (line for block in run for line in fill(self.words(block.parts), self.room))
+        return (line for block in run for line in fill(self.words(block.parts), self.room, prose=True))
 
     def words(self, parts: Iterable[Part]) -> Words:
         words = Words()
