@@ -177,7 +177,8 @@ def _arranged(
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
     yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
-    for step in _with_meaning(solution, open_, stated):
+    shown = open_ if every_choice else [*_conserved_once(open_, first)]
+    for step in _with_meaning(solution, shown, stated):
         yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
     yield from folded
 
@@ -204,6 +205,12 @@ def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
         waiting = step if step.rule is Rule.GENERALIZED_COORDINATES else None
     if waiting is not None:
         yield waiting
+
+
+def _conserved_once(steps: Sequence[Step], first: str) -> Iterator[Step]:
+    """The steps, without what is conserved in the file's coordinates where it follows in those of the first choice."""
+    again = bool(first) and any(s.rule is Rule.CONSERVED and s.choice == first for s in steps)
+    yield from (s for s in steps if not (again and s.rule is Rule.CONSERVED and not s.choice))
 
 
 def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> Iterator[Step]:
