@@ -46,8 +46,11 @@ def one_line(text: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Text on one line of a page, without control and format characters; boxes for whatever else is not shown."""
-    spaced = (" " if c.isspace() else c for c in text)
+    """Text on one line of a page, without control and format characters; boxes for whatever else is not shown.
+
+    A no-break space stays: no line is broken there.
+    """
+    spaced = (" " if c.isspace() and c != "\u00a0" else c for c in text)
     kept = (c for c in spaced if unicodedata.category(c) not in ("Cc", "Cf"))
     return "".join(BOX if is_hidden(c) else c for c in kept)
 

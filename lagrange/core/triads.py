@@ -54,8 +54,9 @@ def polar(r: sp.Symbol, phi: sp.Symbol) -> Triad:
 
 
 def cylindrical(rho: sp.Symbol, phi: sp.Symbol, z: sp.Symbol) -> Triad:
-    """e_ρ, e_φ and e_z = k."""
-    return _turning_about_k((f"e_{rho.name}", f"e_{phi.name}", f"e_{z.name}"), phi)
+    """e_ρ, e_φ and e_z, which is k and written so."""
+    del z
+    return polar(rho, phi)
 
 
 def spherical(r: sp.Symbol, theta: sp.Symbol, phi: sp.Symbol) -> Triad:

@@ -34,12 +34,25 @@ from lagrange.document.limits import LONGEST_LIST
 from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
 from lagrange.document.notation import Notation, SymbolKind
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
-from lagrange.document.style_latex import Latex, WideLatex
+from lagrange.document.style_latex import Latex, RunningLatex, WideLatex
 from lagrange.document.styles import BARE, POWERED, BoldVectors, Text, Unicode
 
-__all__ = ["BOLD", "LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
+__all__ = [
+    "BOLD",
+    "LATEX",
+    "RUNNING_LATEX",
+    "TEXT",
+    "UNICODE",
+    "WIDE_LATEX",
+    "Notation",
+    "Writer",
+    "latex",
+    "text",
+    "unicode",
+]
 
-TEXT, UNICODE, BOLD, LATEX, WIDE_LATEX = Text(), Unicode(), BoldVectors(), Latex(), WideLatex()
+TEXT, UNICODE, BOLD = Text(), Unicode(), BoldVectors()
+LATEX, WIDE_LATEX, RUNNING_LATEX = Latex(), WideLatex(), RunningLatex()
 NOTHING = Notation()
 _CONSTANT = {SymbolKind.PARAMETER, SymbolKind.SIGN}
 _POSITION = {SymbolKind.COORDINATE, *_CONSTANT}
@@ -336,7 +349,8 @@ class Writer:
             return self.piece(argument).code
         if not all(WrittenName.of(s.name).is_tight for s in symbols[:-1] if isinstance(s, sp.Symbol)):
             return None
-        return "".join([*(self.style.number(n).code for n in parts.numbers), *(self.piece(s).code for s in symbols)])
+        numbers = (self.style.number(n).code for n in parts.numbers)
+        return self.style.within_argument.join([*numbers, *(self.piece(s).code for s in symbols)])
 
     def _is_one_fraction(self, parts: OrderedProduct, above: list[BasePower], below: list[BasePower]) -> bool:
         """Whether nothing is written before or after its line: x/2 and x/l, not ½ x y or (g/l) t."""

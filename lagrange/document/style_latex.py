@@ -2,6 +2,7 @@ r"""Spelling of mathematics in LaTeX with amsmath, as typed by hand: `\ddot{\the
 
 TeX breaks no line inside a fraction, a root, or `\left ... \right`. `WideLatex` is for equations too wide for a line:
 it writes a long fraction as a product with a reciprocal or as a quotient with a slash, and a long root as a power.
+`RunningLatex` is for formulas in a sentence.
 """
 
 from __future__ import annotations
@@ -165,6 +166,21 @@ class WideLatex(Latex):
         if len(inner.code) < LONG_LATEX:
             return super().root(inner)
         return Piece(self.bracketed(inner.code) + "^{1/2}", Precedence.POWER)
+
+
+class RunningLatex(Latex):
+    """LaTeX in running text, where a fraction line would make the letters too small: W/(2 cos α)."""
+
+    stacked = False
+    within_argument = " "
+
+    def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
+        """A quotient with a slash; of numbers alone, a small fraction."""
+        if numerator.code.isdigit() and denominator.code.isdigit():
+            return self.coefficient(numerator, denominator)
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        below = self.bracketed(denominator.code) if denominator.level <= Precedence.PRODUCT else denominator.code
+        return Piece(f"{plain(above)}/{plain(below)}", Precedence.DIVISION)
 
 
 def _flat(piece: Piece) -> str:

@@ -20,6 +20,8 @@ from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 THIN = '<mspace width="0.17em"/>'
 TIMES = "<mo>\u2062</mo>"
+_SLASH = '<mo lspace="0" rspace="0">/</mo>'
+_NUMBER = re.compile(r"<mn>\d+</mn>")
 _APPLY = "<mo>\u2061</mo>"
 _DOTS = ("", "˙", "¨", "⃛")
 _TAGS = re.compile(r"<[^>]*>")
@@ -187,7 +189,18 @@ class MathML(Unicode):
 
 
 class RunningMathML(MathML):
-    """MathML in running text: ∂f/∂x on the line, where a fraction of it would be too small to read."""
+    """MathML in running text: quotients and ∂f/∂x on the line, where a fraction would be too small to read."""
+
+    stacked = False
+    within_argument = TIMES
+
+    def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
+        """A quotient with a slash; of numbers alone, a small fraction."""
+        if _NUMBER.fullmatch(numerator.code) and _NUMBER.fullmatch(denominator.code):
+            return super().fraction(numerator, denominator)
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        below = self.bracketed(denominator.code) if denominator.level <= Precedence.PRODUCT else denominator.code
+        return Piece(f"{above}{_SLASH}{below}", Precedence.DIVISION)
 
     def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
         """A partial derivative with a slash."""
@@ -199,7 +212,7 @@ class RunningMathML(MathML):
         for variable in dict.fromkeys(variables):
             code, n = self.name(variable).code, variables.count(variable)
             below.append(sign + (self.power(code, Piece(f"<mn>{n}</mn>")).code if n > 1 else code))
-        code = f'{raised}{body}<mo lspace="0" rspace="0">/</mo>{"".join(below)}'
+        code = f"{raised}{body}{_SLASH}{''.join(below)}"
         return Piece(code + (self.arguments(at) if at else ""), Precedence.DIVISION)
 
 

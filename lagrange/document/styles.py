@@ -102,6 +102,7 @@ class Text:
     constants: ClassVar[Mapping[str, str]] = {"Pi": "pi", "Exp1": "exp(1)", "Infinity": "oo"}
     by_hand: ClassVar[bool] = False  # coefficients in front, sin θ without parentheses, nested brackets
     stacked: ClassVar[bool] = False  # fractions have a line, and need no parentheses as arguments
+    within_argument: ClassVar[str] = ""  # between the letters of a short argument: ωt
 
     def function(self, name: str) -> str:
         """The name of a function."""

@@ -47,14 +47,17 @@ def explain_displacements(
     body += by_chetaev(configuration)
     body += solved_displacements(elimination, configuration)
     body += of_points(configuration, elimination)
-    body += _tangent(normals)
+    body += _tangent(normals, len(configuration.rows))
     body += _drift(configuration, rates) if any(rates) else _by_time(configuration)
     return Step(Rule.DISPLACEMENTS, "Possible and virtual displacements", tuple(body))
 
 
-def _tangent(normals: Sequence[Normal]) -> list[Block]:
-    """∇f·dr + f_t dt = 0 and ∇f·δr = 0: virtual displacements are tangent to the surface as it is at the time."""
-    if not normals:
+def _tangent(normals: Sequence[Normal], rows: int) -> list[Block]:
+    """∇f·dr + f_t dt = 0 and ∇f·δr = 0: virtual displacements are tangent to the surface as it is at the time.
+
+    Nothing where other constraints (`rows` in all) bind the displacements too.
+    """
+    if not normals or len(normals) < rows:
         return []
     lines: list[Equation] = []
     for n in normals:

@@ -19,7 +19,7 @@ from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
 from lagrange.document.notation import Notation
 from lagrange.document.scene import Scene
-from lagrange.explain.words import plural, spoken
+from lagrange.explain.words import bare, plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
@@ -50,7 +50,7 @@ def caption_of_free_bodies(newton: Newton) -> tuple[Part, ...]:
 
 def system_in_words(solution: Solution) -> str:
     """`Drawing of the system: P1, P2; upper rod, lower rod.`"""
-    things = [p.name for p in solution.problem.masses]
+    things = [bare(p.name) for p in solution.problem.masses]
     links = [s.name for s in solution.own.configuration.links]
     constraints = [c.name for c in solution.problem.constraints]
     everything = "; ".join(", ".join(map(spoken, group)) for group in (things, links, constraints) if group)
@@ -62,7 +62,7 @@ def free_bodies_in_words(newton: Newton) -> str:
     sentences = []
     for b in newton.bodies or ():
         acting = [*(spoken(n) if n else "field" for n in b.loads), *(f"reaction of {spoken(r.name)}" for r in b.bound)]
-        sentences.append(f"{spoken(b.name)}: {', '.join(acting)}." if acting else f"{spoken(b.name)}.")
+        sentences.append(f"{bare(b.name)}: {', '.join(acting)}." if acting else f"{bare(b.name)}.")
     return " ".join(["Free-body diagrams.", *sentences])
 
 

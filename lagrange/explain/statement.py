@@ -22,11 +22,24 @@ from lagrange.explain.bodies import (
     unit_vectors,
 )
 from lagrange.explain.page.texts import set_text
-from lagrange.explain.words import are, capital, constraints_called, friction_called, load_called, plural, spoken, the
+from lagrange.explain.words import (
+    are,
+    capital,
+    constraints_called,
+    friction_called,
+    introduced,
+    load_called,
+    plural,
+    spoken,
+    the,
+)
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
+
+_ADJECTIVES = ("horizontal", "vertical")
+"""Words for an axis that do not say which way it points."""
 
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
@@ -38,7 +51,10 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     if problem.description:
         body.append(prose(*set_text(problem.description, problem)))
     if problem.axes:
-        axes = ((math(UNITS[name]), f" points {word}") for name, word in problem.axes.items())
+        axes = (
+            (math(UNITS[name]), f" {'is' if word in _ADJECTIVES else 'points'} {word}")
+            for name, word in problem.axes.items()
+        )
         body.append(prose(*series(axes), "."))
     body += _symbols(problem)
     body += _functions(problem)
@@ -169,7 +185,7 @@ def _frame(problem: Problem) -> list[Block]:
 
 def _body(configuration: Configuration, centre: MassPoint, bodies: Mapping[str, Body]) -> Block:
     """Its mass, and where its mass centre is."""
-    called = the(centre.name)
+    called = introduced(centre.name)
     if configuration.is_pinned(centre):
         mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
         if turns_about_axis(bodies, configuration, centre.name):
@@ -196,12 +212,12 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
             rotating = explain_rotation(bodies[p.name], turning[p.name], hinged=hinged)
             first = rotating[0]
             if hinged and p.position.is_zero and isinstance(first, Prose):
-                words = prose(f"{capital(the(p.name))} is a rigid body that turns about a fixed axis through O.")
+                words = prose(f"{capital(introduced(p.name))} is a rigid body that turns about a fixed axis through O.")
                 blocks[-1:] = [paragraph(words, first), *rotating[1:]]
             else:
                 blocks += [display(position), *rotating]
         else:
-            blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
+            blocks += [prose(f"The position of {introduced(p.name)}", *what, " is"), display(position)]
     return [*blocks, *explain_exchanged_mass(configuration)]
 
 

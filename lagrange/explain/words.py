@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from lagrange.core.called import Called
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Part, Prose
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
@@ -27,11 +28,36 @@ def spoken(name: str) -> str:
 
 
 def the(name: str) -> str:
-    """A particle or body as a noun: `P1`, but the ball, and the left body."""
+    """A particle or body as a noun: `P1`, but the ball, the left body, and the words that the file gives for it."""
+    if isinstance(name, Called) and name.words:
+        return _with_article(name.words)
     words = spoken(name)
     if not words.islower() or len(words) == 1:
         return words
     return f"the {words} body" if words in _ADJECTIVES else f"the {words}"
+
+
+def bare(name: str) -> str:
+    """The same without an article, for a list: `upper particle`, `P1`."""
+    return name.words if isinstance(name, Called) and name.words else spoken(name)
+
+
+def introduced(name: str) -> str:
+    """The same where it is first mentioned, with the letter of its symbols: the upper particle P1."""
+    letter, called = spoken(name), the(name)
+    is_letter = isinstance(name, Called) and (len(letter) == 1 or not letter.islower())
+    return f"{called} {letter}" if is_letter and called.startswith("the ") and letter not in called.split() else called
+
+
+def _with_article(words: str) -> str:
+    """`the upper particle`, `the T-shaped rod`; but Earth, Foucault's bob, body A, and an article that is there."""
+    first, *more = words.split()
+    if first.lower() in ("the", "a", "an") and more:
+        return " ".join(("the", *more))
+    possessive = first.endswith(("'s", "’s"))
+    is_label = bool(more) and len(more[-1]) == 1 and more[-1].isupper()
+    proper = first[:1].isupper() and "-" not in first and (not more or is_label)
+    return words if possessive or proper or (is_label and len(more) == 1) else f"the {words}"
 
 
 def load_called(name: str, kind: str = "force") -> str:

@@ -184,13 +184,15 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     # A pendulum of no length is none, and nothing moves without mass; a velocity as of light is large, not small.
     kept = {*by_unit["m"], *by_unit["m/s"], *(by_unit["kg"] if len(by_unit["kg"]) == 1 else ())}
     fast = [s for s in symbols if s in by_unit["m/s"]]
-    pushing = _pushing(solution)
+    pushing, constants = _pushing(solution), {p.symbol for p in solution.problem.parameters}
     for parameter, to in (*((s, sp.oo) for s in fast), *_candidates(symbols, len(equations) > 1)):
         if to == 0 and parameter in kept:
             continue
         limit = _limit(equations, parameter, to, view)
         if limit is None or limit in found:
             continue
+        if to == sp.oo and not any(e.free_symbols & constants for e in limit):
+            continue  # of what the problem is about nothing is left
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost

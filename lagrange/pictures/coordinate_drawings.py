@@ -118,12 +118,12 @@ class CoordinateDrawings:
 
     def angle(self, q: sp.Symbol) -> bool:
         """Mark a coordinate if it is an angle at a point; return whether it is one."""
-        for p in self.system.marked_points:
-            mark = angle_mark(self.pose, q, p.position)
-            if mark is not None:
-                self.angle_at(mark)
-                self.turning_points.append(((q, p), mark.centre))
-                return True
+        found = [(p, m) for p in self.system.marked_points if (m := angle_mark(self.pose, q, p.position)) is not None]
+        if found:  # of two points on opposite sides of a centre, the one that is counted from the axis itself
+            p, mark = max(found, key=lambda f: round(sum(f[1].reference) / math.hypot(*f[1].reference), 6))
+            self.angle_at(mark)
+            self.turning_points.append(((q, p), mark.centre))
+            return True
         turning = {r.name for r in self.system.configuration.rotations}
         points = [p for p in self.system.marked_points if p.name not in turning]
         for a, b in combinations(points, 2) if self.system.view.planar else ():
@@ -169,15 +169,19 @@ class CoordinateDrawings:
         self.sketch.label(q, points[10], ways[10])
 
     def angle_in_space(self, mark: AngleMark) -> None:
-        """An angle about an axis, drawn in the plane through the origin, below or above the circle of the point."""
+        """An angle about an axis, drawn in the plane of O, or of a lettered point on that axis."""
         axis = outer(mark.arc[0], mark.arc[7])
         size = math.hypot(*axis)
         upright = [n for n in range(3) if abs(abs(axis[n]) / size - 1) < 1e-6]
         centre, point = mark.centre, mark.point
-        if upright and math.hypot(*centre) > 1e-6 and all(abs(centre[m]) < 1e-9 for m in range(3) if m not in upright):
-            foot = minus(point, centre)
+        anchors = [(0.0, 0.0, 0.0), *self.system.figure_places.values()]
+        level = next(
+            (a for a in anchors if all(abs(centre[m] - a[m]) < 1e-9 for m in range(3) if m not in upright)), None
+        )
+        if upright and level is not None and math.dist(centre, level) > 1e-6:
+            foot = plus(level, minus(point, centre))
             self.sketch.line([self.flat(point), self.flat(foot)], StrokeKind.GUIDE)
-            centre, point = (0.0, 0.0, 0.0), foot
+            centre, point = level, foot
         self.guide(self.flat(centre), self.flat(point))
         radius = math.hypot(*minus(point, centre))
         part = min(0.8, ARC * 1.1 / (radius * self.page.scale))

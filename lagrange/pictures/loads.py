@@ -28,6 +28,7 @@ from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, plane_rotation, reaction_point
 from lagrange.pictures.systems import SystemPicture, ends_of, with_other_values
+from lagrange.problem.model import Friction
 
 
 def constraint_curve(
@@ -134,6 +135,7 @@ def _posed(system: SystemPicture, *vectors: Vector) -> Pose:
 
 def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
     centre = next(p.position for p in system.configuration.points if p.name == name)
+    rough = [f.name for f in system.problem.forces if isinstance(f, Friction)]
     for load in system.configuration.loads:
         if load.on != name:
             continue
@@ -146,11 +148,11 @@ def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
         vector = pose.at(load.vector)
         if math.hypot(*vector) > 1e-9:
             where = minus(pose.at(load.point), pose.at(centre))
-            yield Acting(name, _force_label(load), vector, StrokeKind.FORCE, where)
+            yield Acting(name, _force_label(load, rough[0] if len(rough) == 1 else ""), vector, StrokeKind.FORCE, where)
 
 
-def _force_label(load: Load) -> sp.Expr | str:
-    """The magnitude of a load if that is short; its name otherwise."""
+def _force_label(load: Load, only_friction: str) -> sp.Expr | str:
+    """The magnitude of a load if that is short; otherwise its name, or what it is where there is no other friction."""
     parts = [c for c in load.vector.components if c != 0]
     if len(parts) == 1:
         size = -parts[0] if parts[0].could_extract_minus_sign() else parts[0]
@@ -158,7 +160,7 @@ def _force_label(load: Load) -> sp.Expr | str:
         size = sp.sqrt(textbook_form(load.vector.dot(load.vector)))
     if count_operations(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
         return size
-    return as_words(load.name)
+    return "friction" if load.name == only_friction else as_words(load.name)
 
 
 def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:

@@ -12,7 +12,7 @@ import math
 import sympy as sp
 
 from lagrange.core.records import record
-from lagrange.core.symbols import UnitVector, Unspecified, t
+from lagrange.core.symbols import UnitVector, Unspecified, VectorSymbol, differential, t
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -113,10 +113,11 @@ def surface_scene(solution: Solution, notation: Notation) -> Scene | None:
     sketch.arrow(at, end, StrokeKind.REACTION)
     sketch.label(UnitVector("n"), end, toward(at, end), optional=True)
     virtual = plus(here, way, 1.15)
-    _arrow(sketch, surface, here, virtual, "δr", StrokeKind.FORCE)
+    _arrow(sketch, surface, here, virtual, VectorSymbol(f"delta(r_{point.name})"), StrokeKind.FORCE)
     if surface.moves is not None:
         moved = plus(here, surface.moves, _SHIFT)
-        _arrow(sketch, surface, here, plus(virtual, surface.moves, _SHIFT), "dr", StrokeKind.FORCE)
+        possible = plus(virtual, surface.moves, _SHIFT)
+        _arrow(sketch, surface, here, possible, VectorSymbol(f"d(r_{point.name})"), StrokeKind.FORCE)
         sketch.line([surface.page(virtual), surface.page(plus(virtual, surface.moves, _SHIFT))], StrokeKind.REFERENCE)
         _arrow(sketch, surface, here, moved, _carried(solution), StrokeKind.AXIS)
     sketch.label(point.name.replace("_", " "), at, (-0.6, 0.8), clear=PARTICLE, optional=True)
@@ -174,7 +175,7 @@ def _carried(solution: Solution) -> sp.Expr | str:
     for argument in function.arguments:
         rate = -sp.diff(argument, t)
         if rate.is_Symbol:
-            return f"{rate} dt"
+            return rate * differential(t)
     return "in dt"
 
 

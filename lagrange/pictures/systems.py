@@ -15,11 +15,13 @@ from itertools import combinations, product
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.constraints.measures import of_mass_centre
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
@@ -60,8 +62,23 @@ class SystemPicture:
 
     @cached_property
     def figure_places(self) -> dict[str, FloatVector]:
-        """The places of the points that the figure adds."""
-        return {name: self.at(v) for name, v in self.problem.figure.points.items()}
+        """The places of the points that the figure adds, and of the mass centre where coordinates lead to it."""
+        places = {name: self.at(v) for name, v in self.problem.figure.points.items()}
+        centre = self.mass_centre
+        return places if centre is None else places | {centre.name: self.pose.at(centre.position)}
+
+    @cached_property
+    def mass_centre(self) -> MassPoint | None:
+        """The mass centre of several particles where coordinates x_C, y_C, ... are its own; it has their index."""
+        own = of_mass_centre(self.configuration, self.configuration.slots.coordinates)
+        called = {q.name.partition("_")[2] for q in own}
+        taken = {p.name for p in self.configuration.points} | {*self.problem.figure.points, ""}
+        if len(own) < 2 or len(called) > 1 or called & taken:
+            return None
+        points, zero = self.configuration.points, Vector.zero()
+        total = sp.Add(*(p.mass for p in points))
+        at = sum((p.position.fixed() * (p.mass / total) for p in points), zero).map(textbook_form)
+        return MassPoint(called.pop(), sp.S.Zero, at, zero, zero, ())
 
     @cached_property
     def marks(self) -> tuple[FigureMark, ...]:
@@ -89,7 +106,7 @@ class SystemPicture:
             MassPoint(name, sp.S.Zero, v.fixed().map(lambda c: c.xreplace(expressed)), zero, zero, ())
             for name, v in self.problem.figure.points.items()
         )
-        return (*self.configuration.points, *more)
+        return (*self.configuration.points, *more, *([self.mass_centre] if self.mass_centre is not None else []))
 
     @property
     def rods(self) -> tuple[tuple[Reaction, Rod], ...]:

@@ -214,7 +214,13 @@ class _Entry:
 
     def point(self) -> str:
         """The particle or body that is acted on."""
-        return self.one_of("on", self.context.things.known(), "a particle or body", "particles or bodies")
+        name = self.one_of("on", self.context.things.known(), "a particle or body", "particles or bodies")
+        return self.context.called.get(name, name)
+
+    def body(self) -> str:
+        """The body that is acted on."""
+        name = self.one_of("on", self.context.bodies, "a rigid body", "bodies")
+        return self.context.called.get(name, name)
 
     def ends(self) -> tuple[Vector, Vector]:
         """The two ends of a spring or damper: particles, bodies or position vectors."""
@@ -288,9 +294,7 @@ def _applied(f: _Entry) -> Force:
 
 
 def _moment(f: _Entry) -> Force:
-    on, moment = f.all_of(
-        lambda: f.one_of("on", f.context.bodies, "a rigid body", "bodies"), lambda: f.vector("moment")
-    )
+    on, moment = f.all_of(f.body, lambda: f.vector("moment"))
     return AppliedMoment(f.name, on, moment, f.span)
 
 

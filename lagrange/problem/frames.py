@@ -45,7 +45,7 @@ def _frame(node: Node, context: LoadContext) -> Triad:
     triad = _TRIADS[kind](*symbols)
     if triad is not FIXED:
         _check_names(triad, kind, symbols, node.span)
-        _declare(triad, kind, context, node.span)
+        _declare(triad, kind, symbols, context, node.span)
     return triad
 
 
@@ -87,8 +87,9 @@ def coordinate(scalar: Scalar, context: LoadContext) -> sp.Symbol:
 
 def _check_names(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], span: Span) -> None:
     """Raises ProblemError where two unit vectors, or one and a fixed vector, would have the same name."""
-    fixed = {"e_x", "e_y", "e_z"} - ({triad.names[2]} if kind is FrameType.CYLINDRICAL else set())
-    taken = next((name for name in triad.names if name in fixed), None)
+    third = f"e_{symbols[2].name}" if kind is FrameType.CYLINDRICAL else triad.names[2]
+    fixed = {"e_x", "e_y", "e_z"} - ({third} if kind is FrameType.CYLINDRICAL else set())
+    taken = next((name for name in (*triad.names[:2], third) if name in fixed), None)
     if taken is not None:
         message = f"the frame would call a unit vector `{taken}`, and `e_x`, `e_y`, `e_z` are i, j, k"
         help_ = f"rename the coordinate `{taken[2:]}`"
@@ -99,9 +100,11 @@ def _check_names(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], 
     raise ProblemError(Diagnostic("frame-coordinates", message, span, help=help_))
 
 
-def _declare(triad: Triad, kind: FrameType, context: LoadContext, span: Span) -> None:
+def _declare(triad: Triad, kind: FrameType, symbols: tuple[sp.Symbol, ...], context: LoadContext, span: Span) -> None:
     """Adds the unit vectors to the scope. A third that is k is also `k` and `e_z`, so that sums stay in the frame."""
     units = {name: unit_vector(triad, n) for n, name in enumerate(triad.names)}
+    if kind is FrameType.CYLINDRICAL:
+        units[f"e_{symbols[2].name}"] = unit_vector(triad, 2)
     for name in units:
         if name not in ("k", "e_z"):
             context.names.add(name, "a unit vector of the frame", span)

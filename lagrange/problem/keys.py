@@ -168,11 +168,10 @@ SHAPE = Form(
         Key("box", ListOf("expression", 2, 2), "A box with these sides, along the first and second axis of the body."),
         Key("sphere", "expression", "A sphere of this radius."),
         Key("cone", ListOf("expression", 2, 2), "A cone with this radius and height, tip down along the third axis."),
-        Key(
-            "axis", "vector", "The axis of a disc, ring or cone in space, or the direction of the first side of a box."
-        ),
+        Key("axis", "vector", "In space: the axis of a disc, ring or cone; of a box, the direction of its first side."),
     ),
 )
+_NAME = Key("name", "text", "What sentences call it: `name: upper particle`. The article is added.")
 _SHAPE = Key("shape", "shape", "What it looks like in the figure: {disc: R}, {rod: [A, B]}, {box: [a, b]}.")
 
 EXCHANGE = Form(
@@ -190,6 +189,7 @@ PARTICLE = Form(
         Key("position", "vector", "Where it is.", required=True, example="x*i + y*j"),
         Key("leaves", "exchange", "Where its mass decreases: with what velocity mass leaves it."),
         Key("gains", "exchange", "Where its mass increases: with what velocity mass joins it."),
+        _NAME,
         _SHAPE,
     ),
 )
@@ -198,13 +198,7 @@ ORIENTATION = Form(
     "three rotations",
     (
         Key("axes", Words(SEQUENCES), "About which axes, in their order: 313.", required=True, example="313"),
-        Key(
-            "angles",
-            three("expression"),
-            "By which angles: [phi, theta, psi].",
-            required=True,
-            example="[phi, theta, psi]",
-        ),
+        Key("angles", three("expression"), "By which angles.", required=True, example="[phi, theta, psi]"),
     ),
 )
 
@@ -229,6 +223,7 @@ BODY = Form(
         ),
         Key("axes", three("vector"), "In space: the triad that the inertia refers to.", example="[e1, e2, e3]"),
         Key("angular_velocity", "vector", "With `axes`: the angular velocity, a vector.", example="theta'*k"),
+        _NAME,
         _SHAPE,
     ),
 )

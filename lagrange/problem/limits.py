@@ -37,6 +37,9 @@ MOST_REJOINED = 40
 MAX_NAME_LENGTH = 60
 """Characters; three times the longest in the shipped files."""
 
+MAX_WORDS_LENGTH = 60
+"""Characters of `name:`, the words for a particle or body, which stand in the middle of sentences."""
+
 MAX_NAMES = 1_000
 """Declared in a file. Every name is compared with the others when a misspelling is explained."""
 

@@ -15,6 +15,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.called import Called
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
 from lagrange.core.expression_size import Sizes
 from lagrange.core.symbols import base
@@ -48,6 +49,7 @@ class LoadContext:
     """What is known while a file is being read.
 
     things    the names of particles and bodies; `bodies` are those of bodies only
+    called    the names of those for which the file has words, with the words
     points    their positions, by name; None where one could not be read
     shapes    their shapes, still to be read
     values    the numbers that the file gives to parameters
@@ -65,6 +67,7 @@ class LoadContext:
         self.budget = WorkBudget()
         self.unknowns: tuple[sp.Symbol, ...] = ()
         self.values: dict[sp.Symbol, sp.Expr] = {}
+        self.called: dict[str, Called] = {}
         self.points: dict[str, Vector | None] = {}
         self.shapes: dict[str, Node] = {}
         self.without_inertia: dict[str, Span] = {}

@@ -23,13 +23,16 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.vector_cleanup import tidied
+from lagrange.core.called import Called
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor, Three, moments_of_mass, principal_minors
+from lagrange.core.printable import is_hidden
 from lagrange.core.records import record
 from lagrange.core.triads import axis_names, names_before_last
 from lagrange.core.vectors import Vector
 from lagrange.problem.declared_names import names_in
 from lagrange.problem.keys import BODY, EXCHANGE, ORIENTATION, PARTICLE, SEQUENCES, WAYS_OF_TURNING
+from lagrange.problem.limits import MAX_WORDS_LENGTH
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import Body, Exchange, Particle
 from lagrange.problem.sections import (
@@ -84,6 +87,7 @@ class _BodyBeingRead:
         """Reads everything but the position. Returns the vectors that this adds to the language."""
         section, context = self._section, self.context
         keep_shape(section, self.name, context)
+        self.name = keep_words(section, self.name, context)
         mass, (inertia, products) = context.diagnostics.all_of(
             lambda: mass_of(section.get("mass"), self.name, context),
             lambda: _inertia(section.get("inertia"), section, context),
@@ -110,6 +114,40 @@ def keep_shape(section: Section, name: str, context: LoadContext) -> None:
     node = section.get("shape")
     if node is not None:
         context.shapes[name] = node
+
+
+_CALLED = "write a few words for a sentence, without a full stop: `name: upper particle`"
+
+
+def keep_words(section: Section, name: str, context: LoadContext) -> str:
+    """The name of a particle or body, with the words that `name:` gives for it; they are kept for the forces on it."""
+    node = section.get("name")
+    if node is None:
+        return name
+    called = context.diagnostics.attempt(lambda: Called(name, _words(node, name, context)))
+    if called is not None:
+        context.called[name] = called
+    return called or name
+
+
+def _words(node: Node, name: str, context: LoadContext) -> str:
+    """The words, checked. Raises ProblemError where they are none, or not for one line of a page."""
+    scalar = scalar_of(node, f"`name` of `{name}`")
+    words = scalar.text.strip()
+    same = next((n for n, c in context.called.items() if c.words.casefold() == words.casefold()), "")
+    if "\n" in words:
+        message = f"the words for `{name}` have several lines"
+    elif any(is_hidden(c) for c in words):
+        message = f"the words for `{name}` contain a control character"
+    elif len(words) > MAX_WORDS_LENGTH:
+        message = f"the words for `{name}` are longer than {MAX_WORDS_LENGTH} characters"
+    elif not any(c.isalpha() for c in words):
+        message = f"the words for `{name}` contain no letter"
+    elif same:
+        message = f"`{same}` and `{name}` are both called `{words}`"
+    else:
+        return " ".join(words.split())
+    raise ProblemError(Diagnostic("words-for-body", message, node.span, help=_CALLED))
 
 
 def constant(node: Node, what: str, context: LoadContext, allowed: Allowed = CONSTANT) -> sp.Expr:
@@ -359,6 +397,7 @@ def _read_particle(name: str, key: Scalar, node: Node, context: LoadContext, par
     section = Section(mapping, f"the particle `{name}`", PARTICLE, context.diagnostics)
     mass = context.diagnostics.attempt(lambda: mass_of(section.get("mass"), name, context, MASS))
     keep_shape(section, name, context)
+    name = keep_words(section, name, context)
     position = context.vector(section.required("position", key.span), f"the position of `{name}`")
     context.points[name] = position
     context.add_vectors({f"r_{name}": position})

@@ -28,7 +28,7 @@ from lagrange.document.derivation import (
     Table,
     Task,
 )
-from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
+from lagrange.document.math_writer import LATEX, RUNNING_LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape, prefixes_of, slug
 from lagrange.render.limits import LATEX_LINE, TALL_BOX
 from lagrange.render.selection import shown
@@ -95,7 +95,8 @@ class _Article(Emitter[str]):
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
-        self.typesetter = Typesetter(Writer(LATEX, notation, on_page=True), Writer(WIDE_LATEX, notation, on_page=True))
+        styles = (LATEX, WIDE_LATEX, RUNNING_LATEX)
+        self.typesetter = Typesetter(*(Writer(style, notation, on_page=True) for style in styles))
         self.content = shown(derivation, detail, pictures=True, folded=False)
         self.prefix = prefix
 
@@ -179,8 +180,13 @@ class _Article(Emitter[str]):
             note = row.anchor or (r"\notag" if not star else "")
             lines.append(f"  {code} {note}".rstrip())
         spread = any(len(system) > 1 for system in systems)
-        after = r" \\[1ex]" if spread else r" \\"  # within an equation no page ends
-        ends = [after if row is system[-1] else r" \\*" for system in systems for row in system]
+        space = "[1ex]" if spread else ""
+        # No page ends within an equation, nor with a single one of several, nor begins with the last of them.
+        ends = [
+            (r" \\" if 1 < n < len(systems) - 1 else r" \\*") + space if row is system[-1] else r" \\*"
+            for n, system in enumerate(systems, 1)
+            for row in system
+        ]
         yield rf"\begin{{align{star}}}"
         yield from (line + end for line, end in zip(lines[:-1], ends[:-1], strict=True))
         yield lines[-1]

@@ -26,6 +26,10 @@ ALIGNED_LEFT_SIDE = 12
 one would push the other equations to the right for nothing."""
 UNBROKEN_FORMULA = 28
 """Cells of a formula in a paragraph that is never broken: a third of a line of 80."""
+ALONE = 8
+"""Cells of a word that does not stand alone on the last line of a paragraph: "work:", "vanish."."""
+SHORT_SIDE = 8
+"""Cells of a side of a formula that is not parted from the next one: "y", "= const"."""
 
 # LaTeX and Markdown
 

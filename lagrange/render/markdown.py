@@ -32,7 +32,7 @@ from lagrange.document.derivation import (
     Step,
     Table,
 )
-from lagrange.document.math_writer import LATEX, UNICODE, WIDE_LATEX, Notation, Writer
+from lagrange.document.math_writer import LATEX, RUNNING_LATEX, UNICODE, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape as tex
 from lagrange.render.escape import prefixes_of, slug
 from lagrange.render.limits import MARKDOWN_LINE
@@ -117,7 +117,8 @@ class _Page(Emitter[str]):
         self.drawn = 0
         self.labels = Labels(prefix or slug(derivation.title), {})
         self.in_pictures = Writer(UNICODE, notation)
-        self.typesetter = Typesetter(Writer(LATEX, notation, on_page=True), Writer(WIDE_LATEX, notation, on_page=True))
+        styles = (LATEX, WIDE_LATEX, RUNNING_LATEX)
+        self.typesetter = Typesetter(*(Writer(style, notation, on_page=True) for style in styles))
         self.content = shown(derivation, detail, pictures=figures is not None)
 
     def all(self) -> Iterator[str]:

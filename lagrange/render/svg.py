@@ -15,7 +15,7 @@ from itertools import groupby
 import sympy as sp
 
 from lagrange.core.printable import printable
-from lagrange.core.symbols import UnitVector
+from lagrange.core.symbols import UnitVector, VectorSymbol
 from lagrange.document.names import SMALL
 from lagrange.document.scene import Dot, PagePoint, Polyline, Scene, StrokeKind
 
@@ -80,8 +80,10 @@ def content_of(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
     """A label as the content of a `text` element."""
     if isinstance(content, str):
         return escape(printable(content))
-    if isinstance(content, UnitVector):
-        return re.sub(r'^<tspan class="i"', '<tspan class="b"', spans(write(content)))
+    if isinstance(content, UnitVector | VectorSymbol):
+        text = write(content)
+        lead = text[:1] if content.name.startswith(("d(", "delta(")) else ""
+        return lead + re.sub(r'^<tspan class="i"', '<tspan class="b"', spans(text.removeprefix(lead)))
     return spans(write(content))
 
 

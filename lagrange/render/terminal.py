@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from io import StringIO
 from typing import TYPE_CHECKING
 
@@ -139,7 +140,7 @@ class _Page(Emitter[Text]):
     # Words
 
     def paragraphs(self, run: Sequence[Prose]) -> Iterator[Text]:
-        return (line for block in run for line in fill(self.words(block.parts), self.room))
+        return (line for block in run for line in fill(self.words(block.parts), self.room, prose=True))
 
     def words(self, parts: Iterable[Part]) -> Words:
         words = Words()
@@ -183,15 +184,34 @@ class _Page(Emitter[Text]):
 
     def equations(self, equations: Sequence[Equation], width: int) -> Iterator[tuple[Text, str]]:
         """The lines of equations, each with the number at its right."""
+        numbered = [*self.apart(equations, width)]
+        equations = [e for e, _ in numbered]
         broken = [self.broken(equation, width) for equation in equations]
         self.align(equations, broken, width)
-        for n, (equation, rows) in enumerate(zip(equations, broken, strict=True)):
+        for n, ((equation, number), rows) in enumerate(zip(numbered, broken, strict=True)):
             if n and max(len(rows), len(broken[n - 1])) > 1:  # or one could not see where an equation ends
                 yield Text(), ""
             yield from ((line, "") for line in rows[:-1])
             last, *below = self.with_condition(rows[-1], equation, width)
-            yield last, self.number(equation).strip()
+            yield last, number
             yield from ((line, "") for line in below)
+
+    def apart(self, equations: Sequence[Equation], width: int) -> Iterator[tuple[Equation, str]]:
+        """The equations with their numbers; two in a line on lines of their own where there is no room."""
+        lefts = [cell_len(self.writer.plain(e.sides[0])) for e in equations]
+        widest = max(lefts, default=0)
+        for e, left in zip(equations, lefts, strict=True):
+            number = self.number(e).strip()
+            match e.condition:
+                case (Math(sides=sides, relation=relation),) if len(equations) > 1:
+                    shift = widest - left if widest <= ALIGNED_LEFT_SIDE else 0
+                    pair = (self.writer.plain(side) for both in (e.sides, sides) for side in both)
+                    room = width - shift - 4 - 3 * (len(e.sides) + len(sides) - 2)
+                    if sum(map(cell_len, pair)) > room:
+                        yield replace(e, condition=()), ""
+                        yield Equation(sides, relation=relation), number
+                        continue
+            yield e, number
 
     def broken(self, equation: Equation, width: int) -> list[Text]:
         """An equation in lines that fit."""
@@ -252,9 +272,10 @@ class _Page(Emitter[Text]):
         longest = max(cell_len(words.plain) for words in names)
         ways = max(cell_len(printable(check.how)) for check in run)
         fits = longest + COLUMNS + ways <= room
-        left = longest if fits else min(longest, room * 3 // 5)  # three fifths at most, so that both columns hold words
+        # Three fifths at most, so that both columns hold words; all of it where nothing is said of how.
+        left = longest if fits else min(longest, room * 3 // 5) if ways else room
         right = room - left - COLUMNS
-        beside = right >= min(20, ways)
+        beside = ways > 0 and right >= min(20, ways)
         for check, words in zip(run, names, strict=True):
             mark, style = MARKS[check.passed]
             how = Words().text(printable(check.how), "dim")

@@ -21,7 +21,7 @@ from rich.cells import cell_len, set_cell_size
 from rich.text import Text
 
 from lagrange.document.names import plain
-from lagrange.render.limits import UNBROKEN_FORMULA
+from lagrange.render.limits import ALONE, SHORT_SIDE, UNBROKEN_FORMULA
 from lagrange.render.line_breaking import outermost
 
 MATRIX_GAP = 2
@@ -100,10 +100,20 @@ class Words:
         if cell_len(on_one_line) <= UNBROKEN_FORMULA:
             self._add(Text(on_one_line))
             return self
+        pieces: list[str] = []
         for n, side in enumerate(sides):
             for k, part in enumerate(outermost(side)):
-                self._open = self._open and n == k == 0  # a bracket before the formula sticks to its first piece only
-                self._add(Text(f"{relation} {part}" if n and not k else part))
+                piece = f"{relation} {part}" if n and not k else part
+                # "y = ..." keeps its first term, and "... = const" stays with the last one.
+                together = f"{pieces[-1]} {piece}" if n and not k else ""
+                short = bool(together) and min(cell_len(pieces[-1]), cell_len(piece)) <= SHORT_SIDE
+                if short and cell_len(together) <= UNBROKEN_FORMULA:
+                    pieces[-1] = together
+                else:
+                    pieces.append(piece)
+        for n, piece in enumerate(pieces):
+            self._open = self._open and n == 0  # a bracket before the formula sticks to its first piece only
+            self._add(Text(piece))
         return self
 
     def line(self, line: Text) -> Words:
@@ -119,24 +129,26 @@ class Words:
         self._open = True
 
 
-def fill(words: Words, width: int, hang: int = 0) -> Iterator[Text]:
-    """The lines of a paragraph. `hang` indents all lines of a torn word but its first."""
-    line: list[Text] = []
+def fill(words: Words, width: int, hang: int = 0, *, prose: bool = False) -> Iterator[Text]:
+    """The lines of a paragraph. `hang` indents all lines of a torn word but its first.
+
+    prose  whether no short word stands alone on the last line
+    """
+    rows: list[list[Text]] = []
     room = 0
     for word in words.words:
         cells = cell_len(word.plain)
-        if line and cells < room:
-            line.append(word)
+        if rows and cells < room:
+            rows[-1].append(word)
             room -= cells + 1
             continue
-        if line:
-            yield Text(" ").join(line)
-        *full, last = _torn(word, width, hang)
-        yield from full
-        line = [last]
-        room = width - cell_len(last.plain)
-    if line:
-        yield Text(" ").join(line)
+        rows += ([piece] for piece in _torn(word, width, hang))
+        room = width - cell_len(rows[-1][0].plain)
+    if prose and len(rows) > 1 and len(rows[-1]) == 1 and len(rows[-2]) > 2:
+        [last] = rows[-1]
+        if cell_len(last.plain) <= ALONE and cell_len(last.plain) + cell_len(rows[-2][-1].plain) < width:
+            rows[-1].insert(0, rows[-2].pop())
+    yield from (Text(" ").join(row) for row in rows)
 
 
 def pad(line: Text, right: str, width: int) -> Text:

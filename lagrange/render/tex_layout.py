@@ -23,7 +23,7 @@ from lagrange.render.limits import TEX_LEFT_SIDE
 from lagrange.render.line_breaking import Breaker, MathLine
 from lagrange.render.selection import written_out
 
-_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[^\s]", re.DOTALL)
+_TOKEN = re.compile(r"\\eqref\{[^}]*\}|\\[A-Za-z]+|\\.|[^\s]", re.DOTALL)
 _LETTERS = {"m": 0.88, "w": 0.72, "i": 0.35, "j": 0.41, "l": 0.3, "f": 0.55, "t": 0.36, "r": 0.46, "s": 0.47}
 _COMMANDS = {
     r"\quad": 1.0,
@@ -105,6 +105,8 @@ def _atom(tokens: list[str], at: int) -> tuple[float, int]:
 def _width(token: str) -> float:
     if token in _COMMANDS:
         return _COMMANDS[token]
+    if token.startswith(r"\eqref"):
+        return 1.8  # a number of two digits in brackets
     if _FUNCTION.match(token):
         return 0.46 * (len(token) - 1) + 0.17
     if token.startswith("\\"):
@@ -138,16 +140,18 @@ ALIGN = "\ue003"
 class Typesetter:
     """Mathematics as rows of TeX.
 
-    writer  for equations that fit
-    wide    for the others: long fractions and roots can be broken
+    writer   for equations that fit
+    wide     for the others: long fractions and roots can be broken
+    running  for formulas in a sentence
     """
 
     writer: Writer
     wide: Writer
+    running: Writer
 
     def inline(self, sides: Sequence[Mathematics], relation: str, width: float) -> str:
         """a = b = c in running text."""
-        code = _SLOPE.sub(r"\1/\2", self.writer.relation(sides, relation))
+        code = _SLOPE.sub(r"\1/\2", self.running.relation(sides, relation))
         code = _SECOND.sub(r"\1/(\2)", _OF_SLOPE.sub(r"\\partial(\2)/\1", code))
         return code if ems(code) <= width else self.wide.relation(sides, relation)
 

@@ -60,3 +60,7 @@ def test_every_part_of_a_finding_is_safe() -> None:
     assert not [line for line in shown.splitlines() if line.startswith("error[forged]")]
     lines = shown.splitlines()
     assert lines[4].index("^") == lines[3].index("□")
+
+
+def test_a_no_break_space_stays_on_a_page() -> None:
+    assert printable("6\u00a0− 1\t= 5\n") == "6\u00a0− 1 = 5 "

@@ -1,5 +1,6 @@
 """What LaTeX needs beside the other styles."""
 
+import pytest
 import sympy as sp
 
 from lagrange.core.symbols import (
@@ -10,7 +11,7 @@ from lagrange.core.symbols import (
     t,
     variation,
 )
-from lagrange.document.math_writer import latex
+from lagrange.document.math_writer import RUNNING_LATEX, Notation, Writer, latex
 
 
 def symbols(names):
@@ -41,3 +42,21 @@ def test_latex_does_not_stack_fractions_of_slopes():
     assert latex(u * slope) == r"\frac{u \frac{\partial f}{\partial Y}}{\partial f / \partial X}"
     assert latex(Partial(f.partial(0), y)) == r"\frac{\partial}{\partial y} \frac{\partial f}{\partial X}"
     assert latex(Partial(x / l - y, y)) == r"\frac{\partial}{\partial y} \left( \frac{x}{l} - y \right)"
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("-W*l*sin(theta)/(2*cos(alpha))", r"-l W \sin\theta/(2 \cos\alpha)"),
+        ("(m + M)*g/l", "(M + m) g/l"),
+        ("m/M*sin(theta)", r"(m/M) \sin\theta"),
+        ("pi/2", r"\pi/2"),
+        ("m*v^2/2", r"\tfrac{1}{2} m v^{2}"),
+        ("sqrt(l/g)", r"\sqrt{l/g}"),
+        ("cos(omega*t)", r"\cos\omega t"),
+    ],
+)
+def test_quotients_in_running_text_have_a_slash(text: str, code: str) -> None:
+    names = ("W", "l", "theta", "alpha", "m", "M", "g", "v", "omega", "t")
+    value = sp.sympify(text, {n: sp.Symbol(n, positive=True) for n in names})
+    assert Writer(RUNNING_LATEX, Notation(), on_page=True).plain(value) == code

@@ -30,3 +30,11 @@ def test_angles_and_distances_are_recognised_by_what_they_do() -> None:
 def test_every_coordinate_of_a_known_problem_is_marked(name: str) -> None:
     marked = {label.content for scene in scenes(name) for label in scene.labels}
     assert set(reported(name).solution.own.configuration.slots.coordinates) - {sp.Symbol("y", real=True)} <= marked
+
+
+def test_a_dumbbell_is_drawn_with_its_mass_centre_and_its_two_angles() -> None:
+    """θ opens from k at C towards P2, and φ lies in the horizontal plane of C, not of O."""
+    choice = scenes("chapter6/ex04-dumbbell")[-1]
+    at = {str(label.content): label.at for label in choice.labels}
+    assert {"x_C", "y_C", "z_C", "theta", "phi", "C"} <= set(at)
+    assert at["P2"][1] > at["theta"][1] > at["phi"][1] > at["z_C"][1]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import pytest
 import sympy as sp
 
@@ -118,3 +120,35 @@ def test_inertia_is_needed_for_the_motion_of_a_mass_only(body: str, find: str, a
     else:
         with pytest.raises(ProblemError, match="the body `B` has no `inertia`"):
             read(text)
+
+
+def test_words_for_particles_and_bodies_go_with_their_names_to_the_forces_on_them() -> None:
+    problem = read(
+        HEAD + "particles: {P: {name: upper  particle, mass: m, position: x*i}}\nbodies:\n"
+        "  rod: {name: long rod, mass: m, inertia: I_G, position: y*j, angle: theta}\n"
+        "forces: {push: {on: P, vector: F*i}, twist: {on: rod, moment: F*l*k}}\n"
+    )
+    names = [*(p.name for p in problem.masses), *(f.on for f in problem.forces)]  # type: ignore[union-attr]
+    assert names == ["P", "rod", "P", "rod"]
+    assert [getattr(n, "words", "") for n in names] == ["upper particle", "long rod"] * 2
+    assert [p.name for p in pickle.loads(pickle.dumps(problem.particles))] == ["P"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (f'"{"a" * 61}"', "longer than 60"),
+        ('"the\\nball"', "several lines"),
+        ('"\u202eball"', "control character"),
+        ('"1 2"', "no letter"),
+        ("Other", "`Q` and `P` are both called `Other`"),
+        ('""', "no letter"),
+        ("[a, b]", "is one value"),
+    ],
+)
+def test_words_that_are_no_name(words: str, said: str) -> None:
+    with pytest.raises(ProblemError) as refused:
+        read(HEAD + f"particles:\n  Q: {{name: other, position: y*j}}\n  P: {{name: {words}, position: x*i}}\n")
+    [found] = refused.value.diagnostics
+    assert said in found.message
+    assert found.help

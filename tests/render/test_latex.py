@@ -26,7 +26,7 @@ With $x^{2} + y^{2} - l^{2} = 0$ it becomes
 \subsection*{2\quad Checks}
 \begin{itemize}
 \item[$\checkmark$] Lagrange's equations give the same --- exact, 20 random points
-\item[?] $\ddot{\theta} + \frac{g}{l} \sin\theta = 0$ is the textbook's --- not decided within two seconds
+\item[?] $\ddot{\theta} + (g/l) \sin\theta = 0$ is the textbook's --- not decided within two seconds
 \item[$\times$] energy is conserved
 \end{itemize}
 """

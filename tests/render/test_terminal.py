@@ -18,8 +18,8 @@ PENDULUM_AT_64 = """\
  ──────────────────────────────────────────────────────────────
  1  The system
      A particle P of mass m hangs from a fixed point O by a
-     massless rigid rod of length l. Axes: 𝐢 points right, 𝐣
-     down.
+     massless rigid rod of length l. Axes: 𝐢 points right,
+     𝐣 down.
        𝐫_P = x 𝐢 + y 𝐣
          𝐅 = m g 𝐣
 

@@ -7,6 +7,7 @@ from rich.cells import cell_len
 from lagrange.document.builders import display, math, prose
 from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step, Table
 from lagrange.document.math_writer import Notation
+from lagrange.document.names import BREAK, END, START
 from lagrange.render import terminal
 from lagrange.render.terminal_layout import Words, fill
 
@@ -71,3 +72,16 @@ def test_a_table_that_fits_neither_way_is_wrapped_or_stacked():
     grid = Table(("row", *(math(s) for s in x)), tuple((f"r{n}", *[cell] * 8) for n in range(8)))
     lines = body(60, grid)
     assert lines[:2] == ["  r0", "    x₀: sin(x₀ + x₁ + x₂ + x₃ + x₄ + x₅ + x₆ + x₇)"]
+
+
+def test_no_short_word_stands_alone_at_the_end_of_a_paragraph() -> None:
+    words = Words().text("This is the principle of virtual work:")
+    assert [line.plain for line in fill(words, 34)] == ["This is the principle of virtual", "work:"]
+    assert [line.plain for line in fill(words, 34, prose=True)] == ["This is the principle of", "virtual work:"]
+
+
+def test_a_short_side_stays_with_the_next_one() -> None:
+    words = Words().formula(["y", "a long first side of some formula", "const"], "=")
+    assert [w.plain for w in words.words] == ["y", "= a long first side of some formula", "= const"]
+    words = Words().formula([f"{START}a + b{BREAK} + c cos t{BREAK} + a much longer term{END}", "const"], "=")
+    assert [w.plain for w in words.words] == ["a + b", "+ c cos t", "+ a much longer term = const"]

@@ -58,7 +58,7 @@ def test_braces_and_growing_brackets_are_closed_in_their_row(derivation, notatio
 
 def test_relations_are_aligned_where_left_sides_are_short():
     assert body(display(Equation((x, y)), Equation((x + y, y)))) == (
-        "\\begin{align*}\n  x &= y \\\\\n  x + y &= y\n\\end{align*}"
+        "\\begin{align*}\n  x &= y \\\\*\n  x + y &= y\n\\end{align*}"
     )
     long = sum(sp.symbols("a_:9"))
     assert "  &x = y \\\\" in body(display(Equation((x, y)), Equation((long, y))))

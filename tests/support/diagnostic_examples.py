@@ -59,6 +59,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
     "mass-exchange": ("Mass leaves a particle whose mass decreases, and joins one whose mass increases, with one velocity.",
         problem("particles: {P: {mass: m + l*t, position: x*i, leaves: {velocity: 0}}}\n", coordinates="[x]")),
+    "words-for-body": ("`name:` has a few words for sentences, in one line, other than those of other bodies.", problem(
+        "particles: {P: {name: bob, position: x*i}, Q: {name: bob, position: y*j}}\n")),
     "variable-mass": ("Say with what velocity mass leaves or joins a particle whose mass varies.", problem(
         "particles: {P: {mass: m - l*t, position: x*i}}\n", coordinates="[x]")),
     "starts-without-mass": ("A particle that has no mass at t = 0 has no determined motion: begin with a small one.", problem(

@@ -177,7 +177,8 @@ def _arranged(
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
     yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
-    for step in _with_meaning(solution, open_, stated):
+    shown = open_ if every_choice else [*_conserved_once(open_, first)]
+    for step in _with_meaning(solution, shown, stated):
         yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
     yield from folded
 
@@ -204,6 +205,12 @@ def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
         waiting = step if step.rule is Rule.GENERALIZED_COORDINATES else None
     if waiting is not None:
         yield waiting
+
+
+def _conserved_once(steps: Sequence[Step], first: str) -> Iterator[Step]:
+    """The steps, without what is conserved in the file's coordinates where it follows in those of the first choice."""
+    again = bool(first) and any(s.rule is Rule.CONSERVED and s.choice == first for s in steps)
+    yield from (s for s in steps if not (again and s.rule is Rule.CONSERVED and not s.choice))
 
 
 def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> Iterator[Step]:
@@ -434,7 +441,10 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
     if made is None:
         return
     made = replace(made, choice=step.choice, body=tuple(_without_certain_contact(made.body, newton, view)))
-    if view is first and own is not None and own.reactions is not None:
+    shown = solution.own.motion is not None and not _is_detour(
+        solution, replace(step, rule=Rule.EQUATIONS_OF_MOTION, choice="")
+    )
+    if view is first and shown and own is not None and own.reactions is not None:
         sizes = {
             r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
             for r in newton.reactions
@@ -464,7 +474,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
 
 
 def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapping[sp.Symbol, sp.Expr]) -> Block:
-    """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
+    """T = (in the file's coordinates) = (in the chosen ones), on a page with the motion in both, if that is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
     return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))

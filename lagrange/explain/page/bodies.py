@@ -11,11 +11,12 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.inertia import NO_PRODUCTS
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, prose, series
+from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
-from lagrange.explain.words import capital, joined, plural, the
+from lagrange.explain.words import capital, introduced, joined, plural
 from lagrange.mechanics.results import Solution
 
 FEWEST = 2
@@ -23,10 +24,10 @@ FEWEST = 2
 
 
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
-    """The statement with particles and planar bodies introduced together, and what acts on any; as it is for fewer."""
+    """The statement with several bodies introduced together, and what acts on any; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
     several = len(problem.bodies) >= FEWEST and len(problem.bodies) == len(configuration.rotations)
-    planar = several and all(b.angle is not None for b in problem.bodies)
+    plain = all(b.angle is not None or (b.axes and b.products == NO_PRODUCTS) for b in problem.bodies)
     points = [p.name for p in configuration.points]
     introducing = {f"{kind}-{name}" for name in points for kind in ("position", "spin", "momentum")}
     weighed = [
@@ -34,7 +35,7 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution))] if planar else []
+    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
         ({f"moment-{n}" for n in moments}, prose("The applied moments about the mass centres are")),
@@ -62,23 +63,32 @@ def _bodies(solution: Solution) -> Prose:
     configuration, problem = solution.own.configuration, solution.problem
     bodies = {b.name: b for b in problem.bodies}
     masses = {p.name: p.mass for p in configuration.points}
-    clauses: list[tuple[Part, ...]] = []
+    axes = {r.name: r.angular_velocity.triad.units for r in configuration.rotations}
+    alike: dict[object, tuple[tuple[Part, ...], list[str]]] = {}
     for name, b in bodies.items():
         parts: list[tuple[Part, ...]] = [("turned through ", math(b.angle))] if b.angle is not None else []
         parts += [("of mass ", math(masses[name]))] if masses[name] != 0 else []
-        if b.inertia[0] != 0:
+        if b.axes and len(set(b.inertia)) > 1:
+            moments, about = listed(map(math, b.inertia)), listed(map(math, axes[name]))
+            parts.append(("with the moments of inertia ", *moments, " about ", *about))
+        elif b.inertia[0] != 0:
             parts.append(("with the moment of inertia ", math(b.inertia[0])))
-        clauses.append((f"{the(name)} (", *series(parts, ", "), ")"))
+        given = (b.angle, masses[name], b.inertia, b.axes)
+        alike.setdefault(given, (series(parts, ", "), []))[1].append(introduced(name))
+    clauses: list[tuple[Part, ...]] = [
+        (joined(names), " (", *(("each ",) if len(names) > 1 else ()), *parts, ")") for parts, names in alike.values()
+    ]
     particles: list[tuple[Part, ...]] = [
-        (the(p.name), *((" (of mass ", math(p.mass), ")") if p.mass != sp.S.Zero else ()))
+        (introduced(p.name), *((" (of mass ", math(p.mass), ")") if p.mass != sp.S.Zero else ()))
         for p in configuration.particles
     ]
     beside: tuple[Part, ...] = (capital(plural(len(particles), "the particle is ", "the particles are ")),
                                 *series(particles), ". ") if particles else ()  # fmt: skip
+    last = ", and " if any(len(names) > 1 for _, names in alike.values()) else " and "
     also = ["positions of the mass centres", "angular velocities", "angular momenta about the mass centres"]
     if particles:
         also[0] = "positions of the particles and mass centres"
-    return prose(*beside, "The bodies are rigid: ", *series(clauses), f". The {joined(also)} are")
+    return prose(*beside, "The bodies are rigid: ", *series(clauses, last), f". The {joined(also)} are")
 
 
 def alike_about_all_axes(solution: Solution, step: Step) -> Step:

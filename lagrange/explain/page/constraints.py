@@ -106,7 +106,7 @@ def _conclusions(classification: Classification) -> list[Prose]:
     exact += [", ", being, *listed(Ref(f"constraint-{c.row.name}") for c in constraints)]
     exact += [" in contact"] if any(c.constraint.side is not None for c in constraints) else []
     exact += [" (", equal(pair), ")"] if pair is not None else []
-    left = f"{classification.coordinates} − {classification.rank} = "
+    left = f"{classification.coordinates}\u00a0−\u00a0{classification.rank}\u00a0=\u00a0"
     sentences = [
         prose(*exact, ". So the system is ", Emphasis("holonomic"), ", and ", Emphasis("scleronomic"), "."),
         prose(f"It has {left}", Emphasis(f"{counted(freedom, 'degree')} of freedom"), "."),

@@ -461,7 +461,8 @@ def without_momenta(step: Step) -> Step:
             before = body[-1]
             assert isinstance(before, Prose)
             body[-1] = replace(before, parts=tuple(_without_momentum(p) for p in before.parts))
-            block = replace(block, equations=kept)
+            positions = [e for e in kept if (e.label or "").startswith("position-")]
+            block = replace(block, equations=(*positions, *(e for e in kept if e not in positions)))
         body.append(block)
     return replace(step, body=tuple(body))
 

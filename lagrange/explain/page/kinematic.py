@@ -17,7 +17,7 @@ from lagrange.algebra.forms.integrability import frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, free_letter, t, variation
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
 from lagrange.explain.displacements import explain_displacements
@@ -190,7 +190,9 @@ def without_solution(solution: Solution, step: Step) -> Step:
         return step
     free, size = len(solution.own.elimination.independent), len(solution.problem.slots.coordinates)
     words = f"{in_words(free, '').split()[0].capitalize()} of the {in_words(size, '').split()[0]} can be chosen freely."
-    return replace(step, body=(*step.body[:at], prose(words), *step.body[at + 3 :]))
+    before, last = step.body[: at - 1], step.body[at - 1]
+    first = [paragraph(last, prose(words))] if isinstance(last, Prose) else [last, prose(words)]
+    return replace(step, body=(*before, *first, *step.body[at + 3 :]))
 
 
 def without_division(solution: Solution, step: Step) -> Step:

@@ -17,6 +17,7 @@ from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
+from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
 from lagrange.mechanics.meaning import Limit, Meaning
 from lagrange.problem.model import Problem
@@ -58,7 +59,8 @@ def explain_meaning(
     body += by_quadrature(problem, form) if problem is not None else ()
     body += _turning(meaning)
     body += _rest(meaning)
-    body += (_limit(limit) for limit in meaning.limits)
+    final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
+    body += (_limit(limit, final) for limit in meaning.limits)
     body += _units(meaning)
     body += _caution(meaning)
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
@@ -87,8 +89,14 @@ def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
 
 def _are_shown(stated: Stated, shown: Sequence[sp.Expr]) -> bool:
     """Whether equations are those of the page with terms brought to the other side."""
-    left = [a - b for a, b, *_ in stated]
-    return all(any(sp.expand(e - s) == 0 or sp.expand(e + s) == 0 for s in shown) for e in left)
+    left = [_in_sines(a - b) for a, b, *_ in stated]
+    right = [_in_sines(s) for s in shown]
+    return all(any(sp.expand(e - s) == 0 or sp.expand(e + s) == 0 for s in right) for e in left)
+
+
+def _in_sines(e: sp.Expr) -> sp.Expr:
+    """With cot and tan as the quotients that they are."""
+    return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
 
 _CALLED = {
@@ -346,10 +354,14 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
     return sp.Mul(2 * sp.pi, root, evaluate=False)
 
 
-def _limit(limit: Limit) -> Block:
-    """`g → 0: l θ'' = 0, and T = m l θ'².`"""
+def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
+    """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations those that change."""
+    changed = [e for e in limit.equations if not any(sp.expand(e - f) == 0 for f in final)]
+    same = len(limit.equations) - len(changed)
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
-    equations = listed(math(e, sp.S.Zero) for e in limit.equations)
+    equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)
+    if changed and same:
+        equations = (*equations, plural(same, " (the other as it is)", " (the others as they are)"))
     forces: tuple[Part, ...] = ()
     if limit.reactions:
         forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))

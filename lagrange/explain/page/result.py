@@ -15,11 +15,12 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
+from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations
-from lagrange.explain.words import constraints_called, in_words, sign_conditions, spoken
+from lagrange.explain.words import constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -74,7 +75,7 @@ def explain_result(
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
-        yield from _of_constraints(solution)
+        yield from _of_constraints(solution, steps)
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
@@ -106,8 +107,8 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
             kept[rule] = others
 
 
-def _of_constraints(solution: Solution) -> Iterator[Step]:
-    """Where constraints are all that is asked: freedom, class, and the finite relations that they hide."""
+def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """Where constraints are all that is asked: freedom, class, displacements on a surface, hidden finite relations."""
     found = solution.classification
     if solution.own.motion is not None or not solution.problem.constraints or found.degrees_of_freedom is None:
         return
@@ -120,13 +121,45 @@ def _of_constraints(solution: Solution) -> Iterator[Step]:
     words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
     functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST]
-    body: tuple[Block, ...] = (prose(f"{words}."),)
+    vectors = [*_displacements(steps)]
+    if vectors and not lines:
+        same = "" if len(vectors) > 1 else " are the same"
+        lines, words = vectors, f"{words}; virtual and possible displacements{same}"
+    described = _described(solution)
     if lines:
-        body = (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF))
-    yield Step(Rule.RESULT, "", body)
+        after = [] if described is None else [described]
+        yield Step(Rule.RESULT, "", (prose(f"{words}:"), display(*lines, boxed=True, detail=Detail.BRIEF), *after))
+        return
+    sentence = prose(f"{words}.")
+    yield Step(Rule.RESULT, "", (sentence if described is None else paragraph(sentence, described),))
+
+
+def _displacements(steps: Sequence[Step]) -> Iterator[Equation]:
+    """∇f·δr = 0 and dr = δr + u dt, where the page has them as vectors."""
+    shown = [
+        e for s in steps if s.rule is Rule.DISPLACEMENTS for b in s.body if isinstance(b, Display) for e in b.equations
+    ]
+    virtual = [e for e in shown if (e.label or "").startswith("virtual-")]
+    if len(virtual) == 1 and isinstance(virtual[0].sides[0], DotProduct):
+        moved = [e for e in shown if (e.label or "").startswith("possible-")]
+        yield from (replace(e, label=None) for e in (*virtual, *moved))
+
+
+def _described(solution: Solution) -> Prose | None:
+    """With which coordinates: those of the file and their relations, and independent ones."""
+    view = solution.choices[0] if solution.choices else None
+    if view is None or explain_independence(solution, view) is None:
+        return None
+    kind = "finite relation" if view.configuration.rows else "relation"
+    own, chosen = (listed(map(math, slots.coordinates)) for slots in (solution.problem.slots, view.configuration.slots))
+    related = in_words(len(view.coordinates.satisfied), kind)
+    return prose("Described by ", *own, f", with {related} between them, or by ", *chosen, ", with none.")
 
 
 def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
+    letters = [e.sides[0] for e in lines if isinstance(e.sides[0], sp.Symbol)]
+    if rule is Rule.SOLVED_REACTIONS and letters and all(s.name.startswith("lambda") for s in letters):
+        return plural(len(lines), "the multiplier", "the multipliers")
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"
     branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
@@ -151,6 +184,8 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
         lines = [
             replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
         ]
+        if rule is Rule.SOLVED_REACTIONS:
+            lines = [_as_vector(solution, replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines]
         if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e) for e in lines)):
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
@@ -158,6 +193,20 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _as_vector(solution: Solution, e: Equation) -> Equation:
+    """R = −F_z k in place of a multiplier λ, which the page introduces later, where the direction is constant."""
+    newton = None if solution.law is None else solution.law.newton
+    bodies = () if newton is None or newton.bodies is None else newton.bodies
+    for body in bodies if len(bodies) == 1 else ():
+        [direction] = (d for _, d in body.reactions) if len(body.reactions) == 1 else (None,)
+        reaction = body.bound[0] if body.bound else None
+        if direction is None or reaction is None or reaction.given is not None or e.sides[0] != reaction.multiplier:
+            continue
+        if not any(c.free_symbols for c in direction.fixed().components) and isinstance(e.sides[1], sp.Expr):
+            return replace(e, sides=(VectorSymbol(f"R_{body.name}"), direction * e.sides[1]))
+    return e
 
 
 def _has_accelerations(e: Equation) -> bool:

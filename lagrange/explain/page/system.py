@@ -12,7 +12,7 @@ from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Tab
 from lagrange.explain.page.bodies import introduced_together
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.texts import set_text
-from lagrange.explain.words import joined, plural, the
+from lagrange.explain.words import introduced, joined, plural, the
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
 
@@ -74,7 +74,7 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     forces = any((e.label or "").startswith("force") for e in lines)
     also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
     opening, closing = (", of mass ", ",") if len(points) < 3 else (" (of mass ", ")")
-    masses = ((the(p.name), *((opening, math(p.mass), closing) if p.mass != 0 else ())) for p in points)
+    masses = ((introduced(p.name), *((opening, math(p.mass), closing) if p.mass != 0 else ())) for p in points)
     loaded = [p.name for p in points if any(e.label == f"force-{p.name}" for e in lines)]
     end: tuple[Part, ...] = ()
     if forces and len(loaded) < len(points):

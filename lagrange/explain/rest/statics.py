@@ -117,11 +117,10 @@ def _conclusion(equilibrium: Equilibrium) -> list[Block]:
         return [prose("The virtual work vanishes in every position.")]
     if equilibrium.needs_multipliers:
         return _with_multipliers(equilibrium)
-    numbers = [c.factor.denominator.expression for c in equilibrium.conditions if c.factor.expression.is_number]
-    above = [
-        (c.factor.numerator if c.factor.expression.is_number else c.factor).expression for c in equilibrium.conditions
-    ]
-    below = [*(c.below.expression for c in equilibrium.conditions), *numbers]
+    reduced = [c for c in equilibrium.conditions if not c.expression.is_number]
+    numbers = [c.factor.denominator.expression for c in reduced if c.factor.expression.is_number]
+    above = [(c.factor.numerator if c.factor.expression.is_number else c.factor).expression for c in reduced]
+    below = [*(c.below.expression for c in reduced), *numbers]
     divided, multiplied = ([math(e) for e in es if e != 1] for es in (above, below))
     steps: list[tuple[Part, ...]] = []
     if multiplied:
@@ -157,10 +156,14 @@ def _with_multipliers(equilibrium: Equilibrium) -> list[Block]:
 
 
 def _stated(equilibrium: Equilibrium) -> list[tuple[str, sp.Expr]]:
-    """Label and left side of each condition, as it is shown."""
+    """Label and left side of each condition, as it is shown: m g = 0, which nothing satisfies, and not 1 = 0."""
     suffix = suffix_of(equilibrium.configuration.name)
     if not equilibrium.needs_multipliers:
-        return [(f"condition{suffix}-{c.coordinate.name}", c.expression) for c in equilibrium.conditions]
+        return [
+            (f"condition{suffix}-{c.coordinate.name}",
+             c.expression * c.factor.expression / c.below.expression if c.expression.is_number else c.expression)
+            for c in equilibrium.conditions
+        ]  # fmt: skip
     balance = equilibrium.balance([r.multiplier for r in equilibrium.binding])
     stated = zip(equilibrium.configuration.slots.coordinates, balance, strict=True)
     return [(f"condition{suffix}-{q.name}", e) for q, e in stated if e != 0]
