@@ -118,3 +118,17 @@ def test_functions_that_nobody_has_given_are_taken_from_samples() -> None:
     assert left.functions == ("F",)  # an exported file leaves it open, and Python has to give it
     with pytest.raises(ProblemError, match="the motion depends on F"):
         require_functions(left, {})
+
+
+def test_a_motion_that_the_file_leaves_open_is_taken_before_an_orbit_is_looked_for() -> None:
+    made = prepared(
+        lagrange.loads(
+            "title: hauled up\nparameters: {m: positive, g: positive}\nfunctions: {l: [t]}\ncoordinates: [x, y]\n"
+            "particles: {P: {mass: m, position: x*i + y*j}}\nconstraints: {rope: x^2 + y^2 = l^2}\ngravity: g*i\n"
+            "generalized_coordinates: {swing: {coordinates: [phi], substitute: {x: l*cos(phi), y: l*sin(phi)}}}\n"
+        ),
+        complete=True,
+    )
+    assert made.states.name == "swing"
+    assert not made.start.orbits
+    assert simulated(made.states, made.start, 0.5).is_accurate
