@@ -155,7 +155,7 @@ class _Maker:
         in_file: Argument = ("z", (*own.coordinates, *own.velocities, t, *more))
         arguments: list[Argument] = [("p", tuple(parameters))]
         if name != "ini":
-            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur")) else of_page)
+            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur", "car")) else of_page)
         if name.startswith("cur"):
             assert self.elements is not None
             arguments.append(("u", tuple(self.elements.curves[int(name[3:])][1])))
@@ -188,6 +188,8 @@ class _Maker:
             out["con"] = self._constraints(view)
             if view.equilibrium is not None:
                 out["sta"] = self._statics()
+        if any(self.solution.transport_rates):
+            out["car"] = [self.put(w) for w in self.solution.transport_rates]
         out["sli"] = self._slips()
         planes = [f.slip for f in view.dynamics.friction_forces if f.speed is None] if view.dynamics is not None else []
         if len(planes) == 1:

@@ -61,22 +61,47 @@ def prepared(
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
-    settings = settings or Settings()
+    require_masses(problem)
+    motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
+    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
+    return in_numbers(problem, solution, choice, settings, complete=complete)
+
+
+def require_masses(problem: Problem) -> None:
+    """Raises ProblemError where nothing could move."""
     if not problem.masses and not problem.equations and problem.lagrangian is None:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
-    motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
-    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
+
+
+def in_numbers(
+    problem: Problem,
+    solution: Solution,
+    choice: str | None = None,
+    settings: Settings | None = None,
+    *,
+    complete: bool = False,
+) -> Prepared:
+    """The same of a problem that has been solved already.
+
+    Raises ProblemError where it has no equations of motion, or the initial values contradict each other.
+    """
+    settings = settings or Settings()
     if solution.given_up:
         stage, _, why = solution.given_up.rpartition(", ")
         raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
     taken = _samples(states, solution) if complete else {}
     states = states.with_functions(taken)
-    initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
-    problem = replace(problem, initial=tuple(initial.values()))
+    problem = with_initial(problem, settings)
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
     return Prepared(problem, solution, states, start(states, solution), taken)
+
+
+def with_initial(problem: Problem, settings: Settings) -> Problem:
+    """The problem with the initial values of the command line."""
+    initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
+    return replace(problem, initial=tuple(initial.values()))
 
 
 def _samples(states: StateEquations, solution: Solution) -> dict[str, sp.Expr]:

@@ -693,11 +693,12 @@ const lagsolveFigure = (() => {
       return d.map((x, j) => x - off[j]);
     }
     function displacements(v) {
-      const d = virtual(Number(one("select.which")?.value ?? 0));
-      let drift = new Array(n).fill(0);
-      if (data.shape.con[1]) { const b = bound(); drift = b.across(b.drift).map(x => -x); }
-      const e = 1e-5, moved = (dq, dt) => { const s = y.slice(); for (let j = 0; j < n; j++) s[j] += e * dq[j]; s[2 * n] += e * dt; return cells(s); };
-      const a = moved(d, 0), b = moved(drift, 1), parts = data.points.map(c => [three(v, c), plus(three(a, c), three(v, c), -1).map(x => x / e), plus(three(b, c), three(v, c), -1).map(x => x / e)]);
+      const d = virtual(Number(one("select.which")?.value ?? 0)), e = 1e-5;
+      const moved = (s, dq, dt) => { s = s.slice(); dq.forEach((x, j) => { s[j] += e * x; }); s[2 * dq.length] += e * dt; return s; };
+      // What moving constraints add in dt: what the derivation states, in the file's coordinates; otherwise the least.
+      const c = data.shape.con[1] && !F.car ? bound() : null, least = c ? c.across(c.drift).map(x => -x) : new Array(n).fill(0);
+      const z = M.inFile(y, p), a = cells(moved(y, d, 0)), b = F.car ? F.fig(moved(z, F.car(z, p), 1), p) : cells(moved(y, least, 1));
+      const parts = data.points.map(c => [three(v, c), plus(three(a, c), three(v, c), -1).map(x => x / e), plus(three(b, c), three(v, c), -1).map(x => x / e)]);
       const size = Math.max(1e-9, ...parts.map(q => Math.hypot(...flat(q[1])))), carried = Math.max(0, ...parts.map(q => Math.hypot(...flat(q[2]))));
       const first = 1.5 * CM / (size * scale), second = carried > 1e-9 ? 1.0 * CM / (carried * scale) : 0;
       for (const [at, virtual, transport] of parts) {

@@ -132,3 +132,11 @@ def test_a_motion_that_the_file_leaves_open_is_taken_before_an_orbit_is_looked_f
     assert made.states.name == "swing"
     assert not made.start.orbits
     assert simulated(made.states, made.start, 0.5).is_accurate
+
+
+def test_a_branch_that_cancels_in_the_equations_has_a_sign_in_the_positions() -> None:
+    made = in_numbers("ex11-ideal-pendulum", "depth")
+    assert made.states.branches
+    assert not {*made.states.branches} & {p.symbol for p in made.states.parameters}
+    motion = simulated(made.states, made.start, 0.3)
+    assert motion.is_accurate
