@@ -919,13 +919,14 @@ const lagsolveFigure = (() => {
       message = "It would stay at rest here, and was pushed a little.";
     }
     const play = one("button.play");
-    function stop() { playing = false; if (play) { play.setAttribute("aria-pressed", "false"); play.textContent = "▶ Play"; } show(); scrub(); }
+    const called = (name, sign) => { if (play) { play.setAttribute("aria-label", name); play.textContent = `${sign} ${name}`; } };
+    function stop() { playing = false; called("Play", "▶"); show(); scrub(); }
     function start() {
       if (!moving) return;
       message = "";
       if (shownAt < 0) nudge();
       if (calm.matches) { if (shownAt >= 0) follow(Infinity); run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
-      playing = true; last = performance.now(); play.setAttribute("aria-pressed", "true"); play.textContent = "❚❚ Pause";
+      playing = true; last = performance.now(); called("Pause", "❚❚");
       requestAnimationFrame(frame);
     }
     const time = one("input.time");

@@ -97,7 +97,7 @@ class _Controls:
         return escape(e) if isinstance(e, str) else self.formulas.equation((e,), "=")
 
     def transport(self) -> Iterator[str]:
-        yield '<button type="button" class="play" aria-label="Play" aria-pressed="false">▶ Play</button>'
+        yield '<button type="button" class="play" aria-label="Play">▶ Play</button>'
         yield '<button type="button" class="step">Step</button>'
         yield '<button type="button" class="reset">Reset</button>'
         speeds = (("0.1", "1/10"), ("0.25", "1/4"), ("1", "1"), ("4", "4"))
@@ -213,7 +213,7 @@ class _Controls:
                 if self.size > 1
                 else ""
             )
-            title = "Phase plane" if figure.moves else "Work against the forces along the coordinate"
+            title = "Phase plane: rate over coordinate" if figure.moves else "Work against the forces along the coordinate"
             yield self.canvas("phase", title, choice)
         yield "</div>"
 
