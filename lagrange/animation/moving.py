@@ -54,6 +54,8 @@ if TYPE_CHECKING:
 
 def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
     """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
+    if solution.after is not None and simulation is None:
+        solution = solution.after  # the motion after an impact, where the page has it
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:

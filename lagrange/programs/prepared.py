@@ -12,6 +12,7 @@ from lagrange.core.diagnostics import Diagnostic, GaveUpError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
+from lagrange.mechanics.through_impact import problem_after
 from lagrange.problem.model import Find, Problem
 from lagrange.programs.defaults import GRAVITY, drawn_position
 from lagrange.programs.special.samples import UNDECLARED_GRAVITY, oscillation, samples
@@ -62,9 +63,24 @@ def prepared(
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
     require_masses(problem)
+    if problem.impact is not None:
+        problem = after_impact(problem, choice, on_stage)
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
     solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
     return in_numbers(problem, solution, choice, settings, complete=complete)
+
+
+def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Problem:
+    """The motion after the impact of a file: it begins with the velocities that the impact leaves, in the position of
+    the impact. Coordinates that `before` leaves open are those of `initial`.
+    """
+    blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
+    found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
+    assert found is not None
+    after = problem_after(problem, found)
+    known = {v.symbol for v in after.initial}
+    places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)
+    return replace(after, initial=(*after.initial, *places))
 
 
 def require_masses(problem: Problem) -> None:

@@ -140,3 +140,15 @@ def test_a_branch_that_cancels_in_the_equations_has_a_sign_in_the_positions() ->
     assert not {*made.states.branches} & {p.symbol for p in made.states.parameters}
     motion = simulated(made.states, made.start, 0.3)
     assert motion.is_accurate
+
+
+def test_what_is_simulated_of_an_impact_is_the_motion_after_it() -> None:
+    made = prepared(loaded("ballistic-pendulum"), "angle")
+    x = numbers(made)
+    assert (made.states.state[0].name, x["theta"]) == ("theta", 0.0)  # the bullet stays in the block
+    assert len(made.states.state) == 2
+    assert x["theta'"] == pytest.approx(x["m"] * x["v"] / ((x["m"] + x["M"]) * x["l"]))
+    motion = simulated(made.states, made.start, 2.0, questions=made.problem.questions)
+    [swing] = motion.events
+    height = x["l"] * (1 - np.cos(swing.value))
+    assert height == pytest.approx((x["l"] * x["theta'"]) ** 2 / (2 * x["g"]), rel=1e-6)
