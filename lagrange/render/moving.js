@@ -718,8 +718,8 @@ const lagsolveFigure = (() => {
     }
     function render() {
       out = []; labels = []; edges = []; tags = [];
-      const v = cells(y);
-      keepInView(v);
+      const v = cells(y), f = on("forces") ? M.forces(y, p) : { loads: [], reactions: [] }, acting = [...f.loads, ...f.reactions.flatMap(r => r.parts)];
+      keepInView(v, acting);
       for (const e of data.items) kinds[e.k](e, v);
       if (data.axes && data.shown.length > 1) {
         const o = page([0, 0, 0]);
@@ -727,7 +727,6 @@ const lagsolveFigure = (() => {
       }
       if (on("trace") && trace.length > 1) data.points.forEach((_, i) => draw("trail", thinned(trace.map(q => page(q[i])))));
       if (on("forces")) {
-        const f = M.forces(y, p);
         for (const [at, vector] of f.loads) { const a = page(at), w = way(vector); arrow("force", a, beyond(a, w, force)); }
         f.reactions.forEach(r => r.parts.forEach(([at, vector]) => { const a = page(at), w = way(vector); if (w.every(isFinite)) arrow("reaction", a, beyond(a, w, force)); }));
         const size = Math.pow(10, Math.floor(Math.log10(60 / force))), nice = [5, 2, 1].map(k => k * size).find(s => s * force <= 60) || size;
@@ -750,11 +749,12 @@ const lagsolveFigure = (() => {
       return found;
     }
     // The picture follows a system that leaves it: all of it where it fits, otherwise its particles and mass centres.
-    function keepInView(v) {
+    function keepInView(v, acting) {
       const centres = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
       if (!centres.length) return;
-      const all = [...centres, ...boxes(v)];
-      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [centres, MARGIN * 0.7]]) {
+      const tips = acting.map(([at, vector]) => beyond(page(at), way(vector), force)).filter(q => q.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      const solids = [...centres, ...boxes(v)], all = [...solids, ...tips];
+      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [solids, 12], [centres, MARGIN * 0.7]]) {
         const low = Math.min(...list.map(b => b[2 * i])), high = Math.max(...list.map(b => b[2 * i + 1])), room = Math.min(least, size / 6);
         if (high - low > size - 2 * room) continue;
         const shift = low < room ? low - room : high > size - room ? high - size + room : 0;
