@@ -73,7 +73,8 @@ def simulate(
         libraries = ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
         made, solved = _prepared(problem, settings, choice, on_stage, libraries, complete=True, page=ending == PAGE)
         from lagrange.core.effort import allowed_for
-        from lagrange.programs.simulation import longest_time, simulated
+        from lagrange.programs.simulation import simulated
+        from lagrange.programs.special.durations import longest_time
 
         on_stage("integrating")
         end = until or longest_time(made.states, made.start)

@@ -7,7 +7,7 @@ const lagsolveFigure = (() => {
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
   const unit = a => { const s = Math.hypot(a[0], a[1], a[2]) || 1; return [a[0] / s, a[1] / s, a[2] / s]; };
-  const wrapped = x => x - 2 * Math.PI * Math.round(x / (2 * Math.PI));
+  const wrapped = x => x - 2 * Math.PI * Math.ceil(x / (2 * Math.PI) - 0.5);  // between −π and π, and π itself
   const toward = (a, b) => { const s = Math.hypot(b[0] - a[0], b[1] - a[1]); return s > 1e-9 ? [(b[0] - a[0]) / s, (b[1] - a[1]) / s] : [1, 0]; };
   const beyond = (a, w, s) => [a[0] + w[0] * s, a[1] + w[1] * s];
   const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -999,7 +999,7 @@ const lagsolveFigure = (() => {
       if (data.shape.con[1]) { const { A, across } = bound(s), off = across(A.map(r => r.reduce((t, x, k) => t + x * Q[k], 0))); Q = Q.map((x, k) => x - off[k]); }
       return Math.max(...Q.map(Math.abs));
     }
-    function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); }); }
+    function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); b.title = b.disabled ? "There is no such equilibrium for these values." : ""; }); }
     all("button[data-rest]").forEach(b => b.addEventListener("click", () => {
       const k = Number(b.dataset.rest), v = equilibrium(k), targets = data.buttons[k], s = y.slice(), before = p.slice();
       targets.forEach((q, i) => { if (q >= 0) s[q] = v[i]; else { p[-1 - q] = v[i]; const slider = one(`input[data-p="${-1 - q}"]`); if (slider) slider.value = v[i]; } });

@@ -213,7 +213,9 @@ class _Controls:
                 if self.size > 1
                 else ""
             )
-            title = "Phase plane: rate over coordinate" if figure.moves else "Work against the forces along the coordinate"
+            title = (
+                "Phase plane: rate over coordinate" if figure.moves else "Work against the forces along the coordinate"
+            )
             yield self.canvas("phase", title, choice)
         yield "</div>"
 

@@ -140,7 +140,9 @@ def test_play_plays(results):
 
 
 def test_a_possible_displacement_is_the_one_of_the_derivation(results):
-    virtual, possible = (np.array(path[1:].split("L")[0].split(), float) for path in results["ex09-moving-surface"]["displaced"])
+    virtual, possible = (
+        np.array(path[1:].split("L")[0].split(), float) for path in results["ex09-moving-surface"]["displaced"]
+    )
     along = np.array(moving_figure(reported("ex09-moving-surface", complete=False).solution).data["units"][0])
     (x, y), (u, v) = possible - virtual, along * [1, -1]  # dr = δr + u dt i, and down is positive on the page
     assert x * v == pytest.approx(y * u, abs=0.3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from functools import cache
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -16,7 +17,8 @@ from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.problem.model import Problem
 from lagrange.programs.integrator import StoppedError, at, steps
 from lagrange.programs.prepared import Prepared, prepared
-from lagrange.programs.simulation import EventKind, Simulation, longest_time, simulated
+from lagrange.programs.simulation import EventKind, Simulation, simulated
+from lagrange.programs.special.durations import longest_time
 from lagrange.programs.starting import settings_of
 from lagrange.programs.tables import csv_text
 from tests.support.shared import in_numbers, loaded
@@ -270,6 +272,14 @@ def test_names_that_do_not_exist_are_refused() -> None:
         solved().simulate(1.0, choice="angel")
     with pytest.raises(TypeError, match="expression of SymPy"):
         solved().simulate(1.0, functions={"u": "t^2"})  # type: ignore[dict-item]
+
+
+@pytest.mark.parametrize(
+    "given", [{"until": -1}, {"until": math.inf}, {"initial": {"theta": math.nan}}, {"values": {"l": math.inf}}]
+)
+def test_a_number_that_is_none_is_refused(given: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=r"and not a (positive|finite) number"):
+        solved().simulate(**given)
 
 
 def test_a_function_that_is_missing_is_asked_for_as_python_gives_it() -> None:

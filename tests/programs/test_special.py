@@ -16,6 +16,7 @@ from lagrange.programs.languages import Target
 from lagrange.programs.numerical_system import NumericalSystem
 from lagrange.programs.prepared import prepared, require_functions
 from lagrange.programs.simulation import EventKind, simulated
+from lagrange.programs.special.durations import longest_time
 from lagrange.programs.source import source_file
 from lagrange.programs.state_equations import state_equations
 from tests.support.shared import in_numbers, loaded
@@ -152,3 +153,19 @@ def test_what_is_simulated_of_an_impact_is_the_motion_after_it() -> None:
     [swing] = motion.events
     height = x["l"] * (1 - np.cos(swing.value))
     assert height == pytest.approx((x["l"] * x["theta'"]) ** 2 / (2 * x["g"]), rel=1e-6)
+
+
+def test_a_throw_is_not_followed_for_as_long_as_an_oscillation() -> None:
+    for name, expected in (("thrown-stone", 10.0), ("double-atwood", 2.0), ("ex11-ideal-pendulum", 10.0)):
+        made = in_numbers(name)
+        assert longest_time(made.states, made.start) == expected
+
+
+def test_a_stiffness_called_c_is_no_damping() -> None:
+    text = (
+        "title: spring\nparameters: {m: positive, c_1: positive}\ncoordinates: {x: {unit: m}}\n"
+        "particles: {P: {mass: m, position: x*i}}\nforces: {f: FORCE}\n"
+    )
+    stiff = numbers(prepared(lagrange.loads(text.replace("FORCE", "{potential: c_1*x^2/2}"))))
+    damped = numbers(prepared(lagrange.loads(text.replace("FORCE", "{damper: c_1, between: [P, 0]}"))))
+    assert (stiff["c_1"], damped["c_1"]) == (20.0, 0.4)

@@ -293,6 +293,7 @@ def test_products_of_inertia_are_those_of_principal_axes_turned(tmp_path) -> Non
         for s, t in zip((b.mass, b.damping, b.stiffness), (c.mass, c.damping, c.stiffness), strict=True):
             assert [float(e) for e in sp.Matrix(s)] == pytest.approx([float(e) for e in sp.Matrix(t)], abs=1e-12)
 
+
 def test_the_bicycle_that_simulate_integrates_has_the_published_exponents() -> None:
     """The first-order equations with all nine coordinates, deviations from rolling upright at 5 m/s in numbers."""
     problem, configuration, _ = bicycle()
@@ -307,7 +308,9 @@ def test_the_bicycle_that_simulate_integrates_has_the_published_exponents() -> N
     names = [s.name for s in states.state]
     rolling = system.projected(0.0, tuple(float(n == "x'") for n in names))  # forms without a term in dt: any multiple
     assert rolling is not None
-    upright = [5 * x / rolling[names.index("x'")] if n.endswith("'") else x for n, x in zip(names, rolling, strict=True)]
+    upright = [
+        5 * x / rolling[names.index("x'")] if n.endswith("'") else x for n, x in zip(names, rolling, strict=True)
+    ]
     chosen = [names.index(n) for n in ("phi", "delta", "phi'", "delta'")]
 
     def deviated(k: int, size: float) -> tuple[np.ndarray, np.ndarray]:
@@ -316,7 +319,9 @@ def test_the_bicycle_that_simulate_integrates_has_the_published_exponents() -> N
         return np.array(y)[chosen], np.array(system.rate(0.0, *y))[chosen]
 
     size = 1e-4
-    columns = [[(a - b) / (2 * size) for a, b in zip(deviated(k, size), deviated(k, -size), strict=True)] for k in chosen]
+    columns = [
+        [(a - b) / (2 * size) for a, b in zip(deviated(k, size), deviated(k, -size), strict=True)] for k in chosen
+    ]
     places, rates = (np.column_stack(parts) for parts in zip(*columns, strict=True))
     exponents = np.linalg.eigvals(rates @ np.linalg.inv(places))
     assert sorted(exponents, key=lambda z: (round(z.imag, 3), z.real)) == pytest.approx(
