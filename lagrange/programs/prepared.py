@@ -12,7 +12,6 @@ from lagrange.core.diagnostics import Diagnostic, GaveUpError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
-from lagrange.mechanics.through_impact import problem_after
 from lagrange.problem.model import Find, Problem
 from lagrange.programs.defaults import GRAVITY, drawn_position
 from lagrange.programs.special.samples import UNDECLARED_GRAVITY, oscillation, samples
@@ -74,6 +73,8 @@ def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Pro
     """The motion after the impact of a file: it begins with the velocities that the impact leaves, in the position of
     the impact. Coordinates that `before` leaves open are those of `initial`.
     """
+    from lagrange.mechanics.through_impact import problem_after
+
     blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
     found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
     assert found is not None

@@ -16,8 +16,8 @@ from lagrange.programs.languages import Target
 from lagrange.programs.numerical_system import NumericalSystem
 from lagrange.programs.prepared import prepared, require_functions
 from lagrange.programs.simulation import EventKind, simulated
-from lagrange.programs.special.durations import longest_time
 from lagrange.programs.source import source_file
+from lagrange.programs.special.durations import longest_time
 from lagrange.programs.state_equations import state_equations
 from tests.support.shared import in_numbers, loaded
 

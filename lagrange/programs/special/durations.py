@@ -47,9 +47,11 @@ def _times_of_change(system: NumericalSystem, start: Start, rate: Sequence[float
     """How many times of change are shown: 30; 4 if the accelerations stay what they are, 10 if something is asked."""
     n = len(system.states.equations.slots.coordinates)
     largest = max(map(abs, rate[n:]), default=0.0)
+    if len(rate) != 2 * n:  # quasi-velocities
+        return 30
     for time in (change, -change, 3 * change):
         moved = [y + time * v for y, v in zip(start.state, rate, strict=True)]
-        moved[:n] = (q + time**2 / 2 * a for q, a in zip(moved[:n], rate[n:], strict=False))
+        moved[:n] = (q + time**2 / 2 * a for q, a in zip(moved[:n], rate[n:], strict=True))
         try:
             there = system.rate(abs(time), *moved)
         except (ArithmeticError, ValueError):
