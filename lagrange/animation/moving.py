@@ -454,6 +454,7 @@ class _Maker:
             assumed=self._assumed(),
             needed=tuple(e for _, e in self._unchanged(expressions)),
             driven=tuple(u for u in slots.prescribed if u.name not in self.given),
+            divided=problem.lagrangian is None,
         )
 
     def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:

@@ -750,8 +750,12 @@ const lagsolveFigure = (() => {
     }
     // The picture follows a system that leaves it: all of it where it fits, otherwise its particles and mass centres.
     function keepInView(v, acting) {
-      const centres = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      const middles = () => data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      let centres = middles();
       if (!centres.length) return;
+      // Particles that have moved too far apart make the picture smaller.
+      const share = Math.min(...[[0, width], [1, height]].map(([i, size]) => 0.8 * size / (Math.max(...centres.map(b => b[2 * i + 1])) - Math.min(...centres.map(b => b[2 * i])))));
+      if (share < 1) { scale *= share; centres = middles(); }
       const tips = acting.map(([at, vector]) => beyond(page(at), way(vector), force)).filter(q => q.every(isFinite)).map(([x, y]) => [x, x, y, y]);
       const solids = [...centres, ...boxes(v)], all = [...solids, ...tips];
       for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [solids, 12], [centres, MARGIN * 0.7]]) {
