@@ -13,6 +13,7 @@ from lagsolve.command_group import OK, UNDECIDED, complete_files, complete_probl
 from lagsolve.course_commands import SECONDS
 
 if TYPE_CHECKING:
+    from lagrange.explain.report import Report
     from lagrange.mechanics.solution import OnStage
     from lagrange.problem.model import Problem
     from lagrange.programs.prepared import Prepared
@@ -70,9 +71,10 @@ def simulate(
 
     with stage_shown() as on_stage, bounded(timeout, None):
         libraries = ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
-        made = _prepared(problem, settings, choice, on_stage, libraries, complete=True)
+        made, solved = _prepared(problem, settings, choice, on_stage, libraries, complete=True, page=ending == PAGE)
         from lagrange.core.effort import allowed_for
-        from lagrange.programs.simulation import longest_time, simulated
+        from lagrange.programs.simulation import simulated
+        from lagrange.programs.special.durations import longest_time
 
         on_stage("integrating")
         end = until or longest_time(made.states, made.start)
@@ -83,8 +85,8 @@ def simulate(
         text = report_text(result, end, made.sampled, by_default=until is None)
         if output is not None:
             on_stage("writing")
-            if ending == PAGE:
-                _write_page(made.problem, choice, result, output)
+            if solved is not None:
+                _write_page(solved, result, output)
             else:
                 _write(result, output, ending)
     from lagsolve.output import write_stdout
@@ -125,7 +127,7 @@ def export(problem: str, target: str | None, settings: tuple[str, ...], choice: 
     from lagsolve.progress_line import stage_shown
 
     with stage_shown() as on_stage:
-        made = _prepared(problem, settings, choice, on_stage, (), complete=False)
+        made, _ = _prepared(problem, settings, choice, on_stage, (), complete=False)
         from lagrange.programs.languages import Target
         from lagrange.programs.names import RESERVED, legal_name
         from lagrange.programs.source import source_file
@@ -175,11 +177,15 @@ def _prepared(
     libraries: tuple[str, ...],
     *,
     complete: bool,
-) -> Prepared:
-    """The problem with its equations of motion, and what the command line sets; if `complete`, samples of functions."""
+    page: bool = False,
+) -> tuple[Prepared, Report | None]:
+    """The problem with its equations of motion, and what the command line sets; if `complete`, samples of functions.
+
+    page  whether a page will show the motion: then its derivation comes second, solved once for both
+    """
     gc.disable()
     from lagrange.problem.loader import read_problem
-    from lagrange.programs.prepared import prepared, require
+    from lagrange.programs.prepared import in_numbers, prepared, require, require_masses, with_initial
     from lagrange.programs.starting import settings_of
     from lagsolve.inputs import problem_source, settings_read
     from lagsolve.solve_task import look_for_garbage_seldom
@@ -192,7 +198,12 @@ def _prepared(
     given = settings_of(problem, settings_read(settings))
     if given.parameters:
         problem = read_problem(source, given.parameters)
-    return prepared(problem, choice, given, on_stage, complete=complete)
+    if not page:
+        return prepared(problem, choice, given, on_stage, complete=complete), None
+    require_masses(problem)
+    on_stage("solving")
+    solved = _solved_for_page(with_initial(problem, given), choice)
+    return in_numbers(problem, solved.solution, choice, given, complete=complete), solved
 
 
 def _write(result: Simulation, output: str, ending: str) -> None:
@@ -216,23 +227,29 @@ def _write(result: Simulation, output: str, ending: str) -> None:
         write_file(Path(output), csv_text(result))
 
 
-def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
-    """The page of the problem, on which the figure goes through the motion that was computed."""
+def _solved_for_page(problem: Problem, choice: str | None) -> Report:
+    """The derivation of the page, whose equations are also those that are integrated."""
     from dataclasses import replace
-    from pathlib import Path
 
-    from lagrange.animation.moving import moving_figure
     from lagrange.core.diagnostics import ProblemError
     from lagrange.explain.report import report
     from lagrange.problem.model import Find
+
+    try:
+        return report(problem, choice or None, complete=False)
+    except ProblemError:  # a steady motion that the file asks about need not begin as the command line says
+        find = tuple(f for f in problem.find if f not in (Find.LINEARIZATION, Find.STEADY))
+        return report(replace(problem, find=find), choice or None, complete=False)
+
+
+def _write_page(solved: Report, result: Simulation, output: str) -> None:
+    """The page of the problem, on which the figure goes through the motion that was computed."""
+    from pathlib import Path
+
+    from lagrange.animation.moving import moving_figure
     from lagrange.render import html
     from lagsolve.written_files import write_file
 
-    try:
-        solved = report(problem, choice or None, complete=False)
-    except ProblemError:  # a steady motion that the file asks about need not begin as the command line says
-        find = tuple(f for f in problem.find if f not in (Find.LINEARIZATION, Find.STEADY))
-        solved = report(replace(problem, find=find), choice or None, complete=False)
     moving = moving_figure(solved.solution, result)
     write_file(Path(output), html.render([(solved.derivation, solved.notation)], moving=[moving]))
 

@@ -69,6 +69,7 @@ class MovingFigure:
     assumed      what the page takes for functions that the file leaves open
     needed       generalized forces at rest that no position changes: there is no rest unless they vanish
     driven       prescribed motions that the file leaves open, which oscillate
+    divided      whether the energy is kinetic and potential; that of a Lagrangian given outright is not
     """
 
     code: str
@@ -88,3 +89,4 @@ class MovingFigure:
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     needed: tuple[sp.Expr, ...] = ()
     driven: tuple[sp.Symbol, ...] = ()
+    divided: bool = True

@@ -54,6 +54,8 @@ if TYPE_CHECKING:
 
 def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
     """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
+    if solution.after is not None and simulation is None:
+        solution = solution.after  # the motion after an impact, where the page has it
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:
@@ -155,7 +157,7 @@ class _Maker:
         in_file: Argument = ("z", (*own.coordinates, *own.velocities, t, *more))
         arguments: list[Argument] = [("p", tuple(parameters))]
         if name != "ini":
-            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur")) else of_page)
+            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur", "car")) else of_page)
         if name.startswith("cur"):
             assert self.elements is not None
             arguments.append(("u", tuple(self.elements.curves[int(name[3:])][1])))
@@ -188,6 +190,8 @@ class _Maker:
             out["con"] = self._constraints(view)
             if view.equilibrium is not None:
                 out["sta"] = self._statics()
+        if any(self.solution.transport_rates):
+            out["car"] = [self.put(w) for w in self.solution.transport_rates]
         out["sli"] = self._slips()
         planes = [f.slip for f in view.dynamics.friction_forces if f.speed is None] if view.dynamics is not None else []
         if len(planes) == 1:
@@ -450,6 +454,7 @@ class _Maker:
             assumed=self._assumed(),
             needed=tuple(e for _, e in self._unchanged(expressions)),
             driven=tuple(u for u in slots.prescribed if u.name not in self.given),
+            divided=problem.lagrangian is None,
         )
 
     def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:

@@ -7,6 +7,7 @@ motion.plot(), motion.phase_portrait("theta"), motion.animate()
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any, SupportsFloat
 
@@ -18,7 +19,8 @@ from lagrange.core.symbols import t
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import InitialValue
 from lagrange.programs.prepared import require, require_functions
-from lagrange.programs.simulation import Event, Simulation, longest_time, meant, simulated
+from lagrange.programs.simulation import Event, Simulation, meant, simulated
+from lagrange.programs.special.durations import longest_time
 from lagrange.programs.starting import start
 from lagrange.programs.state_equations import state_equations
 
@@ -164,7 +166,13 @@ def simulated_motion(
     problem = solution.problem
     states = state_equations(solution, choice).with_functions({n: _expression(e) for n, e in functions.items()})
     require_functions(states, functions, "`functions={{'{name}': ...}}`, in SymPy")
-    known = [p.symbol.name for p in (*problem.parameters, *states.parameters)]
+    numbers = {**values, **initial, **({} if until is None else {"until": until})}
+    for name, number in numbers.items():
+        if not math.isfinite(float(number)) or (name == "until" and not float(number) > 0):
+            raise ValueError(
+                f"`{name}` is {float(number):g}, and not a {'positive' if name == 'until' else 'finite'} number"
+            )
+    known = [*dict.fromkeys(p.symbol.name for p in (*problem.parameters, *states.parameters))]
     coordinates = [q.symbol for q in problem.coordinates] + [q for c in problem.choices for q in c.coordinates]
     moving = {n for q in coordinates for n in (q.name, f"{q.name}'")} | {s.name for s in states.state}
     for names, allowed, what in (

@@ -26,7 +26,7 @@ from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose, general_pose
 from lagrange.pictures.systems import SystemPicture, system_in_file, system_posed_in_choice
-from lagrange.problem.model import Parameter, Problem
+from lagrange.problem.model import Parameter, Potential, Problem
 from lagrange.programs.limits import MOST_TRIED, SLOWEST_SLIP
 
 GRAVITY = 9.81
@@ -76,6 +76,8 @@ def parameter_value(
         return float(at)
     unit = "" if declared is None else declared.unit or declared.stated_unit
     letter = symbol.name.split("_")[0].rstrip("0123456789")
+    if letter == "c" and any(isinstance(f, Potential) and f.energy.has(symbol) for f in problem.forces):
+        letter = "k"  # a stiffness
     by = _BY_UNIT.get(unit) or (None if unit in ("m", "kg", "rad", "1") else _BY_LETTER.get(letter))
     number = GRAVITY if symbol in _heavy(problem) else by if by is not None else drawn.get(symbol, 1.0)
     if unit in ("m", "kg") or declared is None:

@@ -60,22 +60,64 @@ def prepared(
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
-    settings = settings or Settings()
+    require_masses(problem)
+    if problem.impact is not None:
+        problem = after_impact(problem, choice, on_stage)
+    motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
+    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
+    return in_numbers(problem, solution, choice, settings, complete=complete)
+
+
+def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Problem:
+    """The motion after the impact of a file: it begins with the velocities that the impact leaves, in the position of
+    the impact. Coordinates that `before` leaves open are those of `initial`.
+    """
+    from lagrange.mechanics.through_impact import problem_after
+
+    blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
+    found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
+    assert found is not None
+    after = problem_after(problem, found)
+    known = {v.symbol for v in after.initial}
+    places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)
+    return replace(after, initial=(*after.initial, *places))
+
+
+def require_masses(problem: Problem) -> None:
+    """Raises ProblemError where nothing could move."""
     if not problem.masses and not problem.equations and problem.lagrangian is None:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
-    motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
-    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
+
+
+def in_numbers(
+    problem: Problem,
+    solution: Solution,
+    choice: str | None = None,
+    settings: Settings | None = None,
+    *,
+    complete: bool = False,
+) -> Prepared:
+    """The same of a problem that has been solved already.
+
+    Raises ProblemError where it has no equations of motion, or the initial values contradict each other.
+    """
+    settings = settings or Settings()
     if solution.given_up:
         stage, _, why = solution.given_up.rpartition(", ")
         raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
     taken = _samples(states, solution) if complete else {}
     states = states.with_functions(taken)
-    initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
-    problem = replace(problem, initial=tuple(initial.values()))
+    problem = with_initial(problem, settings)
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
     return Prepared(problem, solution, states, start(states, solution), taken)
+
+
+def with_initial(problem: Problem, settings: Settings) -> Problem:
+    """The problem with the initial values of the command line."""
+    initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
+    return replace(problem, initial=tuple(initial.values()))
 
 
 def _samples(states: StateEquations, solution: Solution) -> dict[str, sp.Expr]:

@@ -34,7 +34,6 @@ from lagrange.problem.model import ENERGY, Question
 from lagrange.programs.contacts import Guard
 from lagrange.programs.integrator import IntegrationStep, State, StoppedError, at, interpolated, steps
 from lagrange.programs.limits import (
-    DEFAULT_TIME,
     ENDED_SLIP,
     LARGEST_DRIFT,
     LEAST_SAMPLES,
@@ -43,7 +42,6 @@ from lagrange.programs.limits import (
     MOST_SAMPLES,
     NARROW,
     NEXT_TO_NOTHING,
-    PUSH,
     REPEATED,
     ROUNDING,
     SAMPLES_A_SECOND,
@@ -553,29 +551,3 @@ def _reach(made: Simulation, expression: sp.Expr) -> float:
             slopes = numpy.abs(made.system.along(partial(expression, symbol), made.times, made.states))
             reach += float(numpy.median(slopes)) * float(largest[k >= n])
     return reach
-
-
-def longest_time(states: StateEquations, start: Start) -> float:
-    """The default duration of a simulation: about thirty times its time of change, rounded; 10 s if unknown.
-
-    In its time of change an acceleration like that of the start makes the length or, from the origin, the speed of the
-    start; without an acceleration the speed makes the length.
-    """
-    e = states.equations
-    n = len(e.slots.coordinates)
-    try:
-        rate = NumericalSystem(states, start.values).rate(0.0, *start.state)
-    except (ArithmeticError, ValueError):
-        return DEFAULT_TIME
-    place, speed, acceleration = math.hypot(*start.state[:n]), math.hypot(*rate[:n]), math.hypot(*rate[n:])
-    place = PUSH if start.pushed and speed < PUSH else place
-    if acceleration > 1e-9 * (place + speed):
-        change = math.sqrt(place / acceleration) if place > 1e-9 else speed / acceleration
-    else:
-        pairs = zip(start.state[:n], rate[:n], strict=True)
-        change = min((abs(q or place) / abs(v) for q, v in pairs if v != 0), default=0.0)
-    if not 1e-6 < change < 1e9:
-        return DEFAULT_TIME
-    wanted = 30 * change
-    power = 10.0 ** math.floor(math.log10(wanted))
-    return next(k * power for k in (1, 2, 5, 10) if k * power >= wanted * 0.7)

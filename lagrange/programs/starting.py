@@ -196,7 +196,7 @@ def _numbers(
         values[symbol] = 0.0 if unknown else parameter_value(symbol, p, problem, drawn, symbol in angles)
         if p.value is None and symbol in used:
             assumed[symbol.name] = values[symbol]
-    return values
+    return {**dict.fromkeys(states.branches, 1.0), **values}  # a sign that cancels in the equations is in positions
 
 
 def _guess(states: StateEquations, values: Values, drawn: Mapping[sp.Symbol, float], *, stated: bool) -> list[float]:

@@ -7,7 +7,7 @@ const lagsolveFigure = (() => {
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
   const unit = a => { const s = Math.hypot(a[0], a[1], a[2]) || 1; return [a[0] / s, a[1] / s, a[2] / s]; };
-  const wrapped = x => x - 2 * Math.PI * Math.round(x / (2 * Math.PI));
+  const wrapped = x => x - 2 * Math.PI * Math.ceil(x / (2 * Math.PI) - 0.5);  // between −π and π, and π itself
   const toward = (a, b) => { const s = Math.hypot(b[0] - a[0], b[1] - a[1]); return s > 1e-9 ? [(b[0] - a[0]) / s, (b[1] - a[1]) / s] : [1, 0]; };
   const beyond = (a, w, s) => [a[0] + w[0] * s, a[1] + w[1] * s];
   const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -693,11 +693,12 @@ const lagsolveFigure = (() => {
       return d.map((x, j) => x - off[j]);
     }
     function displacements(v) {
-      const d = virtual(Number(one("select.which")?.value ?? 0));
-      let drift = new Array(n).fill(0);
-      if (data.shape.con[1]) { const b = bound(); drift = b.across(b.drift).map(x => -x); }
-      const e = 1e-5, moved = (dq, dt) => { const s = y.slice(); for (let j = 0; j < n; j++) s[j] += e * dq[j]; s[2 * n] += e * dt; return cells(s); };
-      const a = moved(d, 0), b = moved(drift, 1), parts = data.points.map(c => [three(v, c), plus(three(a, c), three(v, c), -1).map(x => x / e), plus(three(b, c), three(v, c), -1).map(x => x / e)]);
+      const d = virtual(Number(one("select.which")?.value ?? 0)), e = 1e-5;
+      const moved = (s, dq, dt) => { s = s.slice(); dq.forEach((x, j) => { s[j] += e * x; }); s[2 * dq.length] += e * dt; return s; };
+      // What moving constraints add in dt: what the derivation states, in the file's coordinates; otherwise the least.
+      const c = data.shape.con[1] && !F.car ? bound() : null, least = c ? c.across(c.drift).map(x => -x) : new Array(n).fill(0);
+      const z = M.inFile(y, p), a = cells(moved(y, d, 0)), b = F.car ? F.fig(moved(z, F.car(z, p), 1), p) : cells(moved(y, least, 1));
+      const parts = data.points.map(c => [three(v, c), plus(three(a, c), three(v, c), -1).map(x => x / e), plus(three(b, c), three(v, c), -1).map(x => x / e)]);
       const size = Math.max(1e-9, ...parts.map(q => Math.hypot(...flat(q[1])))), carried = Math.max(0, ...parts.map(q => Math.hypot(...flat(q[2]))));
       const first = 1.5 * CM / (size * scale), second = carried > 1e-9 ? 1.0 * CM / (carried * scale) : 0;
       for (const [at, virtual, transport] of parts) {
@@ -717,8 +718,8 @@ const lagsolveFigure = (() => {
     }
     function render() {
       out = []; labels = []; edges = []; tags = [];
-      const v = cells(y);
-      keepInView(v);
+      const v = cells(y), f = on("forces") ? M.forces(y, p) : { loads: [], reactions: [] }, acting = [...f.loads, ...f.reactions.flatMap(r => r.parts)];
+      keepInView(v, acting);
       for (const e of data.items) kinds[e.k](e, v);
       if (data.axes && data.shown.length > 1) {
         const o = page([0, 0, 0]);
@@ -726,7 +727,6 @@ const lagsolveFigure = (() => {
       }
       if (on("trace") && trace.length > 1) data.points.forEach((_, i) => draw("trail", thinned(trace.map(q => page(q[i])))));
       if (on("forces")) {
-        const f = M.forces(y, p);
         for (const [at, vector] of f.loads) { const a = page(at), w = way(vector); arrow("force", a, beyond(a, w, force)); }
         f.reactions.forEach(r => r.parts.forEach(([at, vector]) => { const a = page(at), w = way(vector); if (w.every(isFinite)) arrow("reaction", a, beyond(a, w, force)); }));
         const size = Math.pow(10, Math.floor(Math.log10(60 / force))), nice = [5, 2, 1].map(k => k * size).find(s => s * force <= 60) || size;
@@ -749,11 +749,16 @@ const lagsolveFigure = (() => {
       return found;
     }
     // The picture follows a system that leaves it: all of it where it fits, otherwise its particles and mass centres.
-    function keepInView(v) {
-      const centres = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+    function keepInView(v, acting) {
+      const middles = () => data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      let centres = middles();
       if (!centres.length) return;
-      const all = [...centres, ...boxes(v)];
-      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [centres, MARGIN * 0.7]]) {
+      // Particles that have moved too far apart make the picture smaller.
+      const share = Math.min(...[[0, width], [1, height]].map(([i, size]) => 0.8 * size / (Math.max(...centres.map(b => b[2 * i + 1])) - Math.min(...centres.map(b => b[2 * i])))));
+      if (share < 1) { scale *= share; centres = middles(); }
+      const tips = acting.map(([at, vector]) => beyond(page(at), way(vector), force)).filter(q => q.every(isFinite)).map(([x, y]) => [x, x, y, y]);
+      const solids = [...centres, ...boxes(v)], all = [...solids, ...tips];
+      for (const [i, size] of [[0, width], [1, height]]) for (const [list, least] of [[all, 12], [solids, 12], [centres, MARGIN * 0.7]]) {
         const low = Math.min(...list.map(b => b[2 * i])), high = Math.max(...list.map(b => b[2 * i + 1])), room = Math.min(least, size / 6);
         if (high - low > size - 2 * room) continue;
         const shift = low < room ? low - room : high > size - room ? high - size + room : 0;
@@ -918,13 +923,14 @@ const lagsolveFigure = (() => {
       message = "It would stay at rest here, and was pushed a little.";
     }
     const play = one("button.play");
-    function stop() { playing = false; if (play) { play.setAttribute("aria-pressed", "false"); play.textContent = "▶ Play"; } show(); scrub(); }
+    const called = (name, sign) => { if (play) { play.setAttribute("aria-label", name); play.textContent = `${sign} ${name}`; } };
+    function stop() { playing = false; called("Play", "▶"); show(); scrub(); }
     function start() {
       if (!moving) return;
       message = "";
       if (shownAt < 0) nudge();
       if (calm.matches) { if (shownAt >= 0) follow(Infinity); run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
-      playing = true; last = performance.now(); play.setAttribute("aria-pressed", "true"); play.textContent = "❚❚ Pause";
+      playing = true; last = performance.now(); called("Pause", "❚❚");
       requestAnimationFrame(frame);
     }
     const time = one("input.time");
@@ -997,7 +1003,7 @@ const lagsolveFigure = (() => {
       if (data.shape.con[1]) { const { A, across } = bound(s), off = across(A.map(r => r.reduce((t, x, k) => t + x * Q[k], 0))); Q = Q.map((x, k) => x - off[k]); }
       return Math.max(...Q.map(Math.abs));
     }
-    function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); }); }
+    function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); b.title = b.disabled ? "There is no such equilibrium for these values." : ""; }); }
     all("button[data-rest]").forEach(b => b.addEventListener("click", () => {
       const k = Number(b.dataset.rest), v = equilibrium(k), targets = data.buttons[k], s = y.slice(), before = p.slice();
       targets.forEach((q, i) => { if (q >= 0) s[q] = v[i]; else { p[-1 - q] = v[i]; const slider = one(`input[data-p="${-1 - q}"]`); if (slider) slider.value = v[i]; } });

@@ -63,7 +63,8 @@ class _Controls:
         figure = self.figure
         does = "Drag the sliders, or press Play." if figure.moves else "Drag the sliders."
         yield f'<figure class="moving" data-moving="{self.place}" hidden>'
-        yield f'<svg class="picture stage" role="img" tabindex="0" aria-label="{self.alt} {does}">'
+        empty = "" if figure.data["items"] else " empty"  # a Lagrangian without positions
+        yield f'<svg class="picture stage{empty}" role="img" tabindex="0" aria-label="{self.alt} {does}">'
         yield '<g class="lines"></g><g class="labels">'
         yield from (f"<text>{content_of(label, self.plain)}</text>" for label in figure.labels)
         yield '</g><g class="tags"></g></svg>'
@@ -97,7 +98,7 @@ class _Controls:
         return escape(e) if isinstance(e, str) else self.formulas.equation((e,), "=")
 
     def transport(self) -> Iterator[str]:
-        yield '<button type="button" class="play" aria-label="Play" aria-pressed="false">▶ Play</button>'
+        yield '<button type="button" class="play" aria-label="Play">▶ Play</button>'
         yield '<button type="button" class="step">Step</button>'
         yield '<button type="button" class="reset">Reset</button>'
         speeds = (("0.1", "1/10"), ("0.25", "1/4"), ("1", "1"), ("4", "4"))
@@ -107,6 +108,8 @@ class _Controls:
 
     def shows(self) -> Iterator[str]:
         figure = self.figure
+        if not figure.data["items"]:
+            return
         boxes = [("forces", "forces to scale", True)] if figure.data["loads"] or figure.data["bound"] else []
         boxes += [("trace", "trace", True)] if figure.moves else []
         boxes.append(("virtual", "virtual displacement δr", False))
@@ -178,12 +181,13 @@ class _Controls:
                 if isinstance(s.label, sp.Symbol):
                     rate = f" {_unit(s.unit)}/s" if s.unit in ("m", "rad") else ""
                     rows.append((self.math(prime(s.label)), f'<output data-u="{k}"></output>', rate))
-            rows += [("kinetic energy", _out("T"), joule), ("potential energy", _out("V"), joule)]
-            rows.append(("their sum (conserved)" if kept else "their sum", _out("E"), joule))
+            if figure.divided:
+                rows += [("kinetic energy", _out("T"), joule), ("potential energy", _out("V"), joule)]
+                rows.append(("their sum (conserved)" if kept else "their sum", _out("E"), joule))
         elif figure.rests:
             rows += [(f"force along {self.math(s.label)}", _out(f"Q{k}"), "") for k, s in enumerate(figure.coordinates)]
         for k, (kind, _) in enumerate(figure.conserved):
-            if kind != "energy":
+            if kind != "energy" or not figure.divided:
                 rows.append((f"conserved: {INTEGRALS.get(kind, escape(kind))}", _out(f"I{k}"), ""))
         for k, r in enumerate(figure.reactions):
             rows.append((self.math(r), _out(f"R{k}"), "" if str(r).startswith("lambda") else newton))
@@ -213,7 +217,9 @@ class _Controls:
                 if self.size > 1
                 else ""
             )
-            title = "Phase plane" if figure.moves else "Work against the forces along the coordinate"
+            title = (
+                "Phase plane: rate over coordinate" if figure.moves else "Work against the forces along the coordinate"
+            )
             yield self.canvas("phase", title, choice)
         yield "</div>"
 

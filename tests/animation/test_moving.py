@@ -11,10 +11,10 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.programs.prepared import prepared
 from lagrange.programs.simulation import simulated
 from lagrange.programs.starting import settings_of
-from tests.support.shared import in_numbers, loaded, reported
+from tests.support.shared import asking, in_numbers, loaded, reported
 
 OWN = re.compile(
-    r"(?:[yzpu]|c\d+|const|return|own|eq|con|rea|ene|act|fig|sta|ini|sli|cur\d+|tra\d+|eql\d+|"
+    r"(?:[yzpu]|c\d+|const|return|own|eq|con|rea|ene|act|fig|sta|ini|sli|car|cur\d+|tra\d+|eql\d+|"
     r"Math|sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|log|abs|sign|sqrt|pow)$"
 )
 
@@ -103,3 +103,15 @@ def test_a_force_that_no_position_changes_is_why_there_is_no_rest():
     assert (figure.data["rest"], figure.data["never"]) == (1, [0])
     assert force in (tau, -tau)
     assert not figure_of("ex11-ideal-pendulum").needed
+
+
+@pytest.mark.parametrize("name", asking("motion"))
+def test_every_shipped_motion_plays(name):
+    figure = moving_figure(reported(name).solution)
+    assert isinstance(figure, MovingFigure)
+    assert figure.moves
+
+
+def test_the_motion_after_an_impact_plays_where_the_file_asks_about_it():
+    assert figure_of("ballistic-pendulum").moves
+    assert not figure_of("ball-on-a-wedge").moves

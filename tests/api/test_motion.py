@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -35,6 +37,14 @@ def test_simulate_in_python_gives_arrays() -> None:
     assert isinstance(f(0.0, [0.1, 3.0]), float)
     with pytest.raises(KeyError, match="theta"):
         motion["thta"]
+
+
+@pytest.mark.parametrize(
+    "given", [{"until": -1}, {"until": math.inf}, {"initial": {"theta": math.nan}}, {"values": {"l": math.inf}}]
+)
+def test_a_number_that_is_none_is_refused(given: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=r"and not a (positive|finite) number"):
+        solved().simulate(**given)
 
 
 def test_a_function_that_is_missing_is_asked_for_as_python_gives_it() -> None:

@@ -176,7 +176,10 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
         assert rows
         for row in rows:
             # Laws in vectors that name a gradient, or R and δr without a body, are not in the language of problem files.
-            if not re.search(r"\\text\{|\\le|\\nabla|\\mathbf\{R\}|\\delta \\mathbf\{r\}", row.text) and row.text.count("=") == 1:
+            if (
+                not re.search(r"\\text\{|\\le|\\nabla|\\mathbf\{R\}|\\delta \\mathbf\{r\}", row.text)
+                and row.text.count("=") == 1
+            ):
                 read_equation(row, scope, limit=10_000, latex=True)
     moving = solved.solution.own.motion is not None
     assert boxed or not moving

@@ -71,3 +71,16 @@ gravity: g*i
     assert "alert(1)" in written
     assert "<script>alert" not in written
     assert all("alert" not in s for s in re.findall(r"<script[^>]*>(.*?)</script>", written, re.DOTALL))
+
+
+def test_the_energy_of_a_lagrangian_is_not_divided():
+    for name, kept in (("relativistic-oscillator", True), ("oscillating-circuit", False)):
+        written = page_of(name)
+        assert "kinetic energy</dt>" not in written
+        assert ("<dt>conserved: energy</dt>" in written) == kept
+    assert "<dt>kinetic energy</dt>" in page_of("ex11-ideal-pendulum")
+
+
+def test_a_lagrangian_without_positions_has_no_empty_picture():
+    assert 'class="picture stage empty"' in page_of("oscillating-circuit")
+    assert "stage empty" not in page_of("ex11-ideal-pendulum")

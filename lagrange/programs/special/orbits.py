@@ -56,12 +56,13 @@ class _Orbits:
         self.states, self.values, self.state = states, values, state
         self.coordinates = states.equations.slots.coordinates
         self.system = NumericalSystem(states, values)
-        positions = [sp.sympify(c, strict=True) for p in states.configuration.points for c in p.position.components]
+        points = states.configuration.points
+        positions = [states.in_state(sp.sympify(c, strict=True)) for p in points for c in p.position.components]
         slopes = [c.diff(q) for c in positions for q in self.coordinates]
         count, n = len(positions) // 3, len(self.coordinates)
         self.places = numpy.array(self._numbers(positions)).reshape(count, 3)
         self.slopes = numpy.array(self._numbers(slopes)).reshape(count, 3, n)
-        self.masses = numpy.array(self._numbers([p.mass for p in states.configuration.points]))
+        self.masses = numpy.array(self._numbers([p.mass for p in points]))
 
     def _numbers(self, expressions: Sequence[sp.Expr]) -> list[float]:
         state = self.states.state

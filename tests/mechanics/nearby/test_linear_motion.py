@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
+import numpy as np
 import pytest
 import sympy as sp
 
@@ -14,6 +15,9 @@ from lagrange.mechanics.nearby.checks import check_linear_motion
 from lagrange.mechanics.nearby.linear_motion import LinearMotion, linear_motion
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
+from lagrange.programs.numerical_system import NumericalSystem
+from lagrange.programs.special.long_motion import long_first_order
+from lagrange.programs.state_equations import StateEquations
 from tests.support.shared import loaded
 
 # Meijaard, Papadopoulos, Ruina and Schwab (2007), section 4: M q'' + v C1 q' + (g K0 + v² K2) q = 0, q = (lean, steer).
@@ -181,3 +185,38 @@ def test_products_of_inertia_are_those_of_principal_axes_turned(tmp_path) -> Non
         assert b.coordinates == c.coordinates
         for s, t in zip((b.mass, b.damping, b.stiffness), (c.mass, c.damping, c.stiffness), strict=True):
             assert [float(e) for e in sp.Matrix(s)] == pytest.approx([float(e) for e in sp.Matrix(t)], abs=1e-12)
+
+
+def test_the_bicycle_that_simulate_integrates_has_the_published_exponents() -> None:
+    """The first-order equations with all nine coordinates, deviations from rolling upright at 5 m/s in numbers."""
+    problem, configuration, _ = bicycle()
+    view = SimpleNamespace(configuration=configuration, name="")
+    solved = SimpleNamespace(
+        own=view, long_equations=long_equations(problem, configuration), classification=SimpleNamespace(redundant=())
+    )
+    states = StateEquations(problem, view, configuration, long_first_order(solved))
+    values = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
+    (speed,) = (p.symbol for p in problem.parameters if p.symbol.name == "v")
+    system = NumericalSystem(states, {**values, speed: 5.0})
+    names = [s.name for s in states.state]
+    rolling = system.projected(0.0, tuple(float(n == "x'") for n in names))  # forms without a term in dt: any multiple
+    assert rolling is not None
+    upright = [
+        5 * x / rolling[names.index("x'")] if n.endswith("'") else x for n, x in zip(names, rolling, strict=True)
+    ]
+    chosen = [names.index(n) for n in ("phi", "delta", "phi'", "delta'")]
+
+    def deviated(k: int, size: float) -> tuple[np.ndarray, np.ndarray]:
+        y = system.projected(0.0, tuple(x + size * (i == k) for i, x in enumerate(upright)))
+        assert y is not None
+        return np.array(y)[chosen], np.array(system.rate(0.0, *y))[chosen]
+
+    size = 1e-4
+    columns = [
+        [(a - b) / (2 * size) for a, b in zip(deviated(k, size), deviated(k, -size), strict=True)] for k in chosen
+    ]
+    places, rates = (np.column_stack(parts) for parts in zip(*columns, strict=True))
+    exponents = np.linalg.eigvals(rates @ np.linalg.inv(places))
+    assert sorted(exponents, key=lambda z: (round(z.imag, 3), z.real)) == pytest.approx(
+        [AT_5[2], AT_5[0], AT_5[1], AT_5[3]], rel=1e-6
+    )
