@@ -8,7 +8,8 @@ import pytest
 
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.programs.prepared import prepared
-from lagrange.programs.simulation import longest_time, simulated
+from lagrange.programs.simulation import simulated
+from lagrange.programs.special.durations import longest_time
 from lagrange.programs.starting import settings_of
 from tests.api.test_motion import solved
 from tests.programs.test_simulation import made_of, of

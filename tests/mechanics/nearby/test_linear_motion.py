@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
 from lagrange.mechanics.nearby.checks import check_linear_motion
 from lagrange.mechanics.nearby.linear_motion import LinearMotion, linear_motion
+from lagrange.mechanics.nearby.long_equations import long_equations
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
 from lagrange.programs.numerical_system import NumericalSystem
