@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, count, islice, product
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -38,6 +38,10 @@ from lagrange.mechanics.dynamics.limits import (
     ZERO_DIGITS,
 )
 
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.motion import Motion
+    from lagrange.problem.model import Problem
+
 TOLERANCE = sp.Float(10) ** -ZERO_DIGITS
 """Smaller numbers are zero."""
 
@@ -48,6 +52,16 @@ class SpotValue:
 
     values: Mapping[sp.Symbol, sp.Expr]
     accelerations: Mapping[sp.Symbol, sp.Expr]
+
+
+def spot_of_motion(motion: Motion, problem: Problem) -> SpotValue | None:
+    """A spot value of the equations of motion, with the values of parameters that the file gives."""
+    return spot_value(
+        System(motion.equations.configuration, motion.equations.expressions),
+        {p.symbol: p.value for p in problem.parameters if p.value is not None},
+        (*motion.slips, *motion.sliding, *motion.shown.positive),
+        motion.contacts,
+    )
 
 
 def spot_value(
