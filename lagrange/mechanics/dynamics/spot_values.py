@@ -270,12 +270,12 @@ def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Sy
     accelerations = system.configuration.slots.accelerations
     point = _point(values)
     rows = affine_rows(point, [*system.equations, *system.accelerated_constraints], accelerations)
-    matrix = [row[:-1] for row in rows]
-    if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
+    if len(rows) != len(accelerations):
         return None
-    solution = point.solution(matrix, [-row[-1] for row in rows])
-    assert solution is not None
-    numbers = [_recognised(x) for x in solution]
+    reduced, pivots = row_reduced(point.arithmetic, rows)
+    if pivots != [*range(len(accelerations))]:
+        return None
+    numbers = [_recognised(-row[-1]) for row in reduced]
     return {
         a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
     }
