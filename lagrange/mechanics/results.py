@@ -169,8 +169,9 @@ class Solution:
 
     @property
     def views_by_page(self) -> tuple[InCoordinates, ...]:
-        """The same in the order in which a page takes its numbers from one of them: the first choice first."""
-        return (*self.choices[:1], self.own, *self.choices[1:])
+        """The same in the order in which a page takes its numbers from one of them: a choice without signs first."""
+        choices = sorted(self.choices, key=lambda c: bool(c.signs))
+        return (*choices[:1], self.own, *choices[1:])
 
     @property
     def holds(self) -> bool:
