@@ -36,8 +36,7 @@ def test_time_is_that_of_the_processor() -> None:
     with bounded(0.02, None):
         time.sleep(0.1)
     with pytest.raises(GaveUpError, match=r"after 0\.02 s"), bounded(0.02, None):
-        while True:
-            pass
+        sum(1 for _ in iter(int, 1))
 
 
 @pytest.mark.parametrize("lost", [MemoryError, SystemError("error return without exception set")])
