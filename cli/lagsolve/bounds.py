@@ -1,9 +1,10 @@
 """The outer limits of one command: `--timeout` and `--memory`.
 
 What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. Beside
-it stand these, for those who run files of strangers: an alarm after so many seconds, which gives up the running stage,
-and a limit of the address space beyond what is in use at the start, where the system has them. What is known by then is
-still explained, in a quarter of the time.
+it stand these, for those who run files of strangers: an alarm after so many seconds of processor time, which gives up
+the running stage, and a limit of the address space beyond what is in use at the start, where the system has them. What
+is known by then is still explained, in a quarter of the time. A limit on the clock would give up a right answer when
+the machine is busy with something else.
 """
 
 from __future__ import annotations
@@ -37,22 +38,22 @@ def bounded(seconds: float | None, megabytes: int | None) -> Iterator[None]:
 
 @contextmanager
 def _time(seconds: float | None) -> Iterator[None]:
-    if seconds is None or not hasattr(signal, "SIGALRM") or threading.current_thread() is not threading.main_thread():
+    if seconds is None or not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
         return
 
     def stop(_: int, __: FrameType | None) -> None:
-        signal.setitimer(signal.ITIMER_REAL, max(1, seconds * SHARE_FOR_EXPLAINING))
+        signal.setitimer(signal.ITIMER_PROF, max(1, seconds * SHARE_FOR_EXPLAINING))
         raise GivenUpError(f"after {seconds:g} s")
 
-    before = signal.signal(signal.SIGALRM, stop)
-    remaining = signal.setitimer(signal.ITIMER_REAL, seconds)
+    before = signal.signal(signal.SIGPROF, stop)
+    remaining = signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-        signal.setitimer(signal.ITIMER_REAL, *remaining)  # an alarm of whoever calls
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
+        signal.setitimer(signal.ITIMER_PROF, *remaining)  # an alarm of whoever calls
 
 
 @contextmanager

@@ -88,7 +88,7 @@ def main() -> None:
 @click.option("--beamer", is_flag=True, help="LaTeX frames for a talk.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 @click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")
-@click.option("--timeout", type=SECONDS, metavar="SECONDS", help="Work for so long. Default: so many operations.")
+@click.option("--timeout", type=SECONDS, metavar="SECONDS", help="Of processor time. Default: so many operations.")
 @click.option("--memory", type=MEGABYTES, metavar="MB", help="Give up beyond so much. Default: no limit.")
 @click.option("--watch", is_flag=True, help="Solve again whenever a file is saved, until Ctrl-C.")
 def solve(
@@ -148,7 +148,9 @@ def solve(
 )
 @click.option("--reveal", is_flag=True, help="Print the derived equations too.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
-@click.option("--timeout", type=SECONDS, default=CHECK_SECONDS, show_default=True, metavar="SECONDS")
+@click.option(
+    "--timeout", type=SECONDS, default=CHECK_SECONDS, show_default=True, metavar="SECONDS", help="Of processor time."
+)
 @click.option("--memory", type=MEGABYTES, default=CHECK_MEGABYTES, show_default=True, metavar="MB")
 def check(
     problem: str,

@@ -74,8 +74,7 @@ _SPOT = "Numerical check: "
 
 def _spot(solution: Solution) -> list[Block]:
     """`Numerical check: g = 10, l = 1, θ = 1/2 give θ'' = −(g/l) sin θ = −4.79426.`"""
-    views = [*solution.choices[:1], solution.own, *solution.choices[1:]]
-    view = next((v for v in views if v.spot is not None), None)
+    view = next((v for v in solution.views_by_page if v.spot is not None), None)
     if view is None or view.spot is None:
         return []
     spot = view.spot

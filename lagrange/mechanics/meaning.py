@@ -26,7 +26,7 @@ from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, Unspecified, prime, t
+from lagrange.core.symbols import Slots, Unspecified, partial, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -245,7 +245,7 @@ def _limit(
     if 3 * after > 2 * before or any(count_operations(e) > LONGEST_LIMIT for e in shorter):
         return None
     try:
-        regular = Surface().rank([[e.diff(a) for a in accelerations] for e in shorter]) == len(accelerations)
+        regular = Surface().rank([[partial(e, a) for a in accelerations] for e in shorter]) == len(accelerations)
     except DivisionByZeroError:
         return None
     return tuple(shorter) if regular else None

@@ -168,6 +168,12 @@ class Solution:
         return (self.own, *self.choices)
 
     @property
+    def views_by_page(self) -> tuple[InCoordinates, ...]:
+        """The same in the order in which a page takes its numbers from one of them: a choice without signs first."""
+        choices = sorted(self.choices, key=lambda c: bool(c.signs))
+        return (*choices[:1], self.own, *choices[1:])
+
+    @property
     def holds(self) -> bool:
         """Whether every check passed and nothing is undecided."""
         c = self.classification

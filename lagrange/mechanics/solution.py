@@ -37,13 +37,12 @@ from lagrange.mechanics.dynamics.checks import (
     check_substitutions,
     check_workless,
 )
-from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.conservation import check_conserved, conserved
 from lagrange.mechanics.dynamics.equations import check_inertia
 from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
-from lagrange.mechanics.dynamics.spot_values import spot_value
+from lagrange.mechanics.dynamics.spot_values import spot_of_motion
 from lagrange.mechanics.large_systems import stages_of_large, with_long_reactions
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -238,9 +237,21 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
     moved = replace(
         solution, problem=law.problem, law=law, works=works, own=own, choices=tuple(choices), checks=tuple(checks)
     )
-    if all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving):
-        return moved
-    return with_long_reactions(moved)
+    are_short = all(v.dynamics is None or v.dynamics.reactions is None or v.dynamics.reactions.complete for v in moving)
+    moved = _with_spots(moved, every=complete or not are_short)
+    return moved if are_short else with_long_reactions(moved)
+
+
+def _with_spots(solution: Solution, every: bool) -> Solution:
+    """The solution with spot values: in every set of coordinates, or in that of the page only."""
+    found: dict[str, InCoordinates] = {}
+    for view in solution.views_by_page:
+        if view.dynamics is not None:
+            found[view.name] = view = replace(view, spot=spot_of_motion(view.dynamics, solution.problem))
+        if view.spot is not None and not every:
+            break
+    own, *choices = (found.get(v.name, v) for v in solution.views)
+    return replace(solution, own=own, choices=tuple(choices))
 
 
 def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete: bool) -> InCoordinates:
@@ -255,19 +266,12 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
         check_inertia(dynamics.equations, solution.problem.bodies)
     if complete and not dynamics.accelerations and (solved := solved_accelerations(dynamics.matrices)):
         dynamics = replace(dynamics, solved=solved)
-    equations = dynamics.equations
     frictions = {f.name for f in law.frictions}
     is_shown = complete or _is_preferred(view, solution)
     return replace(
         view,
         configuration=dynamics.shown,
         dynamics=dynamics,
-        spot=spot_value(
-            System(equations.configuration, equations.expressions),
-            {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
-            (*dynamics.slips, *dynamics.sliding, *dynamics.shown.positive),
-            dynamics.contacts,
-        ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
         rolling=_rolling(law, dynamics, view) if law.rolling else None,
     )
@@ -446,7 +450,6 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
-    from lagrange.mechanics.equilibrium.loads import at_rest
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
@@ -454,7 +457,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
-    original = with_spring_forces(equilibrium(at_rest(own.configuration), own.elimination, problem.unknowns))
+    original = with_spring_forces(equilibrium(own.configuration, own.elimination, problem.unknowns))
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
     checks = [*solution.checks]
@@ -463,9 +466,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         on_stage(_stage("equilibria", view))
         resting = original
         if view is not own:
-            resting = equilibrium(at_rest(view.configuration), view.elimination, problem.unknowns)
-            resting = without_poles(resting, original)
-            resting = with_spring_forces(resting)
+            resting = equilibrium(view.configuration, view.elimination, problem.unknowns)
+            resting = with_spring_forces(without_poles(resting, original))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

@@ -19,7 +19,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, t
+from lagrange.core.symbols import Unspecified, partial, t
 from lagrange.mechanics.results import InCoordinates
 
 LONGEST = 60
@@ -55,7 +55,7 @@ def turning(view: InCoordinates) -> Turning | None:
     moving = {*slots.coordinates, t}
     if sum(count_operations(e) for e in equations) > LONGEST or any(e.has(Unspecified) for e in equations):
         return None
-    rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
+    rows = [[partial(e, a) for a in slots.accelerations] for e in equations]
     if any(c.free_symbols & moving for row in rows for c in row):
         return None
     rest = dict.fromkeys(slots.accelerations, sp.S.Zero)

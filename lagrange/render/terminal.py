@@ -16,7 +16,6 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
-from rich.text import Text
 
 from lagrange.core.printable import printable
 from lagrange.document.derivation import (
@@ -39,6 +38,7 @@ from lagrange.document.math_writer import BOLD, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
 from lagrange.render.selection import ShownSteps, shown, written_out
+from lagrange.render.styled_text import Styled
 from lagrange.render.terminal_layout import Grid, Words, fill, matrix_lines, pad, side_by_side, table_lines
 from lagrange.render.walk import Emitter, block_lines
 
@@ -62,9 +62,11 @@ def show(
 ) -> None:
     """Print a derivation to standard output, or to another console."""
     from rich.console import Console
+    from rich.text import Text
 
     console = console or Console(width=width)
-    page = Text("\n").join(lines(derivation, notation, width or console.width, detail))
+    shown_lines = lines(derivation, notation, width or console.width, detail)
+    page = Text("\n").join(Text.assemble(*line.runs) for line in shown_lines)
     console.print(page, soft_wrap=True, highlight=False)
 
 
@@ -86,16 +88,16 @@ def text(derivation: Derivation, notation: Notation, width: int, detail: Detail 
     return "".join(line.plain + "\n" for line in lines(derivation, notation, width, detail))
 
 
-def lines(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> Iterator[Text]:
+def lines(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> Iterator[Styled]:
     """The lines of a derivation, none wider than `width` cells."""
     inner = max(min(width - 1, WIDEST_PAGE) - len(MARGIN), 8)
     page = _Page(Writer(BOLD, notation, on_page=True), shown(derivation, detail, folded=False), inner)
     for line in page.all(derivation):
-        line.rstrip()
-        yield Text.assemble(MARGIN, line) if line else line
+        line = line.stripped()
+        yield Styled.assemble(MARGIN, line) if line else line
 
 
-class _Page(Emitter[Text]):
+class _Page(Emitter[Styled]):
     """One derivation at one width."""
 
     def __init__(self, writer: Writer, content: ShownSteps, width: int) -> None:
@@ -104,42 +106,42 @@ class _Page(Emitter[Text]):
         self.width = width
         self.room = width - len(INDENT)
 
-    def all(self, derivation: Derivation) -> Iterator[Text]:
+    def all(self, derivation: Derivation) -> Iterator[Styled]:
         yield from self.heading(printable(derivation.title), printable(derivation.source))
         number = 0
         for place, step in enumerate(self.content.steps):
             if place and step.title:
-                yield Text()
+                yield Styled()
             number += bool(step.title)
             yield from self.step(number, step)
         if self.content.folded:
-            yield Text()
+            yield Styled()
         for words, choice in self.content.folded.items():
             yield from fill(self.words(("▸ ", *words, f"  (--choice {choice or 'all'})")), self.width)
 
-    def heading(self, title: str, source: str) -> Iterator[Text]:
+    def heading(self, title: str, source: str) -> Iterator[Styled]:
         gap = self.width - cell_len(title) - cell_len(source)
         if gap >= 2 or not source:
-            yield (Text.assemble((title, "bold"), " " * gap, (source, "dim")) if source else Text(title, "bold"))
+            yield (Styled.assemble((title, "bold"), " " * gap, (source, "dim")) if source else Styled(title, "bold"))
         else:
             yield from fill(Words().text(title, "bold"), self.width)
             yield from fill(Words().text(source, "dim"), self.width)
-        yield Text("─" * self.width, "dim")
+        yield Styled("─" * self.width, "dim")
 
-    def step(self, number: int, step: Step) -> Iterator[Text]:
+    def step(self, number: int, step: Step) -> Iterator[Styled]:
         if not step.title:
             indent = INDENT if number else ""
-            yield from (Text.assemble(indent, line) for line in block_lines(step.body, self))
+            yield from (Styled.assemble(indent, line) for line in block_lines(step.body, self))
             return
         words = Words().text(printable(step.title), "bold")
         label = f"{number:<{len(INDENT) - 2}} "
         for n, line in enumerate(fill(words, self.width - len(label))):
-            yield Text.assemble((label, "bold") if n == 0 else " " * len(label), line)
-        yield from (Text.assemble(INDENT, line) for line in block_lines(step.body, self))
+            yield Styled.assemble((label, "bold") if n == 0 else " " * len(label), line)
+        yield from (Styled.assemble(INDENT, line) for line in block_lines(step.body, self))
 
     # Words
 
-    def paragraphs(self, run: Sequence[Prose]) -> Iterator[Text]:
+    def paragraphs(self, run: Sequence[Prose]) -> Iterator[Styled]:
         return (line for block in run for line in fill(self.words(block.parts), self.room, prose=True))
 
     def words(self, parts: Iterable[Part]) -> Words:
@@ -161,28 +163,28 @@ class _Page(Emitter[Text]):
 
     # Equations
 
-    def display(self, block: Display) -> Iterator[Text]:
+    def display(self, block: Display) -> Iterator[Styled]:
         gutter = max((len(self.number(e)) for e in block.equations), default=0)
         if block.boxed and self.room >= NARROWEST_BOX:
             yield from self.boxed(block.equations, gutter)
             return
         for code, number in self.equations(block.equations, self.room - 2 - gutter):
-            yield pad(Text("  ") + code, number, self.room)
+            yield pad(Styled("  ") + code, number, self.room)
 
-    def boxed(self, equations: Sequence[Equation], gutter: int) -> Iterator[Text]:
+    def boxed(self, equations: Sequence[Equation], gutter: int) -> Iterator[Styled]:
         content = list(self.equations(equations, self.room - 6 - gutter))
         inner = max((cell_len(code.plain) for code, _ in content), default=0) + gutter + 4
-        yield Text("╭" + "─" * inner + "╮", "dim")
+        yield Styled("╭" + "─" * inner + "╮", "dim")
         for code, number in content:
-            yield Text.assemble(("│", "dim"), pad(Text("  ") + code, number, inner - 1), " ", ("│", "dim"))
-        yield Text("╰" + "─" * inner + "╯", "dim")
+            yield Styled.assemble(("│", "dim"), pad(Styled("  ") + code, number, inner - 1), " ", ("│", "dim"))
+        yield Styled("╰" + "─" * inner + "╯", "dim")
 
     def number(self, equation: Equation) -> str:
         """The number with the space before it."""
         number = self.content.number(equation)
         return f"    {number}" if number else ""
 
-    def equations(self, equations: Sequence[Equation], width: int) -> Iterator[tuple[Text, str]]:
+    def equations(self, equations: Sequence[Equation], width: int) -> Iterator[tuple[Styled, str]]:
         """The lines of equations, each with the number at its right."""
         numbered = [*self.apart(equations, width)]
         equations = [e for e, _ in numbered]
@@ -190,7 +192,7 @@ class _Page(Emitter[Text]):
         self.align(equations, broken, width)
         for n, ((equation, number), rows) in enumerate(zip(numbered, broken, strict=True)):
             if n and max(len(rows), len(broken[n - 1])) > 1:  # or one could not see where an equation ends
-                yield Text(), ""
+                yield Styled(), ""
             yield from ((line, "") for line in rows[:-1])
             last, *below = self.with_condition(rows[-1], equation, width)
             yield last, number
@@ -213,37 +215,37 @@ class _Page(Emitter[Text]):
                         continue
             yield e, number
 
-    def broken(self, equation: Equation, width: int) -> list[Text]:
+    def broken(self, equation: Equation, width: int) -> list[Styled]:
         """An equation in lines that fit."""
         sides = [self.writer.marked(side) for side in equation.sides]
         broken = Breaker(cell_len, width).equation(sides, self.relation(equation.relation))
-        rows = (Text(" " * round(line.indent) + line.code) for line in broken)
+        rows = (Styled(" " * round(line.indent) + line.code) for line in broken)
         # A factor without a sign to break at may still be too wide: `fill` tears it at spaces, at worst anywhere.
         return [piece for row in rows for piece in fill(Words().line(row), width, hang=4)]
 
-    def align(self, equations: Sequence[Equation], broken: list[list[Text]], width: int) -> None:
+    def align(self, equations: Sequence[Equation], broken: list[list[Styled]], width: int) -> None:
         """Shift short left sides to the right, so that the relations are aligned."""
         if len(equations) < 2 or any(len(rows) > 1 for rows in broken):
             return
         lefts = [cell_len(self.writer.plain(e.sides[0])) for e in equations]
         widest = max(lefts)
-        shifted = [Text(" " * (widest - left)) + rows[0] for left, rows in zip(lefts, broken, strict=True)]
+        shifted = [Styled(" " * (widest - left)) + rows[0] for left, rows in zip(lefts, broken, strict=True)]
         if widest <= ALIGNED_LEFT_SIDE and all(cell_len(line.plain) <= width for line in shifted):
             broken[:] = [[line] for line in shifted]
 
-    def with_condition(self, last: Text, equation: Equation, width: int) -> list[Text]:
+    def with_condition(self, last: Styled, equation: Equation, width: int) -> list[Styled]:
         """The last line of an equation followed by its condition, which goes below where there is no room."""
         if not equation.condition:
             return [last]
         words = self.words(equation.condition)
         room = width - cell_len(last.plain) - 4
         if cell_len(words.plain) <= room:
-            return [Text.assemble(last, " " * 4, *fill(words, room))]
-        return [last, *(Text("  ") + line for line in fill(words, width - 2))]
+            return [Styled.assemble(last, " " * 4, *fill(words, room))]
+        return [last, *(Styled("  ") + line for line in fill(words, width - 2))]
 
     # Matrices, tables and checks
 
-    def matrices(self, block: Matrices) -> Iterator[Text]:
+    def matrices(self, block: Matrices) -> Iterator[Styled]:
         """Those that fit on a line side by side, the others entry by entry."""
         room = self.room - 2
         drawn = []
@@ -254,19 +256,19 @@ class _Page(Emitter[Text]):
                 drawn.append(lines)
             else:
                 wide.append((name, rows))
-        yield from (Text("  " + line if line else "") for line in side_by_side(drawn, room))
+        yield from (Styled("  " + line if line else "") for line in side_by_side(drawn, room))
         for name, rows in wide:
             yield from block_lines(written_out(name, rows), self)
 
-    def task(self, block: Task) -> Iterator[Text]:
+    def task(self, block: Task) -> Iterator[Styled]:
         yield from fill(self.words(block.parts), self.room)
-        yield from (Text() for _ in range(block.lines))
+        yield from (Styled() for _ in range(block.lines))
 
-    def table(self, block: Table) -> Iterator[Text]:
+    def table(self, block: Table) -> Iterator[Styled]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]
-        yield from (Text("  ") + line for line in table_lines(grid, self.room - 2))
+        yield from (Styled("  ") + line for line in table_lines(grid, self.room - 2))
 
-    def checks(self, run: Sequence[CheckMark]) -> Iterator[Text]:
+    def checks(self, run: Sequence[CheckMark]) -> Iterator[Styled]:
         names = [self.words(check.name) for check in run]
         room = self.room - 2
         longest = max(cell_len(words.plain) for words in names)
@@ -283,12 +285,12 @@ class _Page(Emitter[Text]):
             second = [*fill(how, right)] if beside else []
             rows = max(len(first), len(second))
             for n in range(rows):
-                name = first[n] if n < len(first) else Text()
-                way = second[n] if n < len(second) else Text()
-                yield Text.assemble((mark, style) if n == 0 else " ", " ", _spaced(name, left + COLUMNS, way))
+                name = first[n] if n < len(first) else Styled()
+                way = second[n] if n < len(second) else Styled()
+                yield Styled.assemble((mark, style) if n == 0 else " ", " ", _spaced(name, left + COLUMNS, way))
             if not beside:
-                yield from (Text("    ") + line for line in fill(how, room - 2))
+                yield from (Styled("    ") + line for line in fill(how, room - 2))
 
 
-def _spaced(name: Text, column: int, way: Text) -> Text:
-    return Text.assemble(name, " " * (column - cell_len(name.plain)), way) if way else name
+def _spaced(name: Styled, column: int, way: Styled) -> Styled:
+    return Styled.assemble(name, " " * (column - cell_len(name.plain)), way) if way else name

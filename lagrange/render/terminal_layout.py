@@ -18,11 +18,11 @@ import re
 from collections.abc import Iterator, Sequence
 
 from rich.cells import cell_len, set_cell_size
-from rich.text import Text
 
 from lagrange.document.names import plain
 from lagrange.render.limits import ALONE, SHORT_SIDE, UNBROKEN_FORMULA
 from lagrange.render.line_breaking import outermost
+from lagrange.render.styled_text import Styled
 
 MATRIX_GAP = 2
 LEFT, RIGHT = "⎛⎜⎝", "⎞⎟⎠"
@@ -77,7 +77,7 @@ class Words:
     """A paragraph being built: words with their styles."""
 
     def __init__(self) -> None:
-        self.words: list[Text] = []
+        self.words: list[Styled] = []
         self._open = False  # whether the next text continues the last word
 
     @property
@@ -89,7 +89,7 @@ class Words:
         """Add running text. A line is never broken at a no-break space."""
         for piece in re.split(r"([^\S\u00a0]+)", text):
             if piece and not piece.isspace():
-                self._add(Text(piece.replace("\u00a0", " "), style))
+                self._add(Styled(piece.replace("\u00a0", " "), style))
             elif piece:
                 self._open = False
         return self
@@ -98,7 +98,7 @@ class Words:
         """Add a formula a = b = c, from marked sides."""
         on_one_line = f" {relation} ".join(plain(side) for side in sides)
         if cell_len(on_one_line) <= UNBROKEN_FORMULA:
-            self._add(Text(on_one_line))
+            self._add(Styled(on_one_line))
             return self
         pieces: list[str] = []
         for n, side in enumerate(sides):
@@ -113,15 +113,15 @@ class Words:
                     pieces.append(piece)
         for n, piece in enumerate(pieces):
             self._open = self._open and n == 0  # a bracket before the formula sticks to its first piece only
-            self._add(Text(piece))
+            self._add(Styled(piece))
         return self
 
-    def line(self, line: Text) -> Words:
+    def line(self, line: Styled) -> Words:
         """Add a line as one word."""
         self.words.append(line)
         return self
 
-    def _add(self, word: Text) -> None:
+    def _add(self, word: Styled) -> None:
         if self._open and self.words:
             self.words[-1] = self.words[-1] + word
         else:
@@ -129,12 +129,12 @@ class Words:
         self._open = True
 
 
-def fill(words: Words, width: int, hang: int = 0, *, prose: bool = False) -> Iterator[Text]:
+def fill(words: Words, width: int, hang: int = 0, *, prose: bool = False) -> Iterator[Styled]:
     """The lines of a paragraph. `hang` indents all lines of a torn word but its first.
 
     prose  whether no short word stands alone on the last line
     """
-    rows: list[list[Text]] = []
+    rows: list[list[Styled]] = []
     room = 0
     for word in words.words:
         cells = cell_len(word.plain)
@@ -148,16 +148,16 @@ def fill(words: Words, width: int, hang: int = 0, *, prose: bool = False) -> Ite
         [last] = rows[-1]
         if cell_len(last.plain) <= ALONE and cell_len(last.plain) + cell_len(rows[-2][-1].plain) < width:
             rows[-1].insert(0, rows[-2].pop())
-    yield from (Text(" ").join(row) for row in rows)
+    yield from (Styled(" ").joined(row) for row in rows)
 
 
-def pad(line: Text, right: str, width: int) -> Text:
+def pad(line: Styled, right: str, width: int) -> Styled:
     """A line padded to the width, with `right` at its end."""
     gap = width - cell_len(line.plain) - cell_len(right)
-    return Text.assemble(line, " " * max(gap, 0), (right, "dim"))
+    return Styled.assemble(line, " " * max(gap, 0), (right, "dim"))
 
 
-def _torn(word: Text, width: int, hang: int) -> list[Text]:
+def _torn(word: Styled, width: int, hang: int) -> list[Styled]:
     """A word in pieces that fit: cut at spaces, or anywhere if there are none."""
     if cell_len(word.plain) <= width:
         return [word]
@@ -165,7 +165,7 @@ def _torn(word: Text, width: int, hang: int) -> list[Text]:
     leading = len(word.plain) - len(word.plain.lstrip())
     indent, hang = min(leading, width // 4), min(hang, width // 4)
     word = word[leading:]
-    pieces: list[Text] = []
+    pieces: list[Styled] = []
     while cell_len(word.plain) > width - indent:
         room = max(width - indent, 2)
         # About as many characters as fill `room` cells: wide letters and combining dots make it a guess.
@@ -174,10 +174,10 @@ def _torn(word: Text, width: int, hang: int) -> list[Text]:
             cut -= 1
         space = word.plain.rfind(" ", 1, cut + 1)
         at = space if space > 0 else _whole_character(word.plain, max(cut, 1))
-        pieces.append(Text(" " * indent) + word[:at])
+        pieces.append(Styled(" " * indent) + word[:at])
         word = word[at + 1 :] if space > 0 else word[at:]
         indent = min(leading, width // 4) + hang if leading + hang < width // 4 else width // 4 if hang else 0
-    return [*pieces, Text(" " * indent) + word]
+    return [*pieces, Styled(" " * indent) + word]
 
 
 def _whole_character(text: str, cut: int) -> int:
@@ -191,7 +191,7 @@ Grid = list[list[Words]]  # the first row is the header, the first column names 
 COLUMN_GAP = 3
 
 
-def table_lines(grid: Grid, width: int) -> Iterator[Text]:
+def table_lines(grid: Grid, width: int) -> Iterator[Styled]:
     """The lines of a table, none wider than `width`."""
     turned = [list(column) for column in zip(*grid, strict=True)]
     for candidate in (grid, turned):
@@ -216,7 +216,9 @@ def _total(widths: Sequence[int]) -> int:
 def _squeezed(grid: Grid, width: int) -> list[int] | None:
     """Widths after narrowing the widest columns until all fit; None if that would tear words or formulas."""
     widths = _natural(grid)
-    least = [max(cell_len(word.plain) for row in grid for word in row[k].words or [Text()]) for k in range(len(widths))]
+    least = [
+        max(cell_len(word.plain) for row in grid for word in row[k].words or [Styled()]) for k in range(len(widths))
+    ]
     while _total(widths) > width:
         slack = [k for k in range(len(widths)) if widths[k] > least[k]]
         if not slack:
@@ -225,28 +227,27 @@ def _squeezed(grid: Grid, width: int) -> list[int] | None:
     return widths
 
 
-def _ruled(grid: Grid, widths: Sequence[int]) -> Iterator[Text]:
+def _ruled(grid: Grid, widths: Sequence[int]) -> Iterator[Styled]:
     """Columns with a thin line between them and below the header."""
     for n, row in enumerate(grid):
         cells = [list(fill(words, room)) for words, room in zip(row, widths, strict=True)]
         for k in range(max(1, *(len(cell) for cell in cells))):
-            line = Text()
+            parts: list[str | tuple[str, str] | Styled] = []
             for column, (cell, room) in enumerate(zip(cells, widths, strict=True)):
-                content = cell[k] if k < len(cell) else Text()
-                line.append_text(Text(" │ ", "dim") if column else Text())
-                line.append_text(content)
-                line.append(" " * (room - cell_len(content.plain)))
-            yield line
+                content = cell[k] if k < len(cell) else Styled()
+                parts += [(" │ ", "dim")] if column else []
+                parts += [content, " " * (room - cell_len(content.plain))]
+            yield Styled.assemble(*parts)
         if n == 0:
-            yield Text("─┼─".join("─" * room for room in widths), "dim")
+            yield Styled("─┼─".join("─" * room for room in widths), "dim")
 
 
-def _stacked(grid: Grid, width: int) -> Iterator[Text]:
+def _stacked(grid: Grid, width: int) -> Iterator[Styled]:
     """One entry below another: the name of the row, then a line for each column."""
     header, *rows = grid
     for row in rows:
         yield from fill(row[0], width)
         for title, cell in zip(header[1:], row[1:], strict=True):
             entry = Words()
-            entry.words = [*title.words[:-1], *(Text.assemble(w, ":") for w in title.words[-1:]), *cell.words]
-            yield from (Text("  ") + line for line in fill(entry, width - 2, hang=2))
+            entry.words = [*title.words[:-1], *(Styled.assemble(w, ":") for w in title.words[-1:]), *cell.words]
+            yield from (Styled("  ") + line for line in fill(entry, width - 2, hang=2))

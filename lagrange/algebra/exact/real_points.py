@@ -352,7 +352,7 @@ def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | 
     """The smallest dx with J dx = −f; None where there is none. J of shape (m, n), f of shape (m,).
 
     It is −Jᵀ y with J Jᵀ y = f. Where there are more equations than unknowns Jᵀ J dx = −Jᵀ f is the smaller system; it
-    always has solutions, which have to be tried.
+    always has solutions, which have to be tried, unless J is so steep that rounding leaves none.
     """
     m, n = len(J), len(J[0])
     if m <= n:
@@ -360,6 +360,8 @@ def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | 
         return None if y is None else [-sum(row[k] * y[i] for i, row in enumerate(J)) for k in range(n)]
     columns = [[row[k] for row in J] for k in range(n)]
     step = point.solution(_products(columns), [-sum(map(mul, column, f)) for column in columns])
+    if step is None:
+        return None
     zero = point.number(1, 10**ZERO_DIGITS) * (1 + max(map(abs, f)))
     return step if all(abs(sum(map(mul, row, step)) + x) < zero for row, x in zip(J, f, strict=True)) else None
 

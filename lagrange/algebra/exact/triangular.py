@@ -34,7 +34,7 @@ from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.solved_blocks import ContradictoryError, NotSolvableError, SolvedBlock
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
 
 Places = tuple[int, ...]
 Unknowns = tuple[sp.Expr, ...]
@@ -156,7 +156,7 @@ def _explicit(blocks: Sequence[SolvedBlock], coordinates: Sequence[sp.Symbol]) -
         if len(block.unknowns) != 1 or len(block.constraints) != 1 or block.unknowns[0] not in coordinates:
             continue
         [f], [s] = block.constraints, block.unknowns
-        slope = f.diff(s)
+        slope = partial(f, s)
         if slope == 0 or slope.has(s):
             continue
         value = (-f.xreplace({s: sp.S.Zero}) / slope).xreplace(rules)

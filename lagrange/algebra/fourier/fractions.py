@@ -28,7 +28,11 @@ from lagrange.algebra.fourier.polynomials import lowest, pack, unpack
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import PowerProduct, common_factor
 from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.effort import spend
 from lagrange.core.operations import count_operations
+
+MULTIPLIED_IN_A_UNIT = 5
+"""Terms of a polynomial of half angles, each of which takes several products, in the time of one unit of work."""
 
 
 def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Element] | None:
@@ -147,6 +151,7 @@ class _HalfAngles:
             cosine, sine = self._wave(self._turns(frequency))
             place = (*(powers.get(i, 0) for i in self._generators), *(0 for _ in self._angles))
             total += self._ring.from_dict({place: sp.ZZ(1)}) * (a * cosine + b * sine)
+            spend((len(cosine) + len(sine)) / MULTIPLIED_IN_A_UNIT)
         return total
 
     def _wave(self, turns: list[int]) -> tuple[Any, Any]:

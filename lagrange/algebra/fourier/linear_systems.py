@@ -261,9 +261,14 @@ def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     if entry.is_number or entry.is_Symbol:
         return entry
     formed = textbook_form(entry)
-    if count_operations(formed) > MOST_CANCELLED or formed.is_polynomial():
+    if count_operations(formed) > MOST_CANCELLED or formed.is_polynomial() or _is_reduced(formed):
         return formed
     return in_lowest_terms(textbook_form(sp.cancel(formed)))
+
+
+def _is_reduced(formed: sp.Expr) -> bool:
+    """Whether nothing can cancel that textbook form does not cancel itself: only powers of symbols are divided by."""
+    return all(p.exp.is_Integer and (p.exp > 0 or p.base.is_Symbol) for p in formed.atoms(sp.Pow))
 
 
 def _reduce(work: list[list[sp.Expr]], width: int, surface: Decides, tidy: Tidy) -> dict[int, int]:

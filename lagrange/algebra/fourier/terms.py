@@ -11,8 +11,9 @@ taken in textbook form (`textbook_form`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
+from functools import lru_cache
 
 import sympy as sp
 
@@ -245,6 +246,7 @@ def common_factor(expression: sp.Expr) -> CommonFactor:
     )
 
 
+@lru_cache(maxsize=1 << 12)  # an equation is taken apart to find its common factor, and again to divide by it
 def as_term(product: sp.Expr) -> PowerProduct:
     """Number and rational powers of a product; tan w is sin w/cos w."""
     number, rest = product.as_coeff_Mul()
@@ -274,9 +276,13 @@ def normalised(expression: sp.Expr, leading: Iterable[sp.Symbol] = ()) -> sp.Exp
     an acceleration; without any acceleration, most of all terms.
     """
     terms = sp.Add.make_args(expression)
-    groups = [[term for term in terms if term.has(symbol)] for symbol in leading]
-    groups += [[term for term in terms if any(is_acceleration(s) for s in term.free_symbols)], list(terms)]
-    balance = next((b for b in map(_balance, groups) if b), 1)
+
+    def groups() -> Iterator[list[sp.Expr]]:
+        yield from ([term for term in terms if term.has(symbol)] for symbol in leading)
+        yield [term for term in terms if any(is_acceleration(s) for s in term.free_symbols)]
+        yield list(terms)
+
+    balance = next((b for b in map(_balance, groups()) if b), 1)
     return expression if balance > 0 else sp.Add(*(-term for term in terms))
 
 

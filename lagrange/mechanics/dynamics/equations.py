@@ -38,7 +38,7 @@ from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, commo
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import prime, variation
+from lagrange.core.symbols import partial, prime, variation
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, TooLongError, eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -259,7 +259,7 @@ def excluding(motion: EquationsOfMotion) -> tuple[sp.Expr, ...]:
     if as_they_are or not motion.conditions:
         return motion.conditions
     accelerations = configuration.slots.accelerations
-    inertia = [[e.expression.diff(a) for a in accelerations] for e in motion.equations]
+    inertia = [[partial(e.expression, a) for a in accelerations] for e in motion.equations]
     matrix = [*inertia, *(list(r.coefficients) for r in configuration.rows)]
 
     def is_harmless(pivot: sp.Expr) -> bool:

@@ -30,7 +30,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import Slots, partial
 from lagrange.core.vectors import Triad, Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import solved_constraints
@@ -270,7 +270,7 @@ def recognised_rod(
         return None
     for ends, centre, d in _candidates(points, directions, slots):
         squared = textbook_form(d.dot(d))
-        slopes = [squared.diff(q) for q in slots.coordinates]
+        slopes = [partial(squared, q) for q in slots.coordinates]
         ratio = _ratio(row, slopes, surface)
         if ratio is not None:
             length = _length(row, d, squared, ratio, slots)
@@ -310,8 +310,8 @@ def _candidates(
 def _centre(point: MassPoint, direction: Vector, slots: Slots) -> Vector | None:
     """The point c with direction = μ (r − c), μ constant: the centre of a circle or sphere given by squares."""
     gradient = direction.fixed()
-    for q, partial in zip(slots.coordinates, point.partials, strict=True):
-        along = partial.fixed()
+    for q, tangent in zip(slots.coordinates, point.partials, strict=True):
+        along = tangent.fixed()
         size = textbook_form(along.dot(along))
         if size == 0:
             continue

@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, count, islice, product
 from random import Random
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -38,6 +38,10 @@ from lagrange.mechanics.dynamics.limits import (
     ZERO_DIGITS,
 )
 
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.motion import Motion
+    from lagrange.problem.model import Problem
+
 TOLERANCE = sp.Float(10) ** -ZERO_DIGITS
 """Smaller numbers are zero."""
 
@@ -48,6 +52,16 @@ class SpotValue:
 
     values: Mapping[sp.Symbol, sp.Expr]
     accelerations: Mapping[sp.Symbol, sp.Expr]
+
+
+def spot_of_motion(motion: Motion, problem: Problem) -> SpotValue | None:
+    """A spot value of the equations of motion, with the values of parameters that the file gives."""
+    return spot_value(
+        System(motion.equations.configuration, motion.equations.expressions),
+        {p.symbol: p.value for p in problem.parameters if p.value is not None},
+        (*motion.slips, *motion.sliding, *motion.shown.positive),
+        motion.contacts,
+    )
 
 
 def spot_value(
@@ -256,12 +270,12 @@ def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Sy
     accelerations = system.configuration.slots.accelerations
     point = _point(values)
     rows = affine_rows(point, [*system.equations, *system.accelerated_constraints], accelerations)
-    matrix = [row[:-1] for row in rows]
-    if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
+    if len(rows) != len(accelerations):
         return None
-    solution = point.solution(matrix, [-row[-1] for row in rows])
-    assert solution is not None
-    numbers = [_recognised(x) for x in solution]
+    reduced, pivots = row_reduced(point.arithmetic, rows)
+    if pivots != [*range(len(accelerations))]:
+        return None
+    numbers = [_recognised(-row[-1]) for row in reduced]
     return {
         a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
     }

@@ -43,7 +43,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_only_of_chart
-from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.loads import at_rest, loads
 from lagrange.mechanics.equilibrium.within_ranges import within
 
 
@@ -274,7 +274,9 @@ def equilibrium(
     work            of the forces at rest, if that is not the work of the applied forces
     laws            further conditions on the unknown forces, each zero
     """
-    work = work or virtual_work(configuration)
+    if work is None:
+        configuration = at_rest(configuration)
+        work = virtual_work(configuration)
     coordinates = configuration.slots.coordinates
     forces_on_independent = of_independent(work.coefficients, work.ring, elimination)
     displacements = [work.ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from lagrange.algebra.exact.real_points import _smallest_step
 from lagrange.algebra.exact.zero_test import Fields, InadmissibleError, Point, Surface
 from lagrange.core.symbols import Sign
 
@@ -46,3 +47,13 @@ def test_a_real_symbol_may_have_either_sign() -> None:
     signs = {surface.point(n).field.sign(surface.point(n).value(x)) for n in range(30)}  # type: ignore[attr-defined]
     assert signs == {1, -1}
     assert {surface.real_point(n).value(x) > 0 for n in range(30)} == {True, False}
+
+
+def test_a_system_too_steep_for_a_step() -> None:
+    """Rounding may leave JᵀJ dx = −Jᵀf, of more equations than unknowns, without a solution."""
+
+    class Rounded:
+        def solution(self, *_: object) -> None:
+            return None
+
+    assert _smallest_step(Rounded(), [[1], [10**99]], [1, 1]) is None

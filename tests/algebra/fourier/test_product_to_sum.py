@@ -5,12 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import permutations
 
+import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from lagrange.algebra.fourier.product_to_sum import Atom, Factoring, TrigProduct, gathered
 from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.symbols import prime, t
 from tests.support.chance import examples
 
@@ -60,3 +62,12 @@ def test_signs_of_differences_are_those_of_sympy() -> None:
             sign, written = ring.factoring.angle(frequency)
             assert (sign == -1) == (ring.angle_expression(frequency).could_extract_minus_sign())
             assert written == sign * ring.angle_expression(frequency)
+
+
+def test_the_search_for_factors_is_work() -> None:
+    """Trying the half sums of all frequencies grows with the third power of the terms, without a sum of SymPy's."""
+    ring = FourierRing()
+    angles = sp.symbols("theta1:9", real=True)
+    many = ring.from_sympy(sp.Add(*(cos(3 * p + (k + 2) * q) for k, (p, q) in enumerate(permutations(angles, 2)))))
+    with pytest.raises(GivenUpError), allowed(1_000):
+        Factoring(ring).products(many)
