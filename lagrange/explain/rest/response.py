@@ -132,4 +132,5 @@ def _resonance(found: Response) -> Iterator[Block]:
         for n, place in enumerate(places):
             parts: tuple[Part, ...] = (math(q), " stays at rest, although the system is driven, at")
             yield prose(*parts)
-            yield display(Equation((w**2, place), label=_label(found.forced, f"rest-{q.name}-{n}")))
+            only = () if place.is_positive else ("if that is positive",)
+            yield display(Equation((w**2, place), label=_label(found.forced, f"rest-{q.name}-{n}"), condition=only))

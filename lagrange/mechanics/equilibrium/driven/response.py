@@ -217,7 +217,7 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
     cosines, sines, amplitudes = _with_one_sign(cosines, sines, amplitudes)
     found = tuple(amplitudes)
     resonances = _resonances(determinant, found, w, is_damped)
-    rests = tuple(_zeros(_squared(z), w) if n > 1 else () for z in numerators)
+    rests = tuple(_zeros(sp.gcd(*_parts(z)), w) if n > 1 else () for z in numerators)  # both parts vanish there
     names = [q.name for q in forced.configuration.slots.coordinates]
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
     lag = free_letter("phi", "psi", "delta", "epsilon", taken=taken, of=names)
