@@ -134,8 +134,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
             cure="let coordinates turn with what is driven; `find: response` has the motion under a harmonic drive",
         )
     absent = [k for k, q in enumerate(slots.coordinates) if q not in symbols]
-    steady = {v: ZERO for k, v in enumerate(slots.velocities) if k not in absent}
-    cyclic = [k for k in absent if configuration.states.is_zero(form.force[k].xreplace(steady))]
+    cyclic = _free_to_turn(form, absent)
     if not cyclic:
         raise _none_cyclic(configuration, absent)
     others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
@@ -187,6 +186,28 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         )
     turning = tuple(slots.coordinates[k] for k in cyclic)
     return SteadyMotions(motion, form, turning, general, families, complete)
+
+
+def _free_to_turn(form: MatrixForm, absent: Sequence[int]) -> list[int]:
+    """The largest set found of coordinates along which no force acts while only they move.
+
+    Of a ball that rolls inside an upright cylinder, the force along the spin α about the normal is that of φ' β', and
+    the weight acts along β: α is cyclic because β rests.
+    """
+    slots, states = form.configuration.slots, form.configuration.states
+
+    def hold(turning: Sequence[int]) -> list[int]:
+        resting = {v: ZERO for k, v in enumerate(slots.velocities) if k not in turning}
+        return [k for k in turning if states.is_zero(form.force[k].xreplace(resting))]
+
+    cyclic = hold(absent)
+    if len(cyclic) == len(absent):
+        return cyclic
+    cyclic = hold(cyclic)
+    for k in absent:
+        if k not in cyclic and len(hold(wider := sorted([*cyclic, k]))) == len(wider):
+            cyclic = wider
+    return cyclic
 
 
 def _none_cyclic(configuration: Configuration, absent: Sequence[int]) -> ProblemError:
@@ -293,7 +314,8 @@ def _at_any_rate(general: Equilibrium, slope: sp.Expr) -> Equilibrium:
 def _only(resting: Equilibrium, chosen: Callable[[Branch], bool]) -> Equilibrium:
     """The steady motions of some branches."""
     kept = [(b, i) for b, i in zip(resting.branches, resting.idle, strict=True) if chosen(b)]
-    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if chosen(b)))
+    real = (b for b in resting.solution.branches if b not in resting.poles and chosen(b))
+    solution = replace(resting.solution, branches=tuple(real))
     branches, idle = tuple(b for b, _ in kept), tuple(i for _, i in kept)
     return replace(resting, solution=solution, branches=branches, idle=idle)
 
