@@ -81,7 +81,9 @@ def first_value(
     try:
         for horizon in HORIZONS:
             step = horizon / 50
-            run = solve_ivp(rate, (0.0, horizon), start, "DOP853", events=crossing, rtol=1e-10, atol=1e-12, max_step=step)
+            run = solve_ivp(
+                rate, (0.0, horizon), start, "DOP853", events=crossing, rtol=1e-10, atol=1e-12, max_step=step
+            )
             found = _first(run, horizon)
             if found is not None:
                 here = (*found[1], found[0])
