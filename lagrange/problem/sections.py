@@ -172,7 +172,7 @@ class Section:
         help_ = self._help_for(key)
         self.diagnostics.report(Diagnostic("unknown-key", message, key.span, help=help_))
         self.diagnostics.mute(value.span)
-        meant = nearest(key.text, self.form.names)
+        meant = None if help_ is VARYING_PART else nearest(key.text, self.form.names)
         if meant is None or meant in self._values:
             self.strange.append(value)
         else:
