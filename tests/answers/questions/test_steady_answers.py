@@ -98,3 +98,15 @@ def test_a_length_at_which_the_coordinates_fail_is_not_missed() -> None:
     text += "forces: {spring: {potential: c*(r - l)^2/2}}\nfind: steady\n"
     answers = "{steady: [c*(r - l)*cos(theta) = m*g, r*cos(theta)*phi'^2 = g]}"
     assert verdicts(text, answers) == ["equivalent"]
+
+
+def test_a_root_may_be_written_over_another_denominator() -> None:
+    """A fast charge on a circle, γ m r φ'² = K/r², which has no closed solution for r."""
+    text = """title: A fast charge about a fixed one
+parameters: [m, c, K]
+coordinates: [r, phi]
+lagrangian: "-m*c^2*sqrt(1 - (r'^2 + r^2*phi'^2)/c^2) + K/r"
+find: steady
+"""
+    assert verdicts(text, "{steady: [m*r^3*phi'^2 = K*sqrt(1 - r^2*phi'^2/c^2)]}") == ["equivalent"]
+    assert verdicts(text, "{steady: [m*r^3*phi'^2 = K*(1 - r^2*phi'^2/c^2)]}") == ["wrong"]
