@@ -139,6 +139,8 @@ def check_steady(
     is the same at r < 0.
     """
     verdict = _of_steady_motions(check_equilibria(alternatives, conditions, reference))
+    if verdict.verdict is Verdict.WRONG:
+        verdict = _on_one_side(alternatives, conditions, reference) or verdict
     if verdict.verdict is not Verdict.INCOMPLETE:
         return verdict
     both = [tuple(GivenEquation.of_reading(r, "answer") for r in _read(a, reference)[0]) for a in alternatives]
@@ -160,6 +162,21 @@ def check_steady(
         right = (replace(e, verdict=Verdict.EQUIVALENT, remarks=(*e.remarks, remark)) for e in verdict.equations)
         return replace(verdict, verdict=Verdict.EQUIVALENT, equations=tuple(right), missing=0)
     return verdict
+
+
+def _on_one_side(
+    alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
+) -> AnswerVerdict | None:
+    """The verdict on an answer that is right where f > 0, of conditions that contain sgn f; None if it is not."""
+    from lagrange.mechanics.momenta.steady_motions import on_one_side
+
+    for side, general in (s for e in conditions for s in on_one_side(e)):
+        verdict = check_equilibria(alternatives, [general], reference)
+        if verdict.verdict is Verdict.EQUIVALENT:
+            remark = f"it is right where {text(side, Notation())} > 0, which is taken to be meant"
+            right = (replace(e, remarks=(*e.remarks, remark)) for e in verdict.equations)
+            return replace(verdict, equations=tuple(right))
+    return None
 
 
 def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:

@@ -260,6 +260,7 @@ class EquilibriumComparison:
 
     def _canonical(self, e: sp.Expr) -> list[sp.Expr]:
         """The factors of an equation that contain an unknown, up to sign."""
+        e = _over_one_denominator_in_roots(e)
         letters = TrigLetters([e, *self.conditions], self.unknowns)
         try:
             parts = numerator(letters.read(e))
@@ -583,6 +584,12 @@ def _is_outside_circular(u: sp.Symbol, expressions: Sequence[sp.Expr]) -> bool:
     """Whether an unknown occurs outside sines and cosines."""
     outside = (e.xreplace({f: sp.Dummy() for f in e.atoms(*CIRCULAR)}) for e in expressions)
     return any(u in e.free_symbols for e in outside)
+
+
+def _over_one_denominator_in_roots(e: sp.Expr) -> sp.Expr:
+    """√(1 − v²/c²) as √(c² − v²)/c."""
+    roots = [p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add]
+    return e.xreplace({p: sp.together(p.base) ** p.exp for p in roots})
 
 
 def _parts_of_angles(expressions: Sequence[sp.Expr], angles: frozenset[sp.Symbol]) -> int:

@@ -24,7 +24,15 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
     names = [r.name for r in found.lost]
     words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
     words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
-    if found.by_accelerations:
+    values = [found.by_accelerations.get(name) for name in names]
+    if all(e is not None and not any(s.name.endswith("''") for s in e.free_symbols) for e in values):
+        yield prose("Newton's equations alone give")
+        yield display(
+            *(Equation((r.force, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+              for r in found.lost),
+            boxed=True,
+        )  # fmt: skip
+    elif found.by_accelerations:
         detail = (
             Detail.FULL if sum(count_operations(e) for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
         )

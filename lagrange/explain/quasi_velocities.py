@@ -86,6 +86,8 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
     whats = [plural(len(v), f"the velocity of the {whose}", f"the velocities of the {whose}")] * bool(v)
     whats += [plural(len(w), "the angular velocity", "the angular velocities")] * bool(w)
     whats += [plural(len(h), "the angular momentum", "the angular momenta")] * bool(h)
+    if not lines:  # a Lagrangian that is given has no bodies
+        return blocks
     words = joined(whats) + are(lines).rstrip()
     blocks += [prose(words if new else capital(f"{words} then")), display(*lines)]
     a = {f"r_{name}''": vector for name, vector in equations.accelerations.items()}
@@ -110,10 +112,13 @@ def _principle(equations: QuasiEquations, stated: bool) -> list[Block]:
     free += [math(variation(q)) for q in quasi.completing]
     role = plural(len(free), " plays the role of ", " play the role of ")
     symbols = listed(math(s) for s in quasi.symbols)
+    law: tuple[Part, ...] = ("d'Alembert's principle ", *((Ref("principle"), " ") if stated else ()), "reads")
+    if not quasi.configuration.points and not quasi.configuration.rotations:  # the Lagrangian is given
+        law = ("Lagrange's equations, each multiplied by the virtual displacement of its coordinate, add up to",)
     return [
         prose("In a virtual displacement, with time frozen, ", *listed(free), role, *symbols, ":"),
         display(*lines),
-        prose("With these, d'Alembert's principle ", *((Ref("principle"), " ") if stated else ()), "reads"),
+        prose("With these, ", *law),
         display(Equation((equations.statement, ZERO), label=f"written-out-in-speeds{suffix}")),
         must_vanish(free, scaling(equations.equations), ending="arbitrary in every virtual displacement"),
     ]

@@ -37,6 +37,7 @@ from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import Body, Exchange, Particle
 from lagrange.problem.sections import (
     CONSTANT,
+    INERTIA,
     MASS,
     MASS_OF_BODY,
     POSITION,
@@ -175,14 +176,14 @@ def _inertia(node: Node | None, section: Section, context: LoadContext) -> tuple
         message = "`inertia` is a list here, and not a text"
         raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))
     if not isinstance(node, ListNode):
-        return (constant(node, "a moment of inertia", context),), NO_PRODUCTS
+        return (constant(node, "a moment of inertia", context, INERTIA),), NO_PRODUCTS
     if len(node.items) != 3:
         message = f"`inertia` has one moment, or three principal moments, and not {len(node.items)}"
         raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
     if any(isinstance(row, ListNode) for row in node.items):
         tensor = _matrix(node, context)
     else:
-        a, b, c = (constant(item, "a moment of inertia", context) for item in node.items)
+        a, b, c = (constant(item, "a moment of inertia", context, INERTIA) for item in node.items)
         tensor = InertiaTensor((a, b, c))
     _check_possible(tensor, node, context)
     return tensor.moments, tensor.products
@@ -195,9 +196,9 @@ def _matrix(node: ListNode, context: LoadContext) -> InertiaTensor:
         message = "a matrix `inertia` has three rows of three elements each"
         raise ProblemError(Diagnostic("inertia", message, node.span, help=_INERTIA))
     reads = (
-        (lambda m=m, n=n: constant(rows[m][n], "a moment of inertia", context))
+        (lambda m=m, n=n: constant(rows[m][n], "a moment of inertia", context, INERTIA))
         if m == n
-        else (lambda m=m, n=n: context.scalar(rows[m][n], "an element of the tensor of inertia", CONSTANT))
+        else (lambda m=m, n=n: context.scalar(rows[m][n], "an element of the tensor of inertia", INERTIA))
         for m, n in product(range(3), repeat=2)
     )
     elements = context.diagnostics.all_of(*reads)
@@ -499,7 +500,8 @@ def _names_used(node: Node) -> tuple[frozenset[str], frozenset[str]]:
     """The names that the position of a body uses, and those that the rest of it uses."""
     if not isinstance(node, MappingNode):
         return frozenset(), _uses(node)
-    uses = [(key.text == "position", _uses(value)) for key, value in node.entries if key.text != "shape"]
+    unread = ("shape", "leaves", "gains")  # the last two are no keys of a body, which is said elsewhere
+    uses = [(key.text == "position", _uses(value)) for key, value in node.entries if key.text not in unread]
     place, rest = ([names for is_place, names in uses if is_place == wanted] for wanted in (True, False))
     return frozenset().union(*place), frozenset().union(*rest)
 

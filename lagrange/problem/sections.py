@@ -72,12 +72,17 @@ MASS = Allowed(
     "a mass depends on time and coordinates; for a rate such as k*m*x' make the mass a coordinate with a constraint, "
     "`m' = k*m*x'`, or integrate it first: m_0*exp(k*x)",
 )
+VARYING_PART = (
+    "a rigid body keeps its mass: give the part that varies as a particle that the body carries, `fuel: {mass: m_0 - "
+    "q*t, position: r_rocket - a*e1_rocket, leaves: {relative: -u*e1_rocket}}`, or several"
+)
 MASS_OF_BODY = Allowed(
     frozenset(),
-    "a rigid body keeps its mass; one that does not turn moves like a particle, whose mass may vary; where what leaves "
-    "or joins does not change its velocity in a jump, as of a carpet that unrolls, give T - V as `lagrangian:` instead",
+    f"{VARYING_PART}; where what leaves or joins does not change its velocity in a jump, as of a carpet that unrolls, "
+    "give T - V as `lagrangian:` instead",
     "not-constant",
 )
+INERTIA = Allowed(frozenset(), f"{CONSTANT.help}; {VARYING_PART}", "not-constant")
 POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")
 PLACE = Allowed(frozenset({_T, _Q, _P}), "where a force acts depends on coordinates, time and unknowns")
 ENERGY = Allowed(frozenset({_T, _Q, _V, _P}), "it depends on coordinates, velocities and time")
@@ -167,7 +172,7 @@ class Section:
         help_ = self._help_for(key)
         self.diagnostics.report(Diagnostic("unknown-key", message, key.span, help=help_))
         self.diagnostics.mute(value.span)
-        meant = nearest(key.text, self.form.names)
+        meant = None if help_ is VARYING_PART else nearest(key.text, self.form.names)
         if meant is None or meant in self._values:
             self.strange.append(value)
         else:
@@ -179,6 +184,8 @@ class Section:
             return f"write `assume: {key.text}`"
         if "range" in self.form.names and key.text in ("min", "max", "between"):
             return "write `range: [a, b]`"
+        if "inertia" in self.form.names and key.text in ("leaves", "gains"):
+            return VARYING_PART
         other = OTHER_KEYS.get(key.text.lower())
         if other in self.form.names:
             return f"write `{other}`"

@@ -372,15 +372,19 @@ class _Exponents:
     exact    in closed form; None where not all are
     own      what ω² would be without damping, as far as known
     numbers  with the values of the parameters; None where some have none
+    zero     whether zero is one of them: it may be stated, and left out
     """
 
     exact: tuple[sp.Expr, ...] | None
     own: tuple[sp.Expr, ...]
     numbers: tuple[sp.Expr, ...] | None
     values: dict[sp.Symbol, sp.Rational]
+    zero: bool
 
     def has(self, claim: sp.Expr, squared: bool) -> int | None:
-        """The index of a stated value; −1 where it is none of them, None where that is undecided."""
+        """The index of a stated value, or _ZERO; −1 where it is none of them, None where that is undecided."""
+        if claim == 0 and self.zero:
+            return _ZERO
         undecided = False
         for n, wanted in enumerate(self.exact or ()):
             difference = (claim - wanted).xreplace(self.values)
@@ -422,6 +426,7 @@ def check_decay(
     return _of_exponents("decay", stated, lists, damped, linearizations)
 
 
+_ZERO = -2  # in place of an index
 _UNDAMPED = "these are the frequencies without damping"
 _NO_DECAY = "no equilibrium with decay rates is known: nothing is damped there, or the exponents have no closed form"
 
@@ -441,7 +446,8 @@ def _damped(f: Linearization, reference: Reference, *, rates: bool) -> Iterator[
             continue
         numbers = None if found.complete else _in_numbers(s, values, rates=rates)
         own = () if rates else tuple(m.own for m in found.modes if m.own is not None)
-        yield _Exponents(tuple(_different(exact)) if found.complete else None, own, numbers, values)
+        zero = any(e == 0 for e in exact)
+        yield _Exponents(tuple(_different(exact)) if found.complete else None, own, numbers, values, zero)
 
 
 def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
@@ -507,7 +513,7 @@ def _of_found(found: Sequence[int | None], place: _Exponents) -> Verdict:
     if None in found or -1 in found:
         return Verdict.WRONG if -1 in found else Verdict.UNDECIDED
     wanted = place.exact if place.exact is not None else place.numbers
-    return Verdict.EQUIVALENT if len({*found}) == len(wanted or ()) else Verdict.INCOMPLETE
+    return Verdict.EQUIVALENT if len({*found} - {_ZERO}) == len(wanted or ()) else Verdict.INCOMPLETE
 
 
 def _read_rate(fragment: Fragment, reference: Reference) -> sp.Expr:

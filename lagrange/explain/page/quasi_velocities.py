@@ -156,6 +156,8 @@ def reaction_as_a_whole(solution: Solution) -> Step | None:
     configuration = own.configuration
     if law is None or own.dynamics is None or len(configuration.points) != 1 or not configuration.rotations:
         return None
+    if solution.long_reactions is not None or configuration.generalized:
+        return None
     if configuration.links or configuration.potential != 0 or law.all_frictions or solution.choices:
         return None
     if any(r.single is not None for r in law.newton.reactions) or solution.problem.unknowns:

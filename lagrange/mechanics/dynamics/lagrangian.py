@@ -162,18 +162,26 @@ def share_of_spring(spring: StretchedSpring, coordinate: sp.Symbol) -> sp.Expr:
 
 
 def share_of_damper(damper: DamperForce, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
-    """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d. Along a fixed direction, r = s n, it is c n·n s'²/2.
-
-    The quotient has no value where the ends meet, and masses whose displacements count from rest meet at rest.
-    """
+    """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d; along a line d' = ±s', also where the ends meet."""
     apart = damper.apart.fixed()
-    first, *others = [c for c in apart.components if c != 0]
-    ratios = [sp.cancel(c / first) if c.is_polynomial(*slots.coordinates) else c / first for c in others]
-    if not any(r.has(*slots.coordinates) for r in ratios):
-        rate = slots.time_derivative(first)
-        return -damper.coefficient * sp.Add(1, *(r**2 for r in ratios)) * rate * partial(rate, velocity)
+    along = _along_a_line(apart, slots)
+    if along is not None:
+        rate = slots.time_derivative(along)
+        return -damper.coefficient * rate * partial(rate, velocity)
     closing = apart.dot(apart.time_derivative(slots))
     return -damper.coefficient * closing * partial(closing, velocity) / apart.dot(apart)
+
+
+def _along_a_line(apart: Vector, slots: Slots) -> sp.Expr | None:
+    """The length s of a vector s n with a constant unit vector n, with either sign; None if its direction changes."""
+    parts = [c for c in apart.components if c != 0]
+    if not all(c.is_polynomial(*slots.coordinates) for c in parts):
+        return None if len(parts) > 1 else parts[0]
+    ratios = [sp.cancel(c / parts[0]) for c in parts]
+    moving = {*slots.coordinates, *slots.prescribed, t}
+    if any(base(s) in moving for e in ratios for s in e.free_symbols):
+        return None
+    return parts[0] * sp.sqrt(sp.Add(*(e**2 for e in ratios)))
 
 
 def applied_power(configuration: Configuration) -> sp.Expr:

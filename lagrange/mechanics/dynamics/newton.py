@@ -226,7 +226,7 @@ class Newton:
     """Newton's law for every particle.
 
     bodies           the free bodies; None if the coordinates do not place the particles one by one
-    idle             the right sides of 0 = Σ λ_j a_k, for each coordinate that moves no particle
+    idle             the right sides of 0 = Q_k + Σ λ_j a_k, for each coordinate that moves no particle
     before           the count with unknown directions: one unknown for each component of a reaction
     after            the count with known directions: one unknown multiplier for each constraint
     """
@@ -315,10 +315,11 @@ def newton_equations(
         _reaction(row, c, placed, configuration, taken, c.name in rough or c.by in SURFACES)
         for row, c in zip(configuration.rows, constraints, strict=True)
     )
+    others = {q for r in reactions for q in r.others}
     idle = {
-        q: sp.Add(*(r.force * r.others[q] for r in reactions if q in r.others))
-        for q in configuration.slots.coordinates
-        if any(q in r.others for r in reactions)
+        q: sp.Add(*(r.force * r.others[q] for r in reactions if q in r.others), given)
+        for q, given in zip(configuration.slots.coordinates, _given(configuration) if others else (), strict=False)
+        if q in others
     }
     field_forces = None if placed is None else _field(placed, configuration)
     if placed is None or field_forces is None or any(r.directions is None for r in reactions):
@@ -361,6 +362,13 @@ class _Acting:
     reactions: tuple[Reaction, ...]
     field: Forces
     at_rest: bool
+
+
+def _given(configuration: Configuration) -> tuple[sp.Expr, ...]:
+    """The generalized forces that the file gives, and those of the potentials, shape (n,)."""
+    coordinates, V = configuration.slots.coordinates, configuration.potential
+    given = given_forces(configuration) or (sp.S.Zero,) * len(coordinates)
+    return tuple(q - partial(V, c) for q, c in zip(given, coordinates, strict=True))
 
 
 def _counts(

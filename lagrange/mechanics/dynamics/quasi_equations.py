@@ -122,6 +122,13 @@ class _Motion:
         """An expression in q and q', rewritten in q and u, in textbook form."""
         return self.textbook.form(expression.xreplace(self.rule))
 
+    def with_accelerations(self, e: sp.Expr) -> sp.Expr:
+        """An expression with q'' = d/dt (B u + b), which a Lagrangian that is given, or a potential, may contain."""
+        coordinates = {prime(q, 2): q for q in self.configuration.slots.coordinates}
+        present = sorted(e.free_symbols & coordinates.keys(), key=str)
+        read, form = self.ring.from_sympy, self.textbook.form
+        return e.xreplace({a: form(self._along(read(self.quasi.rates[prime(coordinates[a])]))) for a in present})
+
     def moving(self, v: Vector, triads: Sequence[Triad], inertia: InertiaTensor | None = None) -> Moving:
         """A velocity in the first of the triads in which it is shortest; with a tensor of inertia, H and dH/dt."""
         written = (v.along(triad).map(self.form) for triad in dict.fromkeys(triads))
@@ -219,6 +226,7 @@ def _force(motion: _Motion, points: Mapping[str, Moving], turning: Mapping[str, 
     work += [motion.dot(configuration.moment_on(name), m.partials[s]) for name, m in turning.items()]
     others = given_forces(configuration) or (sp.S.Zero,) * len(coordinates)
     slopes = [sp.Add(-partial(configuration.potential, q), f) for q, f in zip(coordinates, others, strict=True)]
+    slopes = [motion.with_accelerations(e) for e in slopes]
     work.append(motion.pulled(slopes, s))
     work += [motion.pulled([-d.pull * d.distance.diff(q) for q in coordinates], s) for d in configuration.dampers]
     return ring.total(work)

@@ -34,6 +34,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -45,6 +46,7 @@ from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.operations import count_operations
+from lagrange.core.ranges import sign_between
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t, variation
 from lagrange.mechanics.constraints.displacements import Elimination
@@ -124,7 +126,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     Raises NotCoveredError if the coordinates are not free and `reduced_form` cannot help, or time occurs; ProblemError
     if no coordinate is cyclic.
     """
-    form = reduced_form(motion) if motion.configuration.rows else matrix_form(motion)
+    form = _within_ranges(reduced_form(motion) if motion.configuration.rows else matrix_form(motion))
     configuration = form.configuration
     slots = configuration.slots
     symbols = {s for e in (*form.force, *(e for row in form.mass for e in row)) for s in e.free_symbols}
@@ -134,8 +136,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
             cure="let coordinates turn with what is driven; `find: response` has the motion under a harmonic drive",
         )
     absent = [k for k, q in enumerate(slots.coordinates) if q not in symbols]
-    steady = {v: ZERO for k, v in enumerate(slots.velocities) if k not in absent}
-    cyclic = [k for k in absent if configuration.states.is_zero(form.force[k].xreplace(steady))]
+    cyclic = _free_to_turn(form, absent)
     if not cyclic:
         raise _none_cyclic(configuration, absent)
     others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
@@ -165,7 +166,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     complete = branches_at_rest(general)[1]
     rates = [slots.velocities[k] for k in cyclic]
     conditions = [c.expression for c in general.conditions]
-    solved = _rate_from(conditions, rates)
+    solved = _rate_from(conditions, rates, 1 if complete else 2)
     if solved is None or (complete and not _has_several(conditions, rates)):
         alone = [rate for b in general.branches if (rate := _rate_at_any_position(b, rates))]
         with_position = _only(general, lambda b: _rate_at_any_position(b, rates) is None)
@@ -175,6 +176,7 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         )
     else:
         [(rate, value)] = solved.items()
+        complete = complete or _determines(conditions[0], rate, general)
         denominator = sp.fraction(sp.together(value))[1]
         whatever = _at_any_rate(general, partial(conditions[0], rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
@@ -187,6 +189,28 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         )
     turning = tuple(slots.coordinates[k] for k in cyclic)
     return SteadyMotions(motion, form, turning, general, families, complete)
+
+
+def _free_to_turn(form: MatrixForm, absent: Sequence[int]) -> list[int]:
+    """The largest set found of coordinates along which no force acts while only they move.
+
+    Of a ball that rolls inside an upright cylinder, the force along the spin α about the normal is that of φ' β', and
+    the weight acts along β: α is cyclic because β rests.
+    """
+    slots, states = form.configuration.slots, form.configuration.states
+
+    def hold(turning: Sequence[int]) -> list[int]:
+        resting = {v: ZERO for k, v in enumerate(slots.velocities) if k not in turning}
+        return [k for k in turning if states.is_zero(form.force[k].xreplace(resting))]
+
+    cyclic = hold(absent)
+    if len(cyclic) == len(absent):
+        return cyclic
+    cyclic = hold(cyclic)
+    for k in absent:
+        if k not in cyclic and len(hold(wider := sorted([*cyclic, k]))) == len(wider):
+            cyclic = wider
+    return cyclic
 
 
 def _none_cyclic(configuration: Configuration, absent: Sequence[int]) -> ProblemError:
@@ -213,8 +237,29 @@ def _none_cyclic(configuration: Configuration, absent: Sequence[int]) -> Problem
     return ProblemError(Diagnostic("no-cyclic-coordinate", message, help="; ".join(cures)))
 
 
-def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
-    """A constant rate from a single condition that is linear in it."""
+def _within_ranges(form: MatrixForm) -> MatrixForm:
+    """M and f with the signs that the ranges of the coordinates give: sgn sin θ = 1 for arms at 0 < θ < 90°."""
+    signs = _signs_in_ranges(form.configuration, form.force)
+    return replace(form, force=tuple(textbook_form(f.xreplace(signs)) for f in form.force)) if signs else form
+
+
+def _signs_in_ranges(configuration: Configuration, expressions: Sequence[sp.Expr]) -> dict[sp.Basic, sp.Basic]:
+    """The signs and magnitudes of sin q and cos q that are known inside the range of a coordinate."""
+    known: dict[sp.Basic, sp.Basic] = {}
+    for f in {f for e in expressions for f in e.atoms(sp.sign, sp.Abs)}:
+        inner = f.args[0]
+        limits = configuration.ranges.get(inner.args[0]) if isinstance(inner, sp.sin | sp.cos) else None
+        if limits is not None and limits.low.is_number and limits.high.is_number:
+            sign = sign_between(inner.func, limits.low, limits.high, (True, True))
+            if sign is not None:
+                known[f] = sp.Integer(sign) * (inner if isinstance(f, sp.Abs) else 1)
+    return known
+
+
+def _rate_from(
+    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], degree: int
+) -> dict[sp.Symbol, sp.Expr] | None:
+    """A constant rate from a single condition that is linear in it, or, of degree 2, in its square."""
     if len(conditions) != 1:
         return None
     [condition] = conditions
@@ -222,7 +267,32 @@ def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dic
         slope = partial(condition, rate)
         if slope != 0 and rate not in slope.free_symbols:
             return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
+    for rate in rates if degree == 2 else ():
+        of_square = sp.cancel(partial(condition, rate) / (2 * rate))
+        if of_square != 0 and rate not in of_square.free_symbols:
+            return {rate: sp.sqrt(textbook_form(-condition.xreplace({rate: ZERO}) / of_square))}
     return None
+
+
+def _determines(condition: sp.Expr, rate: sp.Symbol, general: Equilibrium) -> bool:
+    """Whether a condition a φ'² = b has no other solutions than φ'² = b/a, because a and b nowhere vanish together."""
+    slope = sp.cancel(partial(condition, rate) / (2 * rate))
+    if rate in slope.free_symbols:
+        return False
+    both = solutions([slope, condition.xreplace({rate: ZERO})], general.configuration.slots.coordinates)
+    return both.solved and not both.branches
+
+
+def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]]:
+    """Conditions that contain sgn f, as where f > 0 and where f < 0; nothing where there is no such f, or several."""
+    forces = conditions.independent_forces
+    inside = {s.args[0] for e in forces for s in e.atoms(sp.sign)}
+    if len(inside) != 1 or any(e.has(sp.Abs) for e in forces):
+        return
+    [f] = inside
+    for sign in (1, -1):
+        side = [e.xreplace({sp.sign(f): sp.Integer(sign)}) for e in forces]
+        yield sign * f, _conditions(conditions.configuration, side)
 
 
 def _rate_at_any_position(b: Branch, rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
@@ -301,7 +371,8 @@ def _at_any_rate(general: Equilibrium, slope: sp.Expr) -> Equilibrium:
 def _only(resting: Equilibrium, chosen: Callable[[Branch], bool]) -> Equilibrium:
     """The steady motions of some branches."""
     kept = [(b, i) for b, i in zip(resting.branches, resting.idle, strict=True) if chosen(b)]
-    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if chosen(b)))
+    real = (b for b in resting.solution.branches if b not in resting.poles and chosen(b))
+    solution = replace(resting.solution, branches=tuple(real))
     branches, idle = tuple(b for b, _ in kept), tuple(i for _, i in kept)
     return replace(resting, solution=solution, branches=branches, idle=idle)
 
@@ -396,6 +467,7 @@ def check_steady(found: SteadyMotions) -> list[Check]:
     """
     slots = found.form.configuration.slots
     left = _lagrange(found.motion)
+    left = [e.xreplace(_signs_in_ranges(found.form.configuration, left)) for e in left]
     pairs = zip(slots.coordinates, slots.velocities, strict=True)
     resting = dict.fromkeys((v for q, v in pairs if q not in found.cyclic), ZERO)
     uniform = dict.fromkeys(slots.accelerations, ZERO)

@@ -153,8 +153,10 @@ def _projected(
     found = {}
     for n, (r, column) in enumerate(zip(used, columns, strict=True)):
         others = [sp.Add(*map(sp.Mul, column, c)) for m, c in enumerate(columns) if m != n]
+        if any(is_zero(product) is not True for product in others):
+            continue
         square = textbook_form(sp.Add(*(a**2 for a in column)))
-        if any(is_zero(product) is not True for product in others) or is_zero(square) is not False:
+        if is_zero(square) is not False:
             continue
         weights = [a / square for a in column]
         value = textbook_form(sp.Add(*map(sp.Mul, weights, balance)))

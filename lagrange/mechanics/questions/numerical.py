@@ -17,7 +17,6 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.mechanics.questions.limits import HORIZONS, LARGEST_DRIFT, MOST_EVALUATIONS, SMALLEST_TIME
 
-Function = Callable[[Sequence[float]], float]
 EXTRA = "sim"
 
 _FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
@@ -60,9 +59,9 @@ def first_value(
 
     order = (*coordinates, *velocities, t)
     try:
-        rates = [_function(a, order) for a in accelerations.values()]
-        event, value = _function(condition, order), _function(quantity, order)
-        kept = [_function(f, order) for f in constraints]
+        rates = _functions([*accelerations.values()], order)
+        event, value = _functions([condition], order), _functions([quantity], order)
+        kept = _functions([*constraints], order)
         start = [float(initial[s]) for s in (*coordinates, *velocities)]
     except (_UnknownError, TypeError):
         return None
@@ -74,19 +73,21 @@ def first_value(
         count += 1
         if count > MOST_EVALUATIONS:
             raise _TooLongError
-        here = (*state, time)
-        return [*state[n:], *(a(here) for a in rates)]
+        return [*state[n:], *rates((*state, time))]
 
     def crossing(time: float, state: Sequence[float]) -> float:
-        return event((*state, time))
+        return event((*state, time))[0]
 
     try:
         for horizon in HORIZONS:
-            run = solve_ivp(rate, (0.0, horizon), start, events=crossing, rtol=1e-10, atol=1e-12, max_step=horizon / 50)
+            step = horizon / 50
+            run = solve_ivp(
+                rate, (0.0, horizon), start, "DOP853", events=crossing, rtol=1e-10, atol=1e-12, max_step=step
+            )
             found = _first(run, horizon)
             if found is not None:
                 here = (*found[1], found[0])
-                return value(here) if all(abs(f(here)) < LARGEST_DRIFT for f in kept) else None
+                return value(here)[0] if all(abs(f) < LARGEST_DRIFT for f in kept(here)) else None
             if not run.success:
                 return None
     except (_TooLongError, ValueError, ZeroDivisionError, OverflowError):
@@ -102,31 +103,66 @@ def _first(run: Any, horizon: float) -> tuple[float, Sequence[float]] | None:
     return None
 
 
-def _function(e: sp.Expr, order: Sequence[sp.Symbol]) -> Function:
-    """An expression as a function of the state. Raises _UnknownError."""
-    if e.is_Symbol:
-        if e not in order:
+class _Program:
+    """Expressions as functions of the state, in steps: what they share is evaluated once."""
+
+    def __init__(self, order: Sequence[sp.Symbol]) -> None:
+        self.places: dict[sp.Expr, int] = {s: n for n, s in enumerate(order)}
+        self.start: list[float] = [0.0] * len(order)
+        self.steps: list[tuple[int, Callable[[list[float]], float]]] = []
+
+    def place(self, e: sp.Expr) -> int:
+        """Where the value of an expression stands. Raises _UnknownError."""
+        if e not in self.places:
+            step = None if e.is_number else self._step(e)
+            self.places[e] = len(self.start)
+            self.start.append(_number(e) if step is None else 0.0)
+            if step is not None:
+                self.steps.append((self.places[e], step))
+        return self.places[e]
+
+    def _step(self, e: sp.Expr) -> Callable[[list[float]], float]:
+        if e.is_Symbol:
             raise _UnknownError
-        place = order.index(e)
-        return lambda state: state[place]
-    if e.is_number:
-        value = sp.N(e, 17)
-        if not value.is_Float and not value.is_Rational:
+        parts = [self.place(a) for a in e.args if isinstance(a, sp.Expr)]
+        first, last = parts[0], parts[-1]
+        if e.is_Add:
+            return (lambda v: v[first] + v[last]) if len(parts) == 2 else lambda v: math.fsum([v[k] for k in parts])
+        if e.is_Mul:
+            return (lambda v: v[first] * v[last]) if len(parts) == 2 else lambda v: math.prod([v[k] for k in parts])
+        if e.is_Pow:
+            if e.exp.is_Integer:
+                whole = int(e.exp)
+                return lambda v: float(v[first] ** whole)
+            return lambda v: math.pow(v[first], v[last])
+        known = _FUNCTIONS.get(type(e))
+        if known is None:
             raise _UnknownError
-        number = float(value)
-        return lambda _: number
-    parts = [_function(a, order) for a in e.args if isinstance(a, sp.Expr)]
-    if e.is_Add:
-        return lambda state: math.fsum(p(state) for p in parts)
-    if e.is_Mul:
-        return lambda state: math.prod(p(state) for p in parts)
-    if e.is_Pow:
-        base, exponent = parts
-        if e.exp.is_Integer:
-            whole = int(e.exp)
-            return lambda state: float(base(state) ** whole)
-        return lambda state: math.pow(base(state), exponent(state))
-    known = _FUNCTIONS.get(type(e))
-    if known is None:
+        return (lambda v: known(v[first])) if len(parts) == 1 else lambda v: known(*[v[k] for k in parts])
+
+    def __call__(self, state: Sequence[float]) -> list[float]:
+        """The values of all expressions, each at its place."""
+        values = self.start.copy()
+        values[: len(state)] = state
+        for place, step in self.steps:
+            values[place] = step(values)
+        return values
+
+
+def _number(e: sp.Expr) -> float:
+    value = sp.N(e, 17)
+    if not value.is_Float and not value.is_Rational:
         raise _UnknownError
-    return lambda state: known(*(p(state) for p in parts))
+    return float(value)
+
+
+def _functions(expressions: Sequence[sp.Expr], order: Sequence[sp.Symbol]) -> Callable[[Sequence[float]], list[float]]:
+    """Expressions together as functions of the state. Raises _UnknownError."""
+    program = _Program(order)
+    places = [program.place(e) for e in expressions]
+
+    def evaluated(state: Sequence[float]) -> list[float]:
+        values = program(state)
+        return [values[k] for k in places]
+
+    return evaluated

@@ -355,13 +355,15 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
     configuration = place.configuration
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
     last = problem.initial[-1].span
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    # b = -asin(1/4) is no contradiction to r sin a + l sin b = 0 where l is 4 r
     for row in configuration.rows:
         forms = [row.velocity_form(configuration.slots)]
         if row.finite is not None:
             forms.insert(0, row.finite)
         for velocity, form in enumerate(forms, start=1 if row.finite is None else 0):
             left = _at_start(form).xreplace(dict(known))
-            if left.free_symbols & moving or is_zero(left) is not False:
+            if left.free_symbols & moving or is_zero(left) is not False or is_zero(left.xreplace(values)) is True:
                 continue
             kind = "the rate of left minus right" if velocity and row.finite is not None else "left minus right"
             message = f"the initial state contradicts the constraint `{row.name}`"
@@ -370,7 +372,7 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
             raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
     for e, v in conditions:
         left = e.xreplace(dict(known))
-        if not left.free_symbols & moving and is_zero(left) is False:
+        if not left.free_symbols & moving and is_zero(left) is False and is_zero(left.xreplace(values)) is False:
             message = f"the initial value of `{v.symbol}` contradicts the others"
             label = f"it would differ by {text(tidy_quotient(left))}"
             help_ = "change the values, or leave out those that follow from the others"

@@ -134,6 +134,12 @@ forces:
   springs: {potential: k*x^2/2 + k*(y - x)^2/2 + k*y^2/2}
   oil: {generalized: {x: "-b*(2*x' - y')", y: "-b*(2*y' - x')"}}
 """
+BETWEEN = """
+parameters: [m, k, b]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i}, Q: {mass: m, position: y*i}}
+forces: {springs: {potential: k*x^2/2 + k*(y - x)^2/2 + k*y^2/2}, oil: {damper: b, between: [P, Q]}}
+"""
 
 
 @pytest.mark.parametrize(
@@ -145,6 +151,10 @@ forces:
         (CARTS, "[b/(2*m), b/(2*m)]", "incomplete"),
         (DAMPED, "[b/(2*m)]", "equivalent"),
         (PENDULUM, "[g/l]", "undecided"),
+        (BETWEEN, "[0, b/m]", "equivalent"),
+        (BETWEEN, "[b/m]", "equivalent"),
+        (BETWEEN, "[0]", "incomplete"),
+        (CARTS, "[0, b/(2*m), 3*b/(2*m)]", "wrong"),
     ],
 )
 def test_decay_rates(text: str, stated: str, verdict: str) -> None:

@@ -66,3 +66,47 @@ def test_logarithms_of_a_factor_of_unknown_sign() -> None:
     same = (m / q - t) * sp.log(1 - q * t / m) + (m / q - t) * sp.log(m / (m - q * t))
     assert _parted_logarithms(same) == 0
     assert _parted_logarithms(sp.log(q * t / m - 1) - sp.log(m - q * t) + sp.log(m)) != 0
+
+
+AXLE = """title: A conical pendulum that a spring holds to the axis
+coordinates: [theta, phi]
+parameters: [m, l, g, c, b]
+particles:
+  P: {mass: m, position: "l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(phi)*j - l*cos(theta)*k"}
+gravity: -g*k
+forces: {spring: {spring: c, between: [P, -l*cos(theta)*k], length: b}}
+find: steady
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("m*l*phi'^2*sin(theta)*cos(theta) = m*g*sin(theta) + c*cos(theta)*(l*sin(theta) - b)", "equivalent"),
+        ("m*l*phi'^2*sin(theta)*cos(theta) = m*g*sin(theta) + c*cos(theta)*(l*sin(theta) + b)", "equivalent"),
+        ("m*l*phi'^2*sin(theta)*cos(theta) = m*g*sin(theta) + c*cos(theta)*l*sin(theta)", "wrong"),
+    ],
+)
+def test_books_state_one_side_of_a_condition_with_a_sign(stated: str, verdict: str) -> None:
+    """|sin θ| is sin θ on one side of the axis and −sin θ on the other, where the same circles are counted again."""
+    assert verdicts(AXLE, f'{{steady: ["{stated}"]}}') == [verdict]
+
+
+def test_a_length_at_which_the_coordinates_fail_is_not_missed() -> None:
+    """An elastic conical pendulum; with r = 0 the conditions hold for some angle, and there is no direction."""
+    text = AXLE.replace("[theta, phi]", "[r, theta, phi]").replace("l*", "r*").split("forces")[0]
+    text += "forces: {spring: {potential: c*(r - l)^2/2}}\nfind: steady\n"
+    answers = "{steady: [c*(r - l)*cos(theta) = m*g, r*cos(theta)*phi'^2 = g]}"
+    assert verdicts(text, answers) == ["equivalent"]
+
+
+def test_a_root_may_be_written_over_another_denominator() -> None:
+    """A fast charge on a circle, γ m r φ'² = K/r², which has no closed solution for r."""
+    text = """title: A fast charge about a fixed one
+parameters: [m, c, K]
+coordinates: [r, phi]
+lagrangian: "-m*c^2*sqrt(1 - (r'^2 + r^2*phi'^2)/c^2) + K/r"
+find: steady
+"""
+    assert verdicts(text, "{steady: [m*r^3*phi'^2 = K*sqrt(1 - r^2*phi'^2/c^2)]}") == ["equivalent"]
+    assert verdicts(text, "{steady: [m*r^3*phi'^2 = K*(1 - r^2*phi'^2/c^2)]}") == ["wrong"]

@@ -63,6 +63,18 @@ def test_a_rigid_body_keeps_its_mass() -> None:
         read_problem(Source("case.yaml", text))
 
 
+@pytest.mark.parametrize(
+    "entries",
+    ["mass: m_0 - q*t, inertia: k", "mass: m_0, inertia: k*t", "mass: m_0, inertia: k, leaves: {relative: -u*e1_B}"],
+)
+def test_the_part_of_a_body_that_varies_is_a_particle(entries: str) -> None:
+    text = f"{HEAD}bodies: {{B: {{{entries}, position: x*i + y*j, angle: t}}}}\n"
+    with pytest.raises(ProblemError) as error:
+        read_problem(Source("case.yaml", text))
+    assert any("particle that the body carries" in d.help for d in error.value.diagnostics)
+    assert "circular-definition" not in [d.code for d in error.value.diagnostics]
+
+
 @pytest.mark.parametrize("find", ["equilibrium", "hamiltonian", "steady", "response", "linearization"])
 def test_what_needs_a_constant_mass_is_refused(find: str) -> None:
     with pytest.raises(NotCoveredError, match="`P`"):

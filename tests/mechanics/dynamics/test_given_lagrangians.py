@@ -14,7 +14,9 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import ProblemError
+from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve
+from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.support.problem_texts import read
 from tests.support.shared import reported
@@ -143,6 +145,25 @@ def test_a_field_in_other_coordinates_with_constraints_and_quasi_velocities(meth
 
     solution = solve(read(f"title: T\n{CHARGE}"), method=Method(method))
     assert solution.holds, [c.name for c in solution.checks if not c.passed]
+
+
+def test_quasi_velocities_of_a_given_lagrangian() -> None:
+    """A blade on a slope: u' = g sin α cos θ, without the accelerations x'' and y''."""
+    found = report(
+        read("""title: T
+parameters: {m: positive, J: positive, g: positive, alpha: acute}
+coordinates: [x, y, theta]
+lagrangian: "m*(x'^2 + y'^2)/2 + J*theta'^2/2 + m*g*x*sin(alpha)"
+constraints: {blade: "y'*cos(theta) = x'*sin(theta)"}
+speeds: {u: "x'*cos(theta) + y'*sin(theta)"}
+answers: {equations: ["u' = g*sin(alpha)*cos(theta)", "theta'' = 0"]}
+""")
+    )
+    assert found.solution.holds
+    assert [a.verdict.value for a in found.answers] == ["equivalent"]
+    equations = found.solution.own.in_speeds.equations.expressions
+    assert not any(s.name in ("x''", "y''") for e in equations for s in e.free_symbols)
+    assert "d'Alembert's principle reads" not in terminal.text(found.derivation, found.notation, 100)
 
 
 WRONG = [

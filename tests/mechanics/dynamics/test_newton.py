@@ -154,6 +154,20 @@ def test_a_coordinate_that_moves_no_particle(problem: Read) -> None:
     assert found.own.dynamics.reactions.multipliers == {"roll": 0}
 
 
+def test_forces_on_a_coordinate_that_moves_no_particle(problem: Read) -> None:
+    """An actuator and a spring in a leg of length s: 0 = F − K s + λ a_s."""
+    found = solution(
+        problem,
+        "parameters: [m, F, K]\ncoordinates: [x, y, s]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+        "forces: {push: {generalized: {s: F}}, spring: {potential: K*s^2/2}}\nconstraints: {leg: x^2 + y^2 = s^2}\n",
+    )
+    F, K, s = sp.Symbol("F", positive=True), sp.Symbol("K", positive=True), sp.Symbol("s", real=True)
+    [(idle, right)] = found.law.newton.idle.items()
+    [reaction] = found.law.newton.reactions
+    assert idle == s
+    assert sp.expand(right - (F - K * s - 2 * s * reaction.multiplier)) == 0
+
+
 # -- what a reaction is ------------------------------------------------------------------------------------------------
 
 

@@ -236,6 +236,65 @@ constraints: {rolling: "r_ball' + cross(omega_ball, -R*k) = cross(Omega*k, r*e_r
     assert [f.square for f in family.about.at[0].frequencies] == [4 * omega**2 / 49]
 
 
+def test_a_ball_that_rolls_inside_an_upright_cylinder_goes_up_and_down() -> None:
+    """The spin about the normal carries the weight, and the height oscillates with √(2/7) φ' (Neimark and Fufaev)."""
+    found = found_in("""coordinates: [phi, z, alpha, beta, gamma]
+parameters: [m, R, a, g]
+let: {er: cos(phi)*i + sin(phi)*j, ep: -sin(phi)*i + cos(phi)*j}
+bodies:
+  ball: {mass: m, inertia: [2/5*m*a^2, 2/5*m*a^2, 2/5*m*a^2], position: (R - a)*er + z*k, axes: [er, ep, k],
+         angular_velocity: "alpha'*er + beta'*ep + gamma'*k"}
+constraints:
+  along: "dot(r_ball' + cross(omega_ball, a*er), ep) = 0"
+  up: "dot(r_ball' + cross(omega_ball, a*er), k) = 0"
+gravity: -g*k
+""")
+    assert [q.name for q in found.cyclic] == ["phi", "alpha"]
+    [family] = [f for f in found.families if f.about.branches]
+    [(rate, value)] = family.rates.items()
+    [frequency] = family.about.at[0].frequencies
+    a, g, spin = 0.3, 9.81, -7.0
+    turning = number(value, a=a, g=g, alpha_=spin)
+    assert rate.name == "phi'"
+    assert turning == pytest.approx(-5 * g / (2 * a * spin))
+
+    def rates(_: float, s: np.ndarray) -> list[float]:  # z, z', α' of the law 7 z'' = −5 g − 2 a φ' α', a α'' = φ' z'
+        return [s[1], (-5 * g - 2 * a * turning * s[2]) / 7, turning * s[1] / a]
+
+    measured = 2 * pi / period(rates, [0.0, 0.01, spin], 0.0)
+    assert measured == pytest.approx(sqrt(number(frequency.square, a=a, g=g, alpha_=spin)), rel=1e-5)
+
+
+SPRUNG = f"""coordinates: {{theta: {{range: [0, 90 deg]}}, phi: {{}}}}
+parameters: [m, l, g, c, b]
+particles: {{P: {{mass: m, {AROUND}}}}}
+gravity: -g*k
+forces: {{spring: {{spring: c, between: [P, -l*cos(theta)*k], length: b}}}}
+"""
+
+
+def test_a_condition_without_a_closed_position_gives_the_square_of_the_rate() -> None:
+    """A conical pendulum that a spring of free length b holds to the axis, against V_eff'' at constant momentum."""
+    found = found_in(SPRUNG)
+    [family] = found.families
+    [value] = family.rates.values()
+    [frequency] = family.about.at[0].frequencies
+    m, l, g, c, b, theta = 1.3, 0.9, 9.81, 40.0, 0.2, 0.7
+    given = {"m": m, "l": l, "g": g, "c": c, "b": b, "theta": theta}
+    rate = number(value, **given)
+    spring = c * (l * sin(theta) - b) * l * cos(theta)
+    assert m * l**2 * rate**2 * sin(theta) * cos(theta) == pytest.approx(m * g * l * sin(theta) + spring)
+    momentum = m * l**2 * sin(theta) ** 2 * rate
+
+    def effective(x: float) -> float:
+        return momentum**2 / (2 * m * l**2 * sin(x) ** 2) - m * g * l * cos(x) + c * (l * sin(x) - b) ** 2 / 2
+
+    h = 1e-4
+    curvature = (effective(theta + h) - 2 * effective(theta) + effective(theta - h)) / h**2
+    assert number(frequency.square, **given) == pytest.approx(curvature / (m * l**2), rel=1e-5)
+    assert found.complete
+
+
 GIMBALS = """coordinates: [phi, theta, psi]
 parameters: [g]
 bodies:

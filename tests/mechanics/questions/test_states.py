@@ -36,3 +36,11 @@ def test_an_initial_state_without_questions_must_still_satisfy_the_constraints(p
     with pytest.raises(ProblemError) as error:
         solve(problem(PENDULUM + "initial: {x: l, y: l}\n"), complete=False)
     assert error.value.diagnostics[0].code == "initial-contradicts"
+
+
+def test_an_initial_state_in_numbers_may_rest_on_the_values_of_letters(problem: Read) -> None:
+    """x = 3, y = 4 satisfy x² + y² = l² with l = 5; x = 3, y = 3 do not."""
+    valued = PENDULUM.replace("[m, l, g]", "{m: {value: 2}, l: {value: 5}, g: {value: 10}}")
+    assert solve(problem(valued + "initial: {x: 3, y: 4, x': 0}\n"), complete=False).own is not None
+    with pytest.raises(ProblemError):
+        solve(problem(valued + "initial: {x: 3, y: 3, x': 0}\n"), complete=False)

@@ -37,6 +37,24 @@ def number(expression: sp.Expr) -> float:
     return float(expression.xreplace({s: sp.Float(VALUES[s.name]) for s in expression.free_symbols}).evalf())
 
 
+def test_with_damping_in_its_own_support_no_coordinate_stays_at_rest() -> None:
+    """(k − m w²)² + (c w)² vanishes nowhere: the frequencies at which a mass rests without damping are none with it."""
+    solution = solve(
+        read("""title: T
+parameters: [m, k, c, F, w]
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}}
+forces:
+  springs: {potential: k*x^2/2 + k*(y - x)^2/2}
+  damper: {damper: c, between: [A, B]}
+  drive: {vector: F*cos(w*t)*i, on: A}
+find: response
+""")
+    )
+    assert solution.holds  # the second route has a value where the ends of the damper meet
+    assert solution.own.response.rests == ((), ())
+
+
 def response_of(name: str) -> Response:
     found = reported(name).solution.own.response
     assert found is not None
