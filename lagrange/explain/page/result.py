@@ -14,12 +14,13 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
+from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime, t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations
 from lagrange.explain.words import constraints_called, in_words, sign_conditions, spoken
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -97,12 +98,22 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
         if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
-            kept[Rule.EQUATIONS_OF_MOTION] = solved
+            held = {prime(q, 2) for q in _held(view.configuration)}
+            kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     reactions = [e for e in kept.pop(Rule.SOLVED_REACTIONS, ()) if e.sides not in asked]
     if reactions:
         kept[Rule.SOLVED_REACTIONS] = reactions
         kept |= {rule: kept.pop(rule) for rule in _CALLED if rule in kept}  # in their order again
+
+
+def _held(configuration: Configuration) -> Iterator[sp.Symbol]:
+    """The coordinates that a constraint fixes by itself: the distance from a plane."""
+    moving = {*configuration.slots.coordinates, t}
+    for f in configuration.finite_constraints:
+        occurring = f.free_symbols & moving
+        if len(occurring) == 1 and t not in occurring:
+            yield occurring.pop()
 
 
 def _of_constraints(solution: Solution) -> Iterator[Step]:
