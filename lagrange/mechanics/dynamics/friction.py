@@ -284,6 +284,9 @@ def unit_toward(friction: Friction, direction: Vector, configuration: Configurat
     if configuration.surface.is_zero(toward.dot(direction.fixed())) is False:
         message = f"`slip` of the friction `{friction.name}` is not along the surface"
         help_ = f"what touches slips at right angles to the reaction of `{friction.constraint}`"
+        x, y, z = direction.fixed().map(textbook_form).components
+        if z == 0 and not direction.is_zero:
+            help_ += f": write `slip: [{y}, {textbook_form(-x)}]` or the opposite"
         raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
     unit: Vector = toward / textbook_form(toward.norm())
     return unit.map(textbook_form)
