@@ -130,7 +130,8 @@ def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
 def _weight_for_mass(given: Unit | None, expected: Unit) -> str:
     """What to do where a mass is given as a weight, 12 lb."""
     kilogram, newton = unit_of("kg"), unit_of("N")
-    assert kilogram is not None and newton is not None
+    assert kilogram is not None
+    assert newton is not None
     if given is None or (given.dimension, expected.dimension) != (newton.dimension, kilogram.dimension):
         return ""
     return "; `lb` is a force: declare the weight, `W: 12 lb`, and write `mass: W/g`, or give the mass in `slug`"
@@ -370,7 +371,11 @@ def note_inertia(problem: Problem, report: Callable[[Diagnostic], None]) -> None
 
     known = _known(problem)
     for body in composed:
-        size = [(body.mass, "kg"), *_components(body.position, "m"), *((a, "1") for a in (body.angle, *body.angles) if a)]
+        size = [
+            (body.mass, "kg"),
+            *_components(body.position, "m"),
+            *((a, "1") for a in (body.angle, *body.angles) if a),
+        ]
         moments = [(moment, "kg m^2") for moment in body.inertia if count_operations(moment) <= LONGEST_PLACE]
         stated = [[(e, _dimension(unit)) for e, unit in places] for places in (size, [*size, *moments])]
         without, whole = (dimensions_needed(places, known) for places in stated)

@@ -15,11 +15,11 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime, t
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations
-from lagrange.explain.words import constraints_called, in_words, sign_conditions, spoken
+from lagrange.explain.words import as_stated, constraints_called, in_words, sign_conditions, spoken
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations
@@ -236,7 +236,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             line = Equation((b.lhs, replace(quantity, unit=unit).shown()), relation="≈")
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
-            clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))
+            clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
         if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_CONDITIONS:
             clauses.append(("under conditions that are given below",))
         elif b.conditions:
