@@ -371,11 +371,8 @@ def note_inertia(problem: Problem, report: Callable[[Diagnostic], None]) -> None
 
     known = _known(problem)
     for body in composed:
-        size = [
-            (body.mass, "kg"),
-            *_components(body.position, "m"),
-            *((a, "1") for a in (body.angle, *body.angles) if a),
-        ]
+        angles = ((a, "1") for a in (body.angle, *body.angles) if a is not None)
+        size = [(body.mass, "kg"), *_components(body.position, "m"), *angles]
         moments = [(moment, "kg m^2") for moment in body.inertia if count_operations(moment) <= LONGEST_PLACE]
         stated = [[(e, _dimension(unit)) for e, unit in places] for places in (size, [*size, *moments])]
         without, whole = (dimensions_needed(places, known) for places in stated)

@@ -64,7 +64,7 @@ def _by_tangent(e: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
 
 def _where_positive(function: sp.Poly, wanted: sp.Expr) -> Between | None:
     """Where a polynomial is not negative for a positive quantity."""
-    roots = sorted({r for r in map(real_value, _positive_roots(function))})
+    roots = sorted(set(map(real_value, _positive_roots(function))))
     grows = real_value(function.LC()) > 0
     if not roots and grows and _is_simple(function):
         return Between(wanted, None, None)

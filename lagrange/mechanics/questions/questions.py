@@ -180,7 +180,7 @@ class _Search:
                     break
                 found = self._eliminated(used)
                 if found.never:
-                    raise ProblemError(never_holds(self.question))
+                    raise ProblemError(never_holds(self.question, outright=route is Route.STATE))
                 if found.branches and found.solved and not found.free:
                     return self._chosen(route, found, used)
                 free = found.free
