@@ -173,4 +173,6 @@ def as_stated(condition: Condition) -> Math:
         return math(condition.lhs, condition.rhs)
     from lagrange.values.quantities import rounded, with_unit
 
-    return math(condition.lhs, with_unit(rounded(given.number / unit.factor, DIGITS_AS_STATED), parts[1].replace("deg", "°")))
+    return math(
+        condition.lhs, with_unit(rounded(given.number / unit.factor, DIGITS_AS_STATED), parts[1].replace("deg", "°"))
+    )

@@ -28,7 +28,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import without_known_magnitudes
@@ -38,7 +38,7 @@ from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward
+from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward, unpressed
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
@@ -550,6 +550,8 @@ def _determined(
     for c in contacts:
         pressed = shortest(c.normal * solved.forces[c.reaction.force] * (1 if c.sign is None else c.sign))
         friction = tuple(shortest(solved.forces[f]) for f in c.components)
+        if pressed == 0 and not c.also:
+            raise ProblemError(unpressed(c.friction))
         if c.also:
             conditions += bounded_by(friction, c.resultant(solved.forces), c.coefficient, True, signs) or ()
             continue
