@@ -310,17 +310,20 @@ def _standard(function: FunctionDeclaration, taken: set[tuple[sp.Expr, ...]], sc
 
 
 def note_unused(problem: Problem, node: Node | None, report: Callable[[Diagnostic], None]) -> None:
-    """A note for each parameter that appears nowhere: a forgotten spring, or a letter that was meant to be another."""
+    """A note of the parameters that appear nowhere: a forgotten spring, or a letter that was meant to be another."""
     used: set[str] = {name for f in problem.functions for name in f.arguments}
     for f in fields(problem):
         if f.name not in ("parameters", "scope", "slots"):
             used |= {s.name for e in expressions_of(getattr(problem, f.name)) for s in e.free_symbols}
-    entries = node.entries if isinstance(node, MappingNode) else [(n, n) for n in getattr(node, "items", ())]
-    for key, _ in entries:
-        name = canonical(key.text) if isinstance(key, Scalar) else None
-        if name in problem.scope.scalars and name not in used:
-            help_ = "remove it, or use it where it was meant to act"
-            report(Diagnostic("unused-parameter", f"`{name}` is not used", key.span, help=help_, level=Severity.NOTE))
+    keys = [key for key, _ in node.entries] if isinstance(node, MappingNode) else getattr(node, "items", ())
+    declared = {canonical(k.text): k for k in keys if isinstance(k, Scalar)}
+    idle = [name for name in declared if name in problem.scope.scalars and name not in used]
+    if idle:
+        listed = ", ".join(f"`{name}`" for name in idle)
+        message = f"{listed} {'is' if len(idle) == 1 else 'are'} not used"
+        help_ = "remove what is not needed, or use it where it was meant to act"
+        span = declared[idle[0]].span
+        report(Diagnostic("unused-parameter", message, span, help=help_, level=Severity.NOTE))
 
 
 def expressions_of(part: object) -> Iterator[sp.Expr]:
