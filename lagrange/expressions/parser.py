@@ -430,7 +430,7 @@ class Parser:
             message = f"the argument of `{token.text}` ends before the `{self._token.text}`"
             self._note(token.start, self._token.end, message, help_)
 
-    def _is_cut_short(self, function: Token, symbols: list[Tree]) -> bool:
+    def _is_cut_short(self, function: Token, symbols: Sequence[Tree]) -> bool:
         """Whether the argument ends before a symbol that might have belonged to it, also in `sin w*t`, `sin 2*x`."""
         if self._is("*"):
             following = self._peek(1)
