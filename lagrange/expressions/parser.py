@@ -16,6 +16,8 @@ is reported in a note. Nesting is bounded, and the time is proportional to the l
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.expressions.limits import MAX_NESTING
 from lagrange.expressions.syntax_tree import (

@@ -153,7 +153,9 @@ def test_an_angle_is_acute_by_its_value_unless_the_file_says_what_it_is() -> Non
 
 @pytest.mark.parametrize("declaration", ["12 lb", "{value: 12 lb, unit: kg}"])
 def test_a_weight_for_a_mass_has_a_cure(declaration: str) -> None:
-    [found] = mistakes(f"title: T\ncoordinates: [x]\nparameters: {{m: {declaration}}}\nparticles: {{P: {{mass: m, position: x*i}}}}\n")
+    [found] = mistakes(
+        f"title: T\ncoordinates: [x]\nparameters: {{m: {declaration}}}\nparticles: {{P: {{mass: m, position: x*i}}}}\n"
+    )
     assert found.code == "unit-mismatch"
     assert "mass: W/g" in found.help
 
