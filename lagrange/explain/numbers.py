@@ -241,9 +241,10 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
         shown = found.left.shown(digits) if isinstance(found.left, Quantity) else found.left
         words: tuple[Part, ...] = ()
         if found.angle is not None:
-            symbol, relation, angle = found.angle
-            degrees = with_unit(rounded(angle * 180 / sp.pi, digits), "°")
-            words = ("that is ", math(symbol, degrees, relation=relation), " for an acute angle")
+            ends = [e for e in (found.angle.low, found.angle.value) if e is not None]
+            degrees = [with_unit(rounded(e * 180 / sp.pi, digits), "°") for e in ends]
+            sides = (*degrees[:-1], found.angle.symbol, degrees[-1])
+            words = ("that is ", math(*sides, relation=found.angle.relation), " for an acute angle")
         elif found.holds is not None:
             words = ("which holds" if found.holds else "which does not hold",)
         low = () if found.low is None else (found.low.shown(digits),)

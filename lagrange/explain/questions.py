@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
-from lagrange.explain.words import plural, sign_conditions, spoken, suffix_of, title_in
+from lagrange.explain.words import as_stated, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.forms import under_one_root
 from lagrange.mechanics.questions.from_start import FromStart
 from lagrange.mechanics.questions.results import (
@@ -108,7 +108,7 @@ def _asked(question: Question) -> tuple[Part, ...]:
     if question.by is not None:
         words += [" as a function of ", math(question.by)]
     if question.when:
-        words += [" when ", *listed(math(c.lhs, c.rhs) for c in question.when)]
+        words += [" when ", *listed(map(as_stated, question.when))]
     return (*words, ".")
 
 

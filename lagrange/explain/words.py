@@ -7,17 +7,27 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from lagrange.core.called import Called
+from lagrange.core.units import NO_DIMENSION, split_number, unit_of
 from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Detail, Part, Prose
+from lagrange.document.derivation import Detail, Math, Part, Prose
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
     from lagrange.algebra.closed_forms.solution_sets import Branch
+    from lagrange.problem.model import Condition
 
 NORMAL_FORCES = frozenset({"N", "R"})
 """Letters of a reaction that is not called a tension."""
+
+DIGITS_AS_STATED = 12
+"""Digits of a number that a file gives with its unit."""
+
+MOST_PARTS_OF_PI = 12
+"""An angle that is a multiple of π/12 is printed so."""
 
 _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 
@@ -175,3 +185,20 @@ def must_vanish(free: Sequence[Part], clauses: Sequence[Part], *, ending: str = 
 def in_brackets(clauses: Sequence[Part]) -> tuple[Part, ...]:
     """` (dividing by m l)`; nothing where there are no clauses."""
     return (" (", *clauses, ")") if clauses else ()
+
+
+def as_stated(condition: Condition) -> Math:
+    """A condition of a question; a number with a unit as the file has it: x = 30 ft, 25°, but π/6 for 30°."""
+    given = condition.measured
+    parts = None if given is None else split_number(given.fragment.text)
+    unit = None if parts is None else unit_of(parts[1])
+    if given is None or given.names or parts is None or unit is None:
+        return math(condition.lhs, condition.rhs)
+    is_plain = given.dimension == NO_DIMENSION and (given.number / sp.pi * MOST_PARTS_OF_PI).is_Integer
+    if is_plain or (given.dimension == NO_DIMENSION and not unit.is_angle):
+        return math(condition.lhs, condition.rhs)
+    from lagrange.values.quantities import rounded, with_unit
+
+    return math(
+        condition.lhs, with_unit(rounded(given.number / unit.factor, DIGITS_AS_STATED), parts[1].replace("deg", "°"))
+    )

@@ -16,6 +16,8 @@ is reported in a note. Nesting is bounded, and the time is proportional to the l
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.expressions.limits import MAX_NESTING
 from lagrange.expressions.syntax_tree import (
@@ -426,12 +428,16 @@ class Parser:
             function = "sqrt" if token.tight else self._text(token.start, argument.start)
             reading = f"{function}({self._text(argument.start, call.end)})"
             self._note_reading(token.start, call.end, reading, help_)
-        elif self._is("(") or (self._is("/") and not token.tight) or self._is_cut_short(token):
+        elif self._is("(") or (self._is("/") and not token.tight) or self._is_cut_short(token, symbols):
             message = f"the argument of `{token.text}` ends before the `{self._token.text}`"
             self._note(token.start, self._token.end, message, help_)
 
-    def _is_cut_short(self, function: Token) -> bool:
-        """Whether the argument ends before a symbol that might have belonged to it."""
+    def _is_cut_short(self, function: Token, symbols: Sequence[Tree]) -> bool:
+        """Whether the argument ends before a symbol that might have belonged to it, also in `sin w*t`, `sin 2*x`."""
+        if self._is("*"):
+            following = self._peek(1)
+            is_factor = following.kind is TokenKind.NAME and not self._is_separate(following.text)
+            return is_factor and (following.text == "t" or not symbols)
         if self._token.kind is not TokenKind.NAME or function.tight:
             return self._token.kind is TokenKind.NAME
         return not self._is_separate(self._token.text) and self._peek(1).kind is not TokenKind.PRIMES

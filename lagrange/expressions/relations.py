@@ -32,6 +32,8 @@ def limit_of(fragment: Fragment, what: str, strict: bool = False) -> tuple[Fragm
     place = fragment.span(first.start(), first.end())
     if len(signs) > 1 or "=" in fragment.text[: first.start()] + fragment.text[first.end() :]:
         help_ = "write each by itself"
+        if apart := re.search(r"[<>]\s+=", fragment.text):
+            help_ = f"write `{apart[0][0]}=` without a space"
         raise ProblemError(Diagnostic("inequality", f"{what} has several relations", place, help=help_))
     if first[0] in _STRICT and not strict:
         message = f"`{first[0]}` excludes contact itself"

@@ -55,6 +55,7 @@ class FunctionDeclaration:
 class Scope:
     """The declared names.
 
+    reactions  the names of the reactions, by those of their constraints, for advice
     budget    the work that is left for reading the texts of the file
     decimals  if not None, decimals that may have been rounded are read as symbols (`Decimal`), with this in their names
     """
@@ -63,6 +64,7 @@ class Scope:
     slots: Slots = field(default_factory=lambda: Slots(()))
     functions: Mapping[str, FunctionDeclaration] = field(default_factory=dict)
     vectors: Mapping[str, Vector] = field(default_factory=dict)
+    reactions: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
     budget: WorkBudget | None = field(default=None, compare=False, repr=False)
     decimals: str | None = None
 

@@ -33,7 +33,7 @@ _ALIKE = tuple(
     )
 )  # fmt: skip
 """Letters that are easily confused."""
-_RATES = (("ddot", 2), ("dot", 1))
+_RATES = (("ddot", 2), ("dot", 1), ("dd", 2), ("d", 1))
 
 
 def help_for_symbol(name: str, scope: Scope) -> str:
@@ -51,6 +51,9 @@ def help_for_symbol(name: str, scope: Scope) -> str:
         return f"did you mean `{rate}`? A prime is a time derivative"
     if differential := _differential(name, scope):
         return f"did you mean `{differential}`?"
+    if force := scope.reactions.get(name):
+        named = "" if force.startswith("lambda") else " force"
+        return f"`{name}` is a constraint; its reaction{named} is `{force}`".replace("reaction force", "force")
     if (split := _split(name, scope)) and name not in GREEK.values():
         return f"did you mean `{split}`? Symbols are multiplied with a space or `*` between them"
     near = nearest(name[:MAX_NAME], names)
@@ -94,10 +97,11 @@ def _alike(name: str, scope: Scope) -> str:
 
 
 def _rate(name: str, scope: Scope) -> str:
-    """x' for x_dot, xdot, x_ddot, x_t."""
+    """x' for x_dot, xdot, x_ddot; of a coordinate also for xd and xdd."""
     for suffix, order in _RATES:
         stem = name.removesuffix(suffix).rstrip("_")
-        if name.endswith(suffix) and scope.scalar(stem) is not None:
+        known = scope.scalar(stem) is not None if "o" in suffix else scope.role(stem) is Role.COORDINATE
+        if name.endswith(suffix) and known:
             return stem + "'" * order
     return ""
 

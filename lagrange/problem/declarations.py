@@ -19,16 +19,16 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, nearest
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, nearest
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, Sign, Slots, Unspecified
+from lagrange.core.symbols import Slots, Unspecified
 from lagrange.core.units import has_unit
 from lagrange.expressions.reader import RESERVED, FunctionDeclaration, Scope
 from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
 from lagrange.problem.model import Coordinate, Parameter, Problem, Range
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
-from lagrange.problem.values import bounded_symbol, read_number_with_unit, read_range
+from lagrange.problem.values import bounded_symbol, parameter_symbol, read_number_with_unit, read_range, with_value
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 T = TypeVar("T")
@@ -121,7 +121,7 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
         return _with_value(positive, value, None, Assumption.POSITIVE, names)
     if isinstance(value, Scalar):
         assume = attempt(lambda: _assumption(value)) or Assumption.POSITIVE
-        return Parameter(parameter_symbol(name, assume), assume)
+        return Parameter(parameter_symbol(name, assume), assume, is_stated=True)
     if isinstance(value, ListNode):
         message = f"the declaration of `{name}` is an assumption or a mapping"
         names.diagnostics.report(wrong_kind(value, message, f"write `{name}: positive`"))
@@ -138,6 +138,7 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     else:
         symbol = parameter_symbol(name, assume)
     parameter = Parameter(symbol, assume, unit, section.text("meaning"), stated_unit=unit, range=within)
+    parameter = replace(parameter, is_stated=assumed is not None or limits is not None)
     if number is None:
         return parameter
     declared = section.get("unit") if unit else None
@@ -158,22 +159,7 @@ def _with_value(
     )
     if read is None:
         return parameter
-    return replace(parameter, unit=read.unit, value=read.number, value_span=read.span, measured=read.measured)
-
-
-def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
-    """The symbol of a parameter under its assumption."""
-    match assume:
-        case Assumption.POSITIVE:
-            return sp.Symbol(name, positive=True)
-        case Assumption.NONNEGATIVE:
-            return sp.Symbol(name, nonnegative=True)
-        case Assumption.REAL:
-            return sp.Symbol(name, real=True)
-        case Assumption.SIGN:
-            return Sign(name)
-        case Assumption.ACUTE:
-            return Bounded(name, sp.S.Zero, sp.pi / 2, (True, True))
+    return with_value(parameter, read)
 
 
 def _range_in_numbers(node: Node, name: str, unit: str) -> Range:
@@ -321,6 +307,23 @@ def _standard(function: FunctionDeclaration, taken: set[tuple[sp.Expr, ...]], sc
         return function
     [arguments] = taken
     return replace(function, standard=arguments)
+
+
+def note_unused(problem: Problem, node: Node | None, report: Callable[[Diagnostic], None]) -> None:
+    """A note of the parameters that appear nowhere: a forgotten spring, or a letter that was meant to be another."""
+    used: set[str] = {name for f in problem.functions for name in f.arguments}
+    for f in fields(problem):
+        if f.name not in ("parameters", "scope", "slots"):
+            used |= {s.name for e in expressions_of(getattr(problem, f.name)) for s in e.free_symbols}
+    keys = [key for key, _ in node.entries] if isinstance(node, MappingNode) else getattr(node, "items", ())
+    declared = {canonical(k.text): k for k in keys if isinstance(k, Scalar)}
+    idle = [name for name in declared if name in problem.scope.scalars and name not in used]
+    if idle:
+        listed = ", ".join(f"`{name}`" for name in idle)
+        message = f"{listed} {'is' if len(idle) == 1 else 'are'} not used"
+        help_ = "remove what is not needed, or use it where it was meant to act"
+        span = declared[idle[0]].span
+        report(Diagnostic("unused-parameter", message, span, help=help_, level=Severity.NOTE))
 
 
 def expressions_of(part: object) -> Iterator[sp.Expr]:

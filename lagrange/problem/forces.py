@@ -242,6 +242,8 @@ class _Entry:
                 return self.position(name)
             if self.context.names.has_failed(node.text):
                 raise ProblemError(())
+            if name == "O" and not self.context.is_known(name):
+                return Vector((sp.S.Zero,) * 3)
             if names_in(node.text) == (name,) and not self.context.is_known(name):
                 known = (*points, *self.context.scope.vectors)
                 message = f"`{node.text}` is neither a particle or body nor a vector of this file"

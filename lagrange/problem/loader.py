@@ -23,6 +23,7 @@ from lagrange.problem.constraints import read_constraints
 from lagrange.problem.coordinate_choices import read_choices, read_speeds
 from lagrange.problem.declarations import (
     first_scope,
+    note_unused,
     read_coordinates,
     read_functions,
     read_parameters,
@@ -49,7 +50,7 @@ from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.units.question_units import with_dimensions_compared
-from lagrange.problem.values import check_dimensions, with_settings
+from lagrange.problem.values import check_dimensions, note_inertia, with_settings
 from lagrange.problem.variants.vary import read_vary
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import Node, Scalar
@@ -241,6 +242,8 @@ def _scope_of_answers(
 def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> None:
     """Reports contradictions between sections."""
     diagnostics.attempt(lambda: check_dimensions(problem))
+    note_inertia(problem, diagnostics.report)
+    note_unused(problem, root.get("parameters"), diagnostics.report)
     if problem.equations and (problem.particles or problem.bodies):
         message = "the equations are given outright, and there are masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"

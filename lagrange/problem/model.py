@@ -47,6 +47,7 @@ class Parameter:
     value_span   the place of the value
     measured     whether the value has a unit
     stated_unit  what the file has under `unit`; `unit` is the one of the value, in SI
+    is_stated    whether the file says what is assumed; otherwise a value of 30 deg makes it an acute angle
     """
 
     symbol: sp.Symbol
@@ -58,6 +59,7 @@ class Parameter:
     measured: bool = False
     stated_unit: str = ""
     range: Range | None = None
+    is_stated: bool = False
 
 
 @record

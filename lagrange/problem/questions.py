@@ -92,7 +92,8 @@ def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices:
         **{q.name: q for q in new},
         **{c.reaction.name: c.reaction for c in constraints},
     }
-    return replace(scope, scalars={**scope.scalars, **added}, slots=slots)
+    reactions = {c.name: c.reaction.name for c in constraints}
+    return replace(scope, scalars={**scope.scalars, **added}, slots=slots, reactions=reactions)
 
 
 def read_initial(node: Node | None, context: LoadContext, scope: Scope) -> tuple[InitialValue, ...]:

@@ -8,16 +8,16 @@ parameter is used, as far as these determine it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span, suggestion
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded
+from lagrange.core.symbols import Bounded, Sign
 from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_called, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
@@ -74,6 +74,39 @@ def read_number_with_unit(
     return read
 
 
+def with_value(parameter: Parameter, read: ValueRead) -> Parameter:
+    """The parameter with a value; an angle of 30 deg is acute, unless the file says what is assumed."""
+    unit = unit_of(read.unit)
+    is_angle = read.measured and unit is not None and unit.is_angle and unit.dimension == NO_DIMENSION
+    if is_angle and not parameter.is_stated and read.number > 0 and read.number < sp.pi / 2:
+        symbol = parameter_symbol(parameter.symbol.name, Assumption.ACUTE)
+        parameter = replace(parameter, symbol=symbol, assume=Assumption.ACUTE)
+    return replace(parameter, unit=read.unit, value=read.number, value_span=read.span, measured=read.measured)
+
+
+def without_value(parameter: Parameter) -> Parameter:
+    """The parameter as the file assumes it to be, whatever its value."""
+    if parameter.is_stated or parameter.assume is Assumption.POSITIVE:
+        return parameter
+    symbol = parameter_symbol(parameter.symbol.name, Assumption.POSITIVE)
+    return replace(parameter, symbol=symbol, assume=Assumption.POSITIVE)
+
+
+def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
+    """The symbol of a parameter under its assumption."""
+    match assume:
+        case Assumption.POSITIVE:
+            return sp.Symbol(name, positive=True)
+        case Assumption.NONNEGATIVE:
+            return sp.Symbol(name, nonnegative=True)
+        case Assumption.REAL:
+            return sp.Symbol(name, real=True)
+        case Assumption.SIGN:
+            return Sign(name)
+        case Assumption.ACUTE:
+            return Bounded(name, sp.S.Zero, sp.pi / 2, (True, True))
+
+
 def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
     parts = split_number(fragment.text)
     if parts is None:
@@ -89,8 +122,19 @@ def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
         if stated is not None and unit.dimension != expected.dimension:
             message = f"`{text}` does not fit the unit `{stated.text}`"
             help_ = f"one is {in_si(unit)} in SI units, the other {in_si(expected)}"
+            help_ += _weight_for_mass(unit, expected)
             raise ProblemError(Diagnostic("unit-mismatch", message, fragment.whole, help=help_))
     return ValueRead(number * unit.factor, text if unit.factor == 1 else in_si(unit), fragment.whole, True)
+
+
+def _weight_for_mass(given: Unit | None, expected: Unit) -> str:
+    """What to do where a mass is given as a weight, 12 lb."""
+    kilogram, newton = unit_of("kg"), unit_of("N")
+    assert kilogram is not None
+    assert newton is not None
+    if given is None or (given.dimension, expected.dimension) != (newton.dimension, kilogram.dimension):
+        return ""
+    return "; `lb` is a force: declare the weight, `W: 12 lb`, and write `mass: W/g`, or give the mass in `slug`"
 
 
 def _known_unit(fragment: Fragment) -> Unit:
@@ -259,10 +303,9 @@ def with_settings(
             p = by_name[name]
             unit = p.unit if split_number(value.text) else p.stated_unit  # a bare number is in the file's unit
             stated = Fragment(unit, setting.whole) if unit and unit_of(unit) else None
+            p = without_value(p)
             read = read_number_with_unit(value, stated, p.symbol, p.assume)
-            by_name[name] = replace(
-                p, value=read.number, unit=read.unit or p.unit, value_span=read.span, measured=read.measured
-            )
+            by_name[name] = with_value(p, replace(read, unit=read.unit or p.unit))
         except ProblemError as error:
             errors += error.diagnostics
     if errors:
@@ -315,9 +358,28 @@ def check_dimensions(problem: Problem) -> None:
         message = f"the unit of `{p.symbol}` does not fit its place in the problem"
         given = unit_of(p.unit)
         help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {in_si(given) if given else p.unit}"
-        if given == unit_of("N") and expected == "kg":
-            help_ += "; `lb` is a force, the mass is in `slug`"
+        help_ += _weight_for_mass(given, Unit(sp.S.One, needed[p.symbol]))
         raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))
+
+
+def note_inertia(problem: Problem, report: Callable[[Diagnostic], None]) -> None:
+    """A note where a moment of inertia is no mass times the square of a length: m l/12, m l^3/12."""
+    composed = [b for b in problem.bodies if any(not moment.is_number and not moment.is_Symbol for moment in b.inertia)]
+    if not composed:
+        return
+    from lagrange.values.dimensions import dimensions_needed
+
+    known = _known(problem)
+    for body in composed:
+        angles = ((a, "1") for a in (body.angle, *body.angles) if a is not None)
+        size = [(body.mass, "kg"), *_components(body.position, "m"), *angles]
+        moments = [(moment, "kg m^2") for moment in body.inertia if count_operations(moment) <= LONGEST_PLACE]
+        stated = [[(e, _dimension(unit)) for e, unit in places] for places in (size, [*size, *moments])]
+        without, whole = (dimensions_needed(places, known) for places in stated)
+        if without is not None and whole is None:
+            message = f"the moment of inertia of `{body.name}` is no mass times the square of a length"
+            help_ = "check its formula: that of a rod of length l is m*l^2/12, of a disc m*R^2/2"
+            report(Diagnostic("inertia-dimension", message, body.span, help=help_, level=Severity.NOTE))
 
 
 LONGEST_PLACE = 100

@@ -1,9 +1,10 @@
 """Inequalities in numbers: with the values of a problem, W (tan α − μ)/(1 + μ tan α) ≤ P is P ≥ 5.767 N.
 
 An inequality in which one symbol is left, or one sine, cosine, tangent or exponential of it, is solved for that, if it
-is linear there. For an acute angle a bound of its sine or tangent is one of the angle in the same sense, and of its
-cosine in the opposite one. A magnitude bounds on both sides: |k s − m g sin α| ≤ μ m g cos α is 47 mm ≤ s ≤ 149 mm. A
-denominator is multiplied out where it is positive. If nothing is left, the inequality holds or it does not.
+is linear there, or a polynomial with one or two positive roots (`bounds_of_one`). For an acute angle a bound of its
+sine or tangent is one of the angle in the same sense, and of its cosine in the opposite one. A magnitude bounds on both
+sides: |k s − m g sin α| ≤ μ m g cos α is 47 mm ≤ s ≤ 149 mm. A denominator is multiplied out where it is positive. If
+nothing is left, the inequality holds or it does not.
 """
 
 from __future__ import annotations
@@ -13,10 +14,21 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.records import record
+from lagrange.values.bounds_of_one import ends_of_one
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 _REVERSED = {"≤": "≥", "≥": "≤"}
 _INVERSE = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
+
+
+@record
+class AngleBound:
+    """symbol relation value, in rad; where `relation` is ≤, `low` is a lower bound beside it."""
+
+    symbol: sp.Symbol
+    relation: str
+    value: sp.Expr
+    low: sp.Expr | None = None
 
 
 @record
@@ -26,14 +38,14 @@ class Bound:
     left     a symbol, or a function of one, tan θ; with nothing left to be bounded, the left side in numbers
     bound    a number, or the right side in numbers
     low      where `relation` is ≤, a lower bound beside it
-    angle    the bound of θ itself, as symbol, relation and value in rad, if θ is acute
+    angle    the bound of θ itself, if θ is acute
     holds    whether it holds, where nothing is left in it; otherwise None
     """
 
     left: Quantity | sp.Expr
     relation: str
     bound: Quantity
-    angle: tuple[sp.Symbol, str, sp.Expr] | None = None
+    angle: AngleBound | None = None
     holds: bool | None = None
     low: Quantity | None = None
 
@@ -71,19 +83,30 @@ def _without_magnitude(difference: sp.Expr, values: Values) -> Bound | None:
         return None
     inside = sizes[0].args[0]
     cases = [difference.xreplace({sizes[0]: side * inside}) for side in (1, -1)]
+    cases = [e for e in cases if not _always_holds(values.put_in(e))]
     found = [_solved(e, values.put_in(e), values) for e in cases]
+    if len(cases) == 1:
+        return found[0]
     below, above = ([b for b in found if b is not None and b.relation == r] for r in "≥≤")
     if len(below) != 1 or len(above) != 1 or below[0].left != above[0].left:
         return None
-    if below[0].angle is not None or real_value(below[0].bound.formula) > real_value(above[0].bound.formula):
+    if real_value(below[0].bound.formula) > real_value(above[0].bound.formula):
         return None
-    return replace(above[0], low=below[0].bound)
+    angles = [b.angle for b in (*below, *above) if b.angle is not None]
+    if not angles:
+        return replace(above[0], low=below[0].bound)
+    if len(angles) == 1 or angles[0].relation == angles[1].relation:
+        return None
+    low, high = sorted(angles, key=lambda a: a.relation != "≥")
+    return replace(above[0], low=below[0].bound, angle=replace(high, low=low.value))
 
 
 def _over_positive(difference: sp.Expr, values: Values) -> sp.Expr:
     """The numerator of an expression whose denominator is positive with the values; otherwise the expression."""
     over, under = sp.fraction(sp.together(difference))
     in_numbers = values.put_in(under)
+    waves = in_numbers.atoms(sp.sin, sp.cos, sp.tan)  # of acute angles, as everywhere here
+    in_numbers = in_numbers.xreplace({f: sp.Dummy(positive=True) for f in waves if f.args[0].is_Symbol})
     letters = in_numbers.free_symbols
     if in_numbers == 0 or not all(s.is_positive for s in letters) or not in_numbers.is_polynomial(*letters):
         return difference
@@ -107,7 +130,7 @@ def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound |
     number, formula = (sp.expand(sp.together(e).xreplace({wanted: letter})) for e in (in_numbers, difference))
     slope, rest = number.coeff(letter, 1), number.coeff(letter, 0)
     if sp.expand(number - slope * letter - rest) != 0 or not slope.is_number or not rest.is_number:
-        return None
+        return _solved_for_power(symbol, in_numbers, values)
     sign = real_value(slope)
     if sign == 0:
         return None
@@ -115,6 +138,31 @@ def _solved(difference: sp.Expr, in_numbers: sp.Expr, values: Values) -> Bound |
     bound = Quantity(-rest / slope) if bound is None or not bound.is_number else bound
     relation = "≥" if sign > 0 else "≤"
     return Bound(wanted, relation, bound, _angle(wanted, relation, bound.formula))
+
+
+def _always_holds(e: sp.Expr) -> bool:
+    """Whether e ≥ 0 for every positive value of the one quantity that is left."""
+    if len(e.free_symbols) != 1:
+        return False
+    found = ends_of_one(e, *e.free_symbols)
+    return found is not None and found.low is None and found.high is None
+
+
+def _solved_for_power(symbol: sp.Symbol, e: sp.Expr, values: Values) -> Bound | None:
+    """e ≥ 0 that is not linear in the one quantity: 48 m/s for m v²/R, an angle for tan θ or sines with cosines."""
+    found = ends_of_one(e, symbol)
+    if found is None or (found.low is None and found.high is None):
+        return None
+    unit = values.unit_of(symbol) if found.wanted == symbol else ""
+    low, high = (None if end is None else Quantity(end, unit) for end in (found.low, found.high))
+    bound, relation = (low, "≥") if high is None else (high, "≤")
+    assert bound is not None
+    angle = _angle(found.wanted, relation, bound.formula)
+    if angle is not None and low is not None and high is not None:
+        other = _angle(found.wanted, "≥", low.formula)
+        ends = sorted((angle, other), key=lambda a: a.relation != "≥") if other is not None else []
+        angle = replace(ends[1], low=ends[0].value) if ends else None
+    return Bound(found.wanted, relation, bound, angle, low=low if high is not None else None)
 
 
 def _growth(symbol: sp.Symbol, e: sp.Expr) -> sp.Expr | None:
@@ -137,11 +185,11 @@ def _solved_for_exponent(symbol: sp.Symbol, growth: sp.Expr, e: sp.Expr) -> Boun
     return Bound(symbol, relation, Quantity(sp.log(-rest / slope) / growth))
 
 
-def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> tuple[sp.Symbol, str, sp.Expr] | None:
+def _angle(wanted: sp.Expr, relation: str, bound: sp.Expr) -> AngleBound | None:
     """θ ≥ 56.6° for tan θ ≥ 1.517 and 0 < θ < π/2; None where it says nothing in between."""
     if wanted.is_Symbol or real_value(bound) <= 0:
         return None
     if not isinstance(wanted, sp.tan) and real_value(bound) >= 1:
         return None
     turned = isinstance(wanted, sp.cos)
-    return wanted.args[0], _REVERSED[relation] if turned else relation, _INVERSE[wanted.func](bound)
+    return AngleBound(wanted.args[0], _REVERSED[relation] if turned else relation, _INVERSE[wanted.func](bound))

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from itertools import combinations, product
 from typing import Any
 
@@ -246,9 +247,11 @@ def _from_starts(
     With three unknowns and more the boxes of the search are many, and these roots are known whether it ends or not.
     """
     found: list[Root] = []
+    size = len(unknowns)
+    program = _Program([*equations, *(d for row in jacobian for d in row)], unknowns)
     grid = [[low + (high - low) * part for part in STARTS] for low, high in search]
     for start in product(*grid):
-        place = _iterated(equations, jacobian, unknowns, start)
+        place = _iterated(program, size, start)
         if place is None or not all(low <= x <= high for x, (low, high) in zip(place, search, strict=True)):
             continue
         if any(all(low <= x <= high for x, (low, high) in zip(place, r.box, strict=True)) for r in found):
@@ -263,19 +266,14 @@ def _from_starts(
     return found
 
 
-def _iterated(
-    equations: Sequence[sp.Expr],
-    jacobian: Sequence[Sequence[sp.Expr]],
-    unknowns: Sequence[sp.Symbol],
-    start: Sequence[float],
-) -> list[float] | None:
+def _iterated(program: _Program, size: int, start: Sequence[float]) -> list[float] | None:
     """Newton's iteration in floating point; None where it does not converge soon."""
     place = list(start)
     for _ in range(MOST_STEPS):
-        known: dict[sp.Basic, float] = dict(zip(unknowns, place, strict=True))
         try:
-            f = [_float(e, known) for e in equations]
-            inverse = _inverse([[_float(d, known) for d in row] for row in jacobian])
+            values = program.at(place)
+            f, slopes = values[:size], values[size:]
+            inverse = _inverse([slopes[size * n : size * (n + 1)] for n in range(size)])
         except (ValueError, ZeroDivisionError, OverflowError):
             return None
         if inverse is None:
@@ -287,25 +285,48 @@ def _iterated(
     return None
 
 
-def _float(e: sp.Basic, known: dict[sp.Basic, float]) -> float:
-    """The value of an expression in floating point. Raises ValueError, ZeroDivisionError, OverflowError."""
-    value = known.get(e)
-    if value is None:
-        parts = [_float(a, known) for a in e.args]
-        if not parts:
-            value = float(e)
-        elif e.is_Add:
-            value = math.fsum(parts)
-        elif e.is_Mul:
-            value = math.prod(parts)
-        elif e.is_Pow:
-            value = math.pow(*parts)
-        elif e.func in _FUNCTIONS:
-            value = _FUNCTIONS[e.func](*parts)
-        else:
-            raise ValueError
-        known[e] = value
-    return value
+class _Program:
+    """Expressions as a list of operations in floating point, each common part once.
+
+    Raises ValueError, ZeroDivisionError, OverflowError where one has no value.
+    """
+
+    def __init__(self, expressions: Sequence[sp.Basic], unknowns: Sequence[sp.Symbol]) -> None:
+        self.places: dict[sp.Basic, int] = {u: n for n, u in enumerate(unknowns)}
+        self.start: list[float] = [0.0] * len(unknowns)
+        self.operations: list[tuple[int, Callable[[list[float]], float], list[int]]] = []
+        self.results = [self._place(e) for e in expressions]
+
+    def _place(self, e: sp.Basic) -> int:
+        if e not in self.places:
+            parts = [self._place(a) for a in e.args]
+            self.places[e] = len(self.start)
+            self.start.append(0.0 if parts else float(e))
+            if parts:
+                self.operations.append((self.places[e], _operation(e), parts))
+        return self.places[e]
+
+    def at(self, point: Sequence[float]) -> list[float]:
+        """The values of the expressions at a point."""
+        values = [*point, *self.start[len(point) :]]
+        for place, operation, parts in self.operations:
+            values[place] = operation([values[n] for n in parts])
+        return [values[n] for n in self.results]
+
+
+def _operation(e: sp.Basic) -> Callable[[list[float]], float]:
+    if e.is_Add:
+        return math.fsum
+    if e.is_Mul:
+        return math.prod
+    if e.is_Pow:
+        return lambda parts: math.pow(*parts)
+    function = _FUNCTIONS.get(e.func, _no_value)
+    return lambda parts: function(*parts)
+
+
+def _no_value(*_: float) -> float:
+    raise ValueError
 
 
 _FUNCTIONS: Mapping[Any, Callable[[float], float]] = {
@@ -384,13 +405,8 @@ def _enclosure(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic
 def _evaluated(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:
     if e.is_Symbol:
         return places[e]
-    if e.is_Rational:
-        return iv.mpf(int(e.p)) / int(e.q)
-    if e.is_Float:
-        low = mpmath.mpf(str(e))
-        return iv.mpf([low - abs(low) * 1e-15, low + abs(low) * 1e-15])
-    if e == sp.pi:
-        return +iv.pi
+    if not e.args:
+        return _constant(e)
     parts = [_enclosure(a, places, known) for a in e.args]
     if e.is_Add:
         return sum(parts[1:], parts[0])
@@ -435,3 +451,16 @@ def _power(base: Any, exponent: sp.Expr) -> Any:
             raise _NoValueError
         result = 1 / result
     return result
+
+
+@lru_cache(maxsize=1 << 12)
+def _constant(e: sp.Expr) -> Any:
+    """An interval around a number."""
+    if e.is_Rational:
+        return iv.mpf(int(e.p)) / int(e.q)
+    if e.is_Float:
+        low = mpmath.mpf(str(e))
+        return iv.mpf([low - abs(low) * 1e-15, low + abs(low) * 1e-15])
+    if e == sp.pi:
+        return +iv.pi
+    raise _NoValueError

@@ -55,6 +55,8 @@ ECHOED: dict[str, tuple[sp.Expr, str]] = {
     "sin^2 m x": (sin(m * x) ** 2, "sin^2(m x)"),
     "√-x": (sqrt(-x), "sqrt(-x)"),
     "sqrt 2 x": (sqrt(2 * x), "sqrt(2 x)"),
+    "sin m*t": (sin(m) * t, "before the `*`"),
+    "sin 2*x": (sin(2) * x, "before the `*`"),
     "√2 x": (sqrt(2) * x, "before the `x`"),
     "sin x(y + 1)": (sin(x) * (y + 1), "before the `(`"),
     "sin theta x": (sin(theta) * x, "before the `x`"),
@@ -82,7 +84,7 @@ def test_a_surprising_reading_is_echoed(text: str) -> None:
     "text",
     [
         "1/2 m", "2 m g l", "m(x + y)", "sin theta cos theta", "sin 2 theta", "sin theta x'", "g/l*sin(theta)", "-x^2", "theta''(t)", "sin^2 theta",
-        "2e3", "x(y + 1)", "m g sin theta", "exp(-t) x", "sin omega t", "1/2 m x'^2 + 1/2 k x^2", "|x|", "x^(1/2)",
+        "2e3", "x(y + 1)", "m g sin theta", "exp(-t) x", "sin omega t", "sin theta*x", "sin(2)*x", "1/2 m x'^2 + 1/2 k x^2", "|x|", "x^(1/2)",
     ],
 )  # fmt: skip
 def test_a_plain_reading_is_not_echoed(text: str) -> None:

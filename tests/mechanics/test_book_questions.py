@@ -164,3 +164,100 @@ ask: {quarter: {quantity: t, when: theta = 0}}
     solved = report(problem(text))
     page = " ".join(terminal.text(solved.derivation, solved.notation, 120).split())
     assert f"t ≈ {float(sp.elliptic_k(sp.Rational(1, 4)) / sp.sqrt(9.81)):.4g} s" in page
+
+
+HILL = """
+title: A sledge on a hill
+parameters: {m: 10 kg, g: 9.81 m/s^2, mu: 0.1, alpha: 25 deg}
+coordinates: [s, n]
+let: {u: cos(alpha)*i + sin(alpha)*j, w: cos(alpha)*j - sin(alpha)*i}
+particles: {P: {mass: m, position: s*u + n*w}}
+constraints: {hill: {equation: n >= 0, reaction: N}}
+gravity: -g*j
+forces: {rub: {friction: mu, constraint: hill, on: P, slip: -u}}
+initial: {s: 0, s': 0}
+ask: {speed: {quantity: s', when: s = -12.5 ft}}
+"""
+
+
+def test_the_head_has_no_trivial_acceleration_and_the_units_of_the_question(problem: Read) -> None:
+    solved = report(problem(HILL))
+    page = terminal.text(solved.derivation, solved.notation, 100)
+    head = page.partition("╯")[0]
+    assert "n̈" not in head
+    assert "when s = −12.5 ft" in head
+    speed = math.sqrt(2 * 12.5 * 0.3048 * 9.81 * (math.sin(math.radians(25)) - 0.1 * math.cos(math.radians(25))))
+    assert f"{speed:.3f} m/s" in head
+
+
+@pytest.mark.parametrize(
+    ("written", "instead", "code", "cure"),
+    [
+        ("s = -12.5 ft", "hill = 0", "unknown-symbol", "`hill` is a constraint; its force is `N`"),
+        ("n >= 0", "n > = 0", "inequality", "write `>=` without a space"),
+        ("slip: -u", "slip: i", "friction-slip", "write `slip: [cos(alpha), sin(alpha)]`"),
+        ("gravity: -g*j", "gravity: 0*j", "friction-unpressed", "is `gravity` or another force missing?"),
+        ("s = -12.5 ft", "sdd = 0", "unknown-symbol", "did you mean `s''`?"),
+    ],
+)
+def test_cures_that_a_newcomer_needs(problem: Read, written: str, instead: str, code: str, cure: str) -> None:
+    with pytest.raises(ProblemError) as error:
+        solve(problem(HILL.replace(written, instead)))
+    assert (code, True) in [(d.code, cure in d.help) for d in error.value.diagnostics]
+
+
+def test_a_string_by_its_name_pulls(problem: Read) -> None:
+    """A block M on a smooth table, drawn by a load m: T = M m g/(M + m), though z − x = L looks like no sum of lengths."""
+    text = """
+title: A block drawn by a load
+parameters: [M, m, g, L]
+coordinates: [x, z]
+particles: {A: {mass: M, position: x*i}, B: {mass: m, position: L*i - z*j}}
+constraints: {string: {equation: z - x = L, reaction: T}}
+gravity: -g*j
+"""
+    for written in (text, text.replace("string:", "rope_1:"), text.replace("z - x = L", "x - z = -L")):
+        found = as_object(report(problem(written)))["reactions"]
+        [tension] = found.values()
+        assert tension["force"] == "M*m*g/(M + m)"
+    other = as_object(report(problem(text.replace("string:", "link:"))))["reactions"]["link"]
+    assert "force" not in other
+
+
+COLLAR = """
+title: A collar drawn up a rough vertical rod
+parameters: {W: 20 N, theta: 50 deg, mu: 0.4}
+unknowns: [P]
+coordinates: [x, y]
+particles: {collar: {position: x*i + y*j}}
+constraints: {rod: {equation: x = 0, reaction: N}}
+forces:
+  weight: {on: collar, vector: -W*j}
+  pull: {on: collar, vector: P*sin(theta)*i + P*cos(theta)*j}
+  rub: {friction: mu, static: mu, constraint: rod, on: collar, slip: j}
+find: impending
+"""
+
+
+def test_values_decide_on_which_side_a_collar_is_pressed(problem: Read) -> None:
+    [motion] = as_object(report(problem(COLLAR)))["impending"]
+    pull = 20 / (math.cos(math.radians(50)) - 0.4 * math.sin(math.radians(50)))
+    assert motion["in_numbers"] == [{"P": {"number": pytest.approx(pull), "unit": "N"}}]
+    with pytest.raises(NotCoveredError):
+        solve(problem(COLLAR.replace("{W: 20 N, theta: 50 deg, mu: 0.4}", "{W: positive, theta: acute, mu: positive}")))
+
+
+def test_the_unit_of_an_answer_where_a_bare_number_hides_one(problem: Read) -> None:
+    """v = √(2 g h) with h = 1 m: the derived value √2 √g has the unit of √g."""
+    text = """
+title: A fall
+parameters: {m: 1 kg, g: 9.81 m/s^2}
+coordinates: [y]
+particles: {P: {mass: m, position: -y*j}}
+gravity: -g*j
+initial: {y: 0, y': 0}
+ask: {speed: {quantity: y', when: y = 1 m}}
+answers: {ask: {speed: 4.429 m/s}}
+"""
+    verdicts = [as_object(report(problem(t)))["answers"][0]["verdict"] for t in (text, text.replace("4.429", "4.5"))]
+    assert verdicts == ["equivalent", "wrong"]

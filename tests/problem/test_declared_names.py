@@ -9,7 +9,7 @@ from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,
 )
-from tests.support.problem_texts import HEAD, read
+from tests.support.problem_texts import HEAD, read, readings
 
 PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
 BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
@@ -68,5 +68,6 @@ def test_a_declared_k_stays_a_stiffness_where_a_scalar_is_meant() -> None:
     assert pull.vector == vector(-k * x, 0, 0)
     assert isinstance(torque, AppliedMoment)
     assert torque.moment == vector(0, 0, F)
-    assert [(n.code, n.level) for n in problem.notes] == [("read-as", "note")]
-    assert "e_z" in problem.notes[0].help
+    [note] = readings(problem)
+    assert (note.code, note.level) == ("read-as", "note")
+    assert "e_z" in note.help

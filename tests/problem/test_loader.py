@@ -14,7 +14,7 @@ from lagrange.problem.model import (
 )
 from lagrange.problem.sources import decode
 from tests.support.chance import examples
-from tests.support.problem_texts import HEAD, mistakes, places, read
+from tests.support.problem_texts import HEAD, mistakes, places, read, readings
 
 PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
 BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
@@ -62,10 +62,11 @@ def test_a_reference_system() -> None:
 def test_prime_quotes() -> None:
     """In single quotes YAML halves the primes, which is said; in double quotes and without any it does not."""
     halved = read(ALL + "answers: {equations: ['x'' = 0']}\n")
-    assert [n.code for n in halved.notes] == ["read-as"]
-    assert "double quotes" in halved.notes[0].help
+    [note] = readings(halved)
+    assert note.code == "read-as"
+    assert "double quotes" in note.help
     for written in ("\"x'' = 0\"", "'x'''' = 0'", "x'' = 0", "'x'''' + y'' = 0'"):
-        assert read(ALL + f"answers: {{equations: [{written}]}}\n").notes == ()
+        assert readings(read(ALL + f"answers: {{equations: [{written}]}}\n")) == []
 
 
 # -- every mistake at its place ---------------------------------------------------------------------------------------------

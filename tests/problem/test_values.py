@@ -8,7 +8,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
-from tests.support.problem_texts import places, read
+from tests.support.problem_texts import mistakes, places, read
 
 PENDULUM = """title: T
 parameters: {m: {value: 2 kg}, l: {unit: cm}, g: {value: 9.81 m/s^2}, s: sign}
@@ -129,3 +129,47 @@ def test_a_unit_fits_the_place_of_its_parameter(parameters: str, rest: str, fits
         return
     [(code, line, _)] = places(text)
     assert (code, line) == ("unit-mismatch", 2)
+
+
+SLOPE = """title: T
+parameters: {alpha: 30 deg, W: 2 N, k: 1 rpm}
+coordinates: [x]
+forces: {f: {potential: W*x*cos(alpha)*k}}
+"""
+
+
+def test_an_angle_is_acute_by_its_value_unless_the_file_says_what_it_is() -> None:
+    def assumed(text: str, *settings: str) -> dict[str, str]:
+        found = read_problem(Source("problem.yaml", text), [Fragment.of(s, "--set") for s in settings])
+        return {p.symbol.name: p.assume for p in found.parameters}
+
+    assert assumed(SLOPE) == {"alpha": "acute", "W": "positive", "k": "positive"}
+    assert assumed(SLOPE, "alpha=120 deg")["alpha"] == "positive"
+    assert assumed(SLOPE.replace("30 deg", "120 deg"), "alpha=40 deg")["alpha"] == "acute"
+    assert assumed(SLOPE.replace("30 deg", "{assume: positive, value: 30 deg}"))["alpha"] == "positive"
+    assert assumed(SLOPE.replace("30 deg", "0.5"))["alpha"] == "positive"
+    assert assumed(SLOPE + "vary: {alpha: [30 deg, 120 deg]}\n")["alpha"] == "acute"
+
+
+@pytest.mark.parametrize("declaration", ["12 lb", "{value: 12 lb, unit: kg}"])
+def test_a_weight_for_a_mass_has_a_cure(declaration: str) -> None:
+    [found] = mistakes(
+        f"title: T\ncoordinates: [x]\nparameters: {{m: {declaration}}}\nparticles: {{P: {{mass: m, position: x*i}}}}\n"
+    )
+    assert found.code == "unit-mismatch"
+    assert "mass: W/g" in found.help
+
+
+@pytest.mark.parametrize(
+    ("inertia", "noted"), [("m*l/2", True), ("m*l^3", True), ("m*l^2/12", False), ("I", False), ("2", False)]
+)
+def test_a_moment_of_inertia_of_another_dimension_is_noted(inertia: str, noted: bool) -> None:
+    text = "title: T\ncoordinates: [x, theta]\nparameters: [m, l, I]\n"
+    body = f"bodies: {{B: {{mass: m, inertia: {inertia}, position: l*sin(theta)*i + x*j, angle: theta}}}}\n"
+    assert ("inertia-dimension" in [n.code for n in read(text + body).notes]) is noted
+
+
+def test_a_parameter_that_is_not_used_is_noted() -> None:
+    text = "title: T\ncoordinates: [x]\nparameters: [m, k, c, h]\nparticles: {P: {mass: m, position: x*i}}\n"
+    found = read(text + "forces: {s: {spring: k, between: [O, P]}}\nask: {v: {quantity: x', when: x = h}}\n").notes
+    assert [(n.code, n.message) for n in found] == [("unused-parameter", "`c` is not used")]

@@ -276,6 +276,10 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "figure: {circles: [{centre: P, radius: l, as: disk}]}")),
     "figure-too-large": ("Nobody can tell so many parts of a figure apart.", problem(
         PARTICLE + "figure: {lines: [" + ", ".join(["[P, O]"] * 61) + "]}")),
+    "unused-parameter": ("A parameter appears nowhere: a force has been forgotten, or another letter was meant.", problem(
+        PARTICLE, parameters="[m, k]")),
+    "inertia-dimension": ("A moment of inertia is a mass times the square of a length.", problem(
+        "bodies: {rod: {mass: m, inertia: m*l/12, position: l*sin(theta)*i, angle: theta}}", parameters="[m, l]", coordinates="[theta]")),
     "bad-setting": ("`--set` gives a parameter its value.", Command(("ex11", "--set", "l"))),
     "unknown-parameter": ("`--set` names something that is no parameter of the problem.", Command(
         ("ex11", "--set", "L=30 cm"))),
@@ -298,6 +302,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "friction-slip": ("`slip` says in which sense a particle slides along a line; leave it out where there is none.", problem(
         "particles: {P: {mass: m, position: '[x, y, z]'}}\nconstraints: {floor: z = 0}\n"
         "forces: {rub: {friction: g, constraint: floor, on: P, slip: positive}}", coordinates="[x, y, z]")),
+    "friction-unpressed": ("The reaction that would press is zero, and so is the friction; usually a weight has been forgotten.", problem(
+        "particles: {P: {mass: m, position: x*i + y*j}}\nconstraints: {floor: y >= 0}\n"
+        "forces: {push: {on: P, vector: m*g*i}, rub: {friction: 1/2, constraint: floor, on: P}}")),
     "friction-undetermined": ("Several constraints keep the same, and how they share the reaction is not determined; "
         "remove those that follow from the others.", problem(
         PARTICLE + "constraints: {floor: y = 0, again: 2*y = 0}\n"

@@ -21,6 +21,11 @@ def read(text: str) -> Problem:
     return read_problem(Source("problem.yaml", text))
 
 
+def readings(problem: Problem) -> list[Diagnostic]:
+    """The notes of a problem, apart from that on parameters which a short text does not use."""
+    return [n for n in problem.notes if n.code != "unused-parameter"]
+
+
 def mistakes(text: str | bytes) -> tuple[Diagnostic, ...]:
     with pytest.raises(ProblemError) as caught:
         read_problem(decode(text, "problem.yaml") if isinstance(text, bytes) else Source("problem.yaml", text))

@@ -47,8 +47,41 @@ def test_the_angle_itself_is_bounded_in_the_sense_of_its_function() -> None:
     assert falling is not None
     assert rising.angle is not None
     assert falling.angle is not None
-    assert (rising.angle[1], float(rising.angle[2])) == ("≥", pytest.approx(math.atan(0.3)))
-    assert (falling.angle[1], float(falling.angle[2])) == ("≤", pytest.approx(math.acos(0.3)))
+    assert (rising.angle.relation, float(rising.angle.value)) == ("≥", pytest.approx(math.atan(0.3)))
+    assert (falling.angle.relation, float(falling.angle.value)) == ("≤", pytest.approx(math.acos(0.3)))
+
+
+def test_what_is_not_linear_is_bounded_by_the_roots_of_a_polynomial() -> None:
+    acute = bound_with(W / (W * sp.tan(theta)), 2 * mu, VALUES)  # tan θ ≥ 1/0.6
+    assert acute is not None
+    assert acute.angle is not None
+    assert (acute.relation, acute.angle.relation) == ("≥", "≥")
+    assert float(acute.angle.value) == pytest.approx(math.atan(1 / 0.6))
+    speed = bound_with(P**2 * sp.cos(alpha), W * sp.sin(alpha), VALUES)
+    assert speed is not None
+    assert (speed.left, speed.relation) == (P, "≤")
+    assert speed.bound.number == pytest.approx(math.sqrt(100 * math.tan(math.radians(20))))
+    outside = bound_with(W * P**2, P**3 + P, VALUES)  # of two roots
+    assert outside is not None
+    assert isinstance(outside.left, Quantity)
+
+
+def test_an_acute_angle_is_bounded_on_both_sides_where_both_say_something() -> None:
+    normal = P * sp.sin(theta) + W * sp.cos(theta)
+    across = sp.Abs(P * sp.cos(theta) - W * sp.sin(theta)) / normal
+    pushed = Values({**NUMBERS, P: sp.Integer(60)}, frozenset({*NUMBERS, P}), VALUES.units)
+    both = bound_with(across, mu, pushed)
+    assert both is not None
+    assert both.angle is not None
+    assert both.angle.low is not None
+    ends = [math.atan(0.6) + side * math.atan(0.3) for side in (-1, 1)]
+    assert [float(both.angle.low), float(both.angle.value)] == pytest.approx(ends)
+    lightly = Values({**NUMBERS, P: sp.Integer(20)}, frozenset({*NUMBERS, P}), VALUES.units)
+    above = bound_with(across, mu, lightly)  # at rest on level ground, too
+    assert above is not None
+    assert above.angle is not None
+    assert (above.low, above.angle.low) == (None, None)
+    assert float(above.angle.value) == pytest.approx(math.atan(0.2) + math.atan(0.3))
 
 
 def test_an_inequality_in_which_nothing_is_left_holds_or_not() -> None:

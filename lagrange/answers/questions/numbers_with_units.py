@@ -89,5 +89,6 @@ def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
     known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
     known |= {s: d for s, u in reference.units.items() if u and (d := dimension_of_unit(u)) is not None}
     values = [v for b in asked.branches for v in b.values if v.free_symbols]
-    values = values or [asked.question.quantity]  # found in numbers
+    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found in numbers
+        values = [asked.question.quantity]
     return {d for v in values if (d := dimension(v, known)) is not None}

@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
+from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime, t
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import Stated, operations
-from lagrange.explain.words import constraints_called, in_words, plural, sign_conditions, spoken
+from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -99,12 +100,22 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
         if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
-            kept[Rule.EQUATIONS_OF_MOTION] = solved
+            held = {prime(q, 2) for q in _held(view.configuration)}
+            kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
             kept.pop(rule, None)
         else:
             kept[rule] = others
+
+
+def _held(configuration: Configuration) -> Iterator[sp.Symbol]:
+    """The coordinates that a constraint fixes by itself: the distance from a plane."""
+    moving = {*configuration.slots.coordinates, t}
+    for f in configuration.finite_constraints:
+        occurring = f.free_symbols & moving
+        if len(occurring) == 1 and t not in occurring:
+            yield occurring.pop()
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -275,7 +286,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             line = Equation((b.lhs, replace(quantity, unit=unit).shown()), relation="≈")
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
-            clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))
+            clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
         if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_CONDITIONS:
             clauses.append(("under conditions that are given below",))
         elif b.conditions:

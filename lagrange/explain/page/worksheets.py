@@ -29,7 +29,7 @@ from lagrange.document.derivation import (
     Task,
 )
 from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
-from lagrange.explain.words import constraints_called, plural, spoken
+from lagrange.explain.words import as_stated, constraints_called, plural, spoken
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Find, Problem, Question
 
@@ -226,7 +226,7 @@ def _about_question(questions: Sequence[Question], title: str) -> tuple[str, tup
     for q in questions:
         if title == f"Question: {spoken(q.name)}":
             by: tuple[Part, ...] = () if q.by is None else (" as a function of ", math(q.by))
-            when = (" when ", *listed(math(c.lhs, c.rhs) for c in q.when)) if q.when else ()
+            when = (" when ", *listed(map(as_stated, q.when))) if q.when else ()
             return title, ("Find ", math(q.quantity), *by, *when, ".")
     return title, ("Integrate the equations of motion from the initial state as far as you can.",)
 

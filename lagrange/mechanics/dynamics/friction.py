@@ -190,6 +190,8 @@ def solved_loads(
         known = {r.name: v for r in f.pressing if (v := reactions.multipliers[r.name]) is not None}
         if value is None or len(known) < len(f.pressing):
             raise NotCoveredError(f"the friction `{f.friction.name}`, whose reaction is too large,", f.friction.span)
+        if all(v == 0 for v in known.values()):
+            raise ProblemError(unpressed(f.friction))
         if f.also:
             loads += f.loads(f.resultant(known))
             continue
@@ -284,6 +286,9 @@ def unit_toward(friction: Friction, direction: Vector, configuration: Configurat
     if configuration.surface.is_zero(toward.dot(direction.fixed())) is False:
         message = f"`slip` of the friction `{friction.name}` is not along the surface"
         help_ = f"what touches slips at right angles to the reaction of `{friction.constraint}`"
+        x, y, z = direction.fixed().map(textbook_form).components
+        if z == 0 and not direction.is_zero:
+            help_ += f": write `slip: [{y}, {textbook_form(-x)}]` or the opposite"
         raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
     unit: Vector = toward / textbook_form(toward.norm())
     return unit.map(textbook_form)
@@ -458,6 +463,15 @@ def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:
     if solved is None or None in solved:
         return {}
     return {slots.velocities[k]: v for k, v in zip(chosen, solved, strict=True) if v is not None}
+
+
+def unpressed(friction: Friction) -> Diagnostic:
+    """Nothing presses, so that there is no friction: usually a weight has been forgotten."""
+    message = (
+        f"nothing presses `{friction.on}` against `{friction.constraint}`: the reaction is zero, and so is friction"
+    )
+    help_ = "is `gravity` or another force missing? If not, remove the friction"
+    return Diagnostic("friction-unpressed", message, friction.span, help=help_)
 
 
 def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tuple[sp.Expr, Vector] | None:

@@ -12,7 +12,8 @@ The tension does the work −T Σ n_i δℓ_i = λ δf, so that
 ℓ = |d| is the distance between two points, each at rest or on a particle or body, if d depends on the places of the
 particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d. It grows or decreases
-toward the pulley; a weight tells which, because a string that passes over a pulley holds it up.
+toward the pulley; a weight tells which, because a string that passes over a pulley holds it up. A constraint that is
+called a string, or is kept `by` one, may have terms of both signs, z − x = L.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -260,7 +261,7 @@ def _tension(
     bar = _between_two(constant, terms, configuration)
     if bar is not None:
         return bar
-    if by not in (Keeper.STRING, Keeper.ROD) and not _is_seen(constant, known):
+    if by not in (Keeper.STRING, Keeper.ROD) and not _is_seen(constant, known) and not _is_called_string(row.name):
         return None
     return _pulling(constant, known)
 
@@ -300,6 +301,11 @@ def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
     if len(lengths) == 1:
         return True
     return constant != 0 and len({x.share for x in lengths}) == 1
+
+
+def _is_called_string(name: str) -> bool:
+    """Whether a constraint has the name of a string, `rope_1`; z − x = L does not show that x is no length."""
+    return name.rstrip("_0123456789") in ("string", "rope", "cable", "cord")
 
 
 def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
+from lagrange.mechanics.questions.results import AnswerBranch
 
 
 def under_one_root(e: sp.Expr) -> sp.Expr:
@@ -119,3 +121,9 @@ def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
 
 def _between(c: SignCondition) -> sp.Expr:
     return sp.expand(c.lhs - c.rhs)
+
+
+def shown(b: AnswerBranch) -> AnswerBranch:
+    """The branch as it is printed."""
+    rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
+    return replace(b, rhs=rhs, conditions=joined(b.conditions))

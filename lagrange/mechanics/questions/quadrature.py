@@ -19,6 +19,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.operations import count_operations
+from lagrange.core.symbols import Slots, prime, t
 from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
 
 
@@ -45,6 +46,37 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
             continue
     found = _through_half_angle(q, speed**2, start, end)
     return _over_root_of_quadratic(q, speed**2, (start, end), way) if found is None else found
+
+
+def speed_stated(
+    when: sp.Expr, accelerations: Mapping[sp.Symbol, sp.Expr], initial: Mapping[sp.Symbol, sp.Expr], slots: Slots
+) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
+    """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None where it is no such motion."""
+    moving = {*slots.coordinates, *slots.velocities, t}
+    found = when.free_symbols & {*slots.velocities}
+    if len(found) != 1:
+        return None
+    [v] = found
+    rate, slope = accelerations.get(prime(v)), sp.expand(when).coeff(v, 1)
+    if rate is None or v not in initial or rate.free_symbols & moving != {v} or slope.free_symbols & moving:
+        return None
+    end = sp.cancel(v - when / slope)
+    return None if end.free_symbols & moving else (v, rate, initial[v], end)
+
+
+def time_between_speeds(v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
+    """∫ dv/v' from one speed to another, for one sense of v; None where it is not found."""
+    size = sp.Dummy(v.name, positive=True)
+    sense = 1 if sign_of(start) == 1 or (start == 0 and sign_of(end) == 1) else -1
+    if sign_of(sense * start) not in (0, 1) or sign_of(sense * end) not in (0, 1):
+        return None
+    inverse = sp.factor(sense / rate.xreplace({v: sense * size}))
+    if count_operations(inverse) > LONGEST_INTEGRATED or (found := _integral(inverse, size)) is None:
+        return None
+    values = [factored_quotient(found.xreplace({size: sense * x})) for x in (end, start)]
+    if any(x.has(sp.zoo, sp.nan, sp.oo) for x in values) or is_zero(found.diff(size) - inverse) is not True:
+        return None
+    return shortest_form(factored_quotient(values[0] - values[1]))
 
 
 def number_between(

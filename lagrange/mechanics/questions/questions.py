@@ -19,7 +19,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
@@ -33,14 +32,14 @@ from lagrange.mechanics.questions.branches import Beginning, bounds, first_branc
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_below
+from lagrange.mechanics.questions.forms import shown, under_one_root
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
-from lagrange.mechanics.questions.quadrature import number_between, time_between
+from lagrange.mechanics.questions.quadrature import number_between, speed_stated, time_between, time_between_speeds
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
-from lagrange.mechanics.questions.setting import Setting
+from lagrange.mechanics.questions.setting import Setting, all_coordinates, mentioned
 from lagrange.mechanics.questions.states import (
     Meanings,
     Place,
@@ -71,10 +70,9 @@ def answers_to_questions(
 def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
     """The first answer that is found. Raises ProblemError."""
     tried: list[Asked] = []
-    coordinates = tuple(dict.fromkeys(q for s in settings for q in _all_coordinates(s.place.configuration)))
+    coordinates = tuple(dict.fromkeys(q for s in settings for q in all_coordinates(s.place.configuration)))
     for setting in settings:
-        mentioned = _mentioned(question)
-        if not setting.place.knows(mentioned, coordinates):
+        if not setting.place.knows(mentioned(question), coordinates):
             continue
         if question.by is not None and question.by not in (t, *setting.place.configuration.slots.coordinates):
             continue
@@ -102,7 +100,7 @@ def _with_either_sense(question: Question, setting: Setting) -> Asked:
         if not question.quantity.is_Symbol or not question.quantity.is_positive:
             raise
         for r in setting.place.law.newton.reactions:
-            if r.row.finite is None and r.symbol_of_force in _mentioned(question):
+            if r.row.finite is None and r.symbol_of_force in mentioned(question):
                 try:
                     asked = _Search(question, setting, r.symbol_of_force).answer()
                 except ProblemError:
@@ -110,16 +108,6 @@ def _with_either_sense(question: Question, setting: Setting) -> Asked:
                 if asked.answered:
                     return replace(asked, opposite=r.symbol_of_force)
         raise error
-
-
-def _all_coordinates(configuration: Configuration) -> Iterator[sp.Symbol]:
-    yield from configuration.slots.coordinates
-    yield from configuration.expressed
-
-
-def _mentioned(question: Question) -> set[sp.Symbol]:
-    symbols = set(question.quantity.free_symbols)
-    return symbols.union(*(c.function.free_symbols for c in question.when))
 
 
 class _Search:
@@ -144,15 +132,15 @@ class _Search:
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
         occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
-        rather_not = {*_mentioned(question), *occurring, *map(prime, occurring)}
+        rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = dependent(self.configuration, rather_not, question.by)
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
         setting, known = self.setting, self.setting.known
-        mentioned = _mentioned(self.question)
-        missing = {a for a in self.slots.accelerations if a not in known.accelerations} & mentioned
-        if missing or any(known.unknown(s) for s in mentioned):
+        names = mentioned(self.question)
+        missing = {a for a in self.slots.accelerations if a not in known.accelerations} & names
+        if missing or any(known.unknown(s) for s in names):
             known = meanings_at(self.place, known, setting.initial if self._is_at_start else setting.fixed)
         if self.opposite is None:
             return known
@@ -165,7 +153,7 @@ class _Search:
     def _used(self) -> Iterator[Substituted]:
         """The reactions, accelerations and energies that the question mentions."""
         known = self.known
-        for s in sorted(_mentioned(self.question), key=str):
+        for s in sorted(mentioned(self.question), key=str):
             if s in known.reactions or s in known.energies or s.name.endswith("''"):
                 value = self._applied(s)
                 if value != s:
@@ -173,11 +161,11 @@ class _Search:
 
     def answer(self) -> Asked:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
-        mentioned = (self.question.quantity, *(c.function for c in self.question.when))
+        named = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
             raise ProblemError(slip_has_ended(self.question, what))
-        if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
+        if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
         if self._is_about_time and not self._is_at_start:
@@ -192,7 +180,7 @@ class _Search:
                     break
                 found = self._eliminated(used)
                 if found.never:
-                    raise ProblemError(never_holds(self.question))
+                    raise ProblemError(never_holds(self.question, outright=route is Route.STATE))
                 if found.branches and found.solved and not found.free:
                     return self._chosen(route, found, used)
                 free = found.free
@@ -249,7 +237,7 @@ class _Search:
                 continue
             value = shortest_form(ratio * i.value)
             branch = AnswerBranch(self.question.quantity, value, (value,))
-            return replace(self._asked(Route.INTEGRALS, How.EXACT, [i]), branches=(_shown(branch),))
+            return replace(self._asked(Route.INTEGRALS, How.EXACT, [i]), branches=(shown(branch),))
         return None
 
     @property
@@ -317,8 +305,8 @@ class _Search:
         dropped = (*((b, Because.SENSE) for b in against), *chosen.dropped)
         return replace(
             self._asked(route, How.EXACT, used),
-            branches=tuple(_shown(b) for b in branches),
-            dropped=tuple((_shown(b), why) for b, why in dropped),
+            branches=tuple(shown(b) for b in branches),
+            dropped=tuple((shown(b), why) for b, why in dropped),
             mirrored=chosen.mirrored,
             verified=found.verified,
         )
@@ -386,7 +374,7 @@ class _Search:
         asked = _Search(self.question, after).answer()
         back = () if way == 1 else (more_than_zero(-sense * starts),)
         conditions = (*b.conditions, *back)
-        later = tuple(_shown(replace(x, conditions=(*x.conditions, *conditions))) for x in asked.branches)
+        later = tuple(shown(replace(x, conditions=(*x.conditions, *conditions))) for x in asked.branches)
         return replace(asked, branches=later, turning=Substituted(base(v), b.values[0]))
 
     @property
@@ -446,8 +434,8 @@ class _Search:
         """The answer from the solution of the equations of motion; None where that is not found."""
         state = {*self.slots.coordinates, *self.slots.velocities}
         rule = self.rule
-        mentioned = {s for e in (self.quantity, *self.when) for s in e.xreplace(rule).free_symbols & state}
-        wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
+        named = {s for e in (self.quantity, *self.when) for s in e.xreplace(rule).free_symbols & state}
+        wanted = {base(s) for s in named} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
         places = self._places_of_no_matter(accelerations)
@@ -471,7 +459,7 @@ class _Search:
             raise ProblemError(never_holds(self.question, approached))
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
-            branches=tuple(_shown(b) for b in branches),
+            branches=tuple(shown(b) for b in branches),
             solutions={}
             if len(motions) > 1
             else {
@@ -569,7 +557,7 @@ class _Search:
             return None
         place = place_stated(self.when[0], self.setting, self._beginning)
         if place is None:
-            return None
+            return self._by_speed()
         (q, end), initial = place, self.setting.initial
         if q not in initial or end.free_symbols & {*self.place.moving}:
             return None
@@ -592,9 +580,19 @@ class _Search:
             branches = () if number is None else (AnswerBranch(t, number, (number,)),)
             return replace(asked, branches=branches, how=None if number is None else How.NUMERICAL, verified=None)
         branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
-        return replace(asked, branches=(_shown(branch),), how=How.EXACT)
+        return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
-
-def _shown(b: AnswerBranch) -> AnswerBranch:
-    rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
-    return replace(b, rhs=rhs, conditions=joined(b.conditions))
+    def _by_speed(self) -> Asked | None:
+        """t = ∫ dv/v' from v_0 to v_1, where the acceleration depends on the velocity alone; None if it does not."""
+        stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
+        if stated is None:
+            return None
+        v, rate, start, end = stated
+        asked = replace(self._asked(Route.QUADRATURE, None, ()), integrand=stated)
+        if (taken := time_between_speeds(v, rate, start, end)) is None or sign_of(rate.xreplace({v: start})) is None:
+            return None
+        way = sign_of(rate.xreplace({v: start}))
+        later = more_than_zero(way * (end - start))
+        conditions = () if sign_of_value(way * (end - start).xreplace(self.setting.values)) == 1 else (later,)
+        branch = AnswerBranch(t, taken, (taken,), (), conditions)
+        return replace(asked, branches=(shown(branch),), how=How.EXACT)

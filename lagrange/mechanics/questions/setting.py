@@ -6,12 +6,14 @@ initial one.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import prime
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.dependent import dependent, reduced
 from lagrange.mechanics.questions.elimination import eliminated
@@ -25,7 +27,7 @@ from lagrange.mechanics.questions.states import (
     meanings,
     with_senses,
 )
-from lagrange.problem.model import Problem
+from lagrange.problem.model import Problem, Question
 
 
 class Setting:
@@ -111,3 +113,15 @@ class Setting:
     def turned(self, state: Values, senses: Senses) -> Setting:
         """The motion after a state of rest, with these senses."""
         return Setting(self.place, self.problem, state, senses)
+
+
+def all_coordinates(configuration: Configuration) -> Iterator[sp.Symbol]:
+    """The coordinates of a configuration, and those that it expresses by these."""
+    yield from configuration.slots.coordinates
+    yield from configuration.expressed
+
+
+def mentioned(question: Question) -> set[sp.Symbol]:
+    """The symbols in the quantity and the conditions of a question."""
+    symbols = set(question.quantity.free_symbols)
+    return symbols.union(*(c.function.free_symbols for c in question.when))

@@ -22,7 +22,7 @@ from lagrange.problem.keys import VARY
 from lagrange.problem.limits import MOST_VARIED_VALUES
 from lagrange.problem.model import Parameter, Varied
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
-from lagrange.problem.values import ValueRead, read_number_with_unit
+from lagrange.problem.values import ValueRead, read_number_with_unit, without_value
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node
 
 _EXAMPLE = "vary: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}"
@@ -41,7 +41,7 @@ def read_vary(node: Node | None, parameters: Sequence[Parameter], diagnostics: D
             help_ = suggestion(name, list(known), "parameters")
             diagnostics.report(Diagnostic("unknown-parameter", message, key.span, help=help_))
             continue
-        entry = diagnostics.attempt(partial(_varied, known[name], value, diagnostics))
+        entry = diagnostics.attempt(partial(_varied, without_value(known[name]), value, diagnostics))
         if entry is not None:
             varied[name] = entry
     return tuple(varied.values())

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
+import mpmath
 import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded
-from lagrange.mechanics.questions.quadrature import time_between
+from lagrange.mechanics.questions.quadrature import time_between, time_between_speeds
 
 g, l = sp.symbols("g l", positive=True)
 theta = sp.Symbol("theta", real=True)
@@ -25,3 +26,16 @@ def test_on_a_cycloid_the_time_does_not_depend_on_the_start() -> None:
     assert half is not None
     expected = 2 * math.acos(math.sin(math.pi / 6) / math.sin(1))
     assert float(half.xreplace({g: sp.S.One, l: sp.S.One, start: sp.Integer(2)})) == pytest.approx(expected)
+
+
+def test_between_two_speeds_the_acceleration_is_integrated() -> None:
+    v, f, c = sp.Symbol("x'", real=True), *sp.symbols("f c", positive=True)
+    first, last = sp.symbols("v_0 v_1", positive=True)
+    taken = time_between_speeds(v, -(f + c * v**2), first, last)
+    assert taken is not None
+    values = {f: 2.0, c: 0.5, first: 3.0, last: 1.0}
+    expected = mpmath.quad(lambda x: 1 / (2.0 + 0.5 * x * x), [1, 3])
+    assert float(taken.xreplace({s: sp.Float(x) for s, x in values.items()})) == pytest.approx(float(expected))
+    backwards = time_between_speeds(v, f - c * v**3, -first, -last)  # v < 0 where the acceleration is positive
+    assert backwards is None or float(backwards.xreplace({s: sp.Float(x) for s, x in values.items()})) > 0
+    assert time_between_speeds(v, -c * v**3, first, -last) is None  # through rest

@@ -8,6 +8,7 @@ import pytest
 
 from lagrange.core.diagnostics import ProblemError
 from lagrange.problem.model import Problem
+from tests.support.problem_texts import readings
 
 START = """
 title: Example
@@ -54,7 +55,7 @@ def test_what_cannot_be_equal_is_refused(text: str, help_: str, problem: Callabl
     ],
 )
 def test_what_may_be_equal_is_not(text: str, problem: Callable[[str], Problem]) -> None:
-    assert not problem(f"{START}{text}\n").notes
+    assert not readings(problem(f"{START}{text}\n"))
 
 
 def test_the_dimension_says_whether_a_letter_is_a_unit(problem: Callable[[str], Problem]) -> None:
@@ -62,11 +63,11 @@ def test_the_dimension_says_whether_a_letter_is_a_unit(problem: Callable[[str], 
     read = problem(START + "initial: {x: 2 m}\nask: {one: {quantity: x, when: T = 2 m g}}\n")
     assert [str(v.value) for v in read.initial] == ["2"]
     assert [str(c.rhs) for q in read.questions for c in q.when] == ["2*g*m"]
-    assert [(n.code, n.message.partition(" is read")[0]) for n in read.notes] == [
+    assert [(n.code, n.message.partition(" is read")[0]) for n in readings(read)] == [
         ("read-as", "`2 m`"),
         ("read-as", "`2 m g`"),
     ]
-    assert not problem(START + "initial: {x: 2*l, y: 20 cm}\n").notes
+    assert not readings(problem(START + "initial: {x: 2*l, y: 20 cm}\n"))
     scaled = "title: Example\ncoordinates: [x]\nparameters: [m, c]\nparticles: {P: {mass: m, position: c*x*i}}\n"
     with pytest.raises(ProblemError) as error:
         problem(scaled + "initial: {x: 2 m}\n")

@@ -13,6 +13,8 @@ Reference: Euler, 1769; Eytelwein, 1808.
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
+
 import sympy as sp
 
 from lagrange.core.records import record
@@ -53,3 +55,25 @@ def belt_laws(problem: Problem, newton: Newton, configuration: Configuration) ->
         BeltLaw(b, written(b.tight), written(b.slack), sp.exp(configuration.rewritten(b.coefficient * b.angle)))
         for b in belts
     )
+
+
+def sought_forces(problem: Problem, belts: Sequence[BeltLaw]) -> tuple[sp.Symbol, ...]:
+    """The unknown forces that the conditions may be about, tensions of belts first, so that others remain open.
+
+    A tension is eliminated like a reaction if that at the other side of its belt is given.
+    """
+    unknown = {*problem.unknowns}
+    sides = [({*b.tight.free_symbols} & unknown, {*b.slack.free_symbols} & unknown) for b in belts]
+    inner = {s for tight, slack in sides if not (tight and slack) for s in tight | slack}
+    tensions = [s for side in (0, 1) for pair in sides for s in sorted(pair[side], key=str)]
+    return tuple(dict.fromkeys(s for s in (*tensions, *problem.unknowns) if s not in inner))
+
+
+def tensions_between(problem: Problem, loading: Collection[sp.Symbol]) -> set[sp.Symbol]:
+    """The unknown tensions of belts both ends of which pull at something: these are inside of the system.
+
+    They are eliminated like reactions, unless the system can be at rest whatever the rest is; then they are asked for.
+    """
+    unknown = {*problem.unknowns}
+    ends = [{*b.tight.free_symbols, *b.slack.free_symbols} & unknown for b in problem.forces if isinstance(b, Belt)]
+    return {s for pair in ends if len(pair) == 2 and pair <= {*loading} for s in pair}

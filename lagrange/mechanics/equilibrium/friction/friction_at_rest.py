@@ -28,7 +28,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import without_known_magnitudes
@@ -38,11 +38,11 @@ from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward
+from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward, unpressed
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
-from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
+from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws, sought_forces, tensions_between
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
     Wanted,
@@ -259,12 +259,31 @@ def at_rest(
 
     Raises NotCoveredError if that cannot be decided, ProblemError if a contact is not as the file says.
     """
+    loading = {s for q in work.forces for s in q.free_symbols}
+    sought = sought_forces(problem, belt_laws(problem, newton, configuration))
+    between = tensions_between(problem, loading)
+    if between:
+        found = _at_rest(problem, newton, original, configuration, work, tuple(s for s in sought if s not in between))
+        if all(found.cases):
+            return found
+    return _at_rest(problem, newton, original, configuration, work, sought)
+
+
+def _at_rest(
+    problem: Problem,
+    newton: Newton,
+    original: Configuration,
+    configuration: Configuration,
+    work: VirtualWork,
+    sought: tuple[sp.Symbol, ...],
+) -> AtRest:
+    """The same, with conditions about these unknown forces; the others are eliminated."""
     equal = equal_angles(configuration)
     held = {**equal, **held_coordinates(configuration)}
     contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
-    system = _System(newton, contacts, original, configuration, work, problem.unknowns, _sought(problem, belts), held)
-    wanted = Wanted(_sought(problem, belts), tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
+    system = _System(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
+    wanted = Wanted(sought, tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
     for most, acute in product((0, MOST_CASES), (angles, positions)):
@@ -320,18 +339,6 @@ def rest_within(
 def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:
     """Whether a condition says no more than that sines and cosines of positions are positive."""
     return any(signs.of(shortest(c.right - c.left)) == 1 for case in cases for c in case)
-
-
-def _sought(problem: Problem, belts: Sequence[BeltLaw]) -> tuple[sp.Symbol, ...]:
-    """The unknown forces that the conditions may be about, tensions of belts first, so that others remain open.
-
-    A tension is eliminated like a reaction if that at the other side of its belt is given.
-    """
-    unknown = {*problem.unknowns}
-    sides = [({*b.tight.free_symbols} & unknown, {*b.slack.free_symbols} & unknown) for b in belts]
-    inner = {s for tight, slack in sides if not (tight and slack) for s in tight | slack}
-    tensions = [s for side in (0, 1) for pair in sides for s in sorted(pair[side], key=str)]
-    return tuple(dict.fromkeys(s for s in (*tensions, *problem.unknowns) if s not in inner))
 
 
 @record
@@ -543,6 +550,8 @@ def _determined(
     for c in contacts:
         pressed = shortest(c.normal * solved.forces[c.reaction.force] * (1 if c.sign is None else c.sign))
         friction = tuple(shortest(solved.forces[f]) for f in c.components)
+        if pressed == 0 and not c.also:
+            raise ProblemError(unpressed(c.friction))
         if c.also:
             conditions += bounded_by(friction, c.resultant(solved.forces), c.coefficient, True, signs) or ()
             continue

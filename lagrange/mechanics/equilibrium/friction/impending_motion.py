@@ -21,19 +21,20 @@ from itertools import combinations, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import friction_forces
+from lagrange.mechanics.dynamics.friction import friction_forces, unpressed
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
@@ -216,6 +217,8 @@ def _at_limit(
     pressed = {u: without_leading_minus(shortest(v)) for u, v in zip(unknowns, solved, strict=True) if v is not None}
     loads = []
     for contact, share in shares.values():
+        if pressed[contact.reaction.force] == 0:
+            raise ProblemError(unpressed(contact.friction))
         vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
         loads.append(Load(contact.name, contact.friction.on, vector, contact.place))
         if contact.opposite:
@@ -228,7 +231,7 @@ def _at_limit(
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
-        verdicts = {_sign_there(c, pressed, resting, signs)}
+        verdicts = {_sign_there(c, pressed, resting, signs, {p.symbol: p.value for p in problem.parameters if p.value})}
         if -1 in verdicts:
             return None
         if None in verdicts and c.reaction.constraint.side is None and c.friction.contact is None:
@@ -298,8 +301,20 @@ def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: 
 
 
 def _sign_there(
-    c: RoughContact, pressed: Mapping[sp.Symbol, sp.Expr], resting: Equilibrium, signs: Signs
+    c: RoughContact,
+    pressed: Mapping[sp.Symbol, sp.Expr],
+    resting: Equilibrium,
+    signs: Signs,
+    values: Mapping[sp.Symbol, sp.Expr],
 ) -> int | None:
-    """The sign of N, as `c` takes it, at all equilibria; None if it is not the same, or not known."""
-    found = _signs_at((c.sign or 1) * pressed[c.reaction.force], resting, signs)
+    """The sign of N, as `c` takes it, at all equilibria; None if it is not the same, or not known.
+
+    Where letters leave it open, the values of the problem decide, with the unknown forces that the equilibrium gives.
+    """
+    force = (c.sign or 1) * pressed[c.reaction.force]
+    found = _signs_at(force, resting, signs)
+    if None in found and values:
+        stated = [{r.lhs: r.rhs for r in b.relations if r.lhs.is_Symbol} for b in resting.branches]
+        numbers = [force.xreplace(rule).xreplace(dict(values)) for rule in stated]
+        found = {sign_of(n) if n.is_number else None for n in numbers}
     return found.pop() if len(found) == 1 else None

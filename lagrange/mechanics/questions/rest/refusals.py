@@ -26,11 +26,13 @@ def not_determined(question: Question, free: Iterable[sp.Symbol], not_given: Ite
     return Diagnostic("not-determined", message, question.written.whole, help=help_)
 
 
-def never_holds(question: Question, approached: bool = False) -> Diagnostic:
-    """The motion does not get to the state, or only in the limit."""
+def never_holds(question: Question, approached: bool = False, outright: bool = False) -> Diagnostic:
+    """The motion does not get to the state, or only in the limit; `outright`: whatever the integrals of the motion."""
     first = question.when[0].span if question.when else question.span
     message = f"the `when` of the question `{question.name}` never holds in this motion"
     help_ = "the motion from the given initial values does not get there: check the condition, and `initial`"
+    if outright:
+        help_ += "; if it takes one value of a parameter `a`, ask for that, `{quantity: a, when: ...}`"
     if approached:
         message = f"the `when` of the question `{question.name}` holds only in the limit t → ∞"
         help_ = "the motion approaches this state and is never there: ask when a part of the way is left"

@@ -159,3 +159,31 @@ def test_what_is_refused(problem: Read, old: str, new: str, code: str) -> None:
 def test_a_belt_is_at_rest(problem: Read) -> None:
     with pytest.raises(NotCoveredError, match="a belt on a rough drum, `drum`, in motion"):
         solve(problem(CAPSTAN.replace("[equilibrium, impending]", "motion")))
+
+
+BALANCED = """title: A block on a rough slope, held over a rough drum by a weight
+parameters: {M: positive, m: positive, g: positive, alpha: acute, mu: positive, nu: positive, beta: positive}
+unknowns: [T, S]
+coordinates: [x, y, z]
+particles: {block: {mass: M, position: x*i + y*j}, load: {mass: m, position: z*j}}
+constraints: {slope: {equation: y >= x*tan(alpha), reaction: N}}
+gravity: -g*j
+forces:
+  up: {on: block, vector: T*cos(alpha)*i + T*sin(alpha)*j}
+  hang: {on: load, vector: S*j}
+  rub: {friction: mu, static: mu, constraint: slope, on: block}
+  down: {belt: nu, angle: beta, tight: T, slack: S}
+  back: {belt: nu, angle: beta, tight: S, slack: T}
+find: equilibrium
+"""
+
+
+def test_tensions_between_two_loads_are_eliminated(problem: Read) -> None:
+    rest = solve(problem(BALANCED)).own.at_rest
+    assert rest is not None
+    [case] = rest.cases
+    slope, held = (0.5, cos(pi / 6)), exp(0.2 * 2 * pi / 3)
+    least, most = 50 * (slope[0] - 0.25 * slope[1]) / held, 50 * (slope[0] + 0.25 * slope[1]) * held
+    for m, at_rest in ((least - 0.01, False), (least + 0.01, True), (most - 0.01, True), (most + 0.01, False)):
+        values = {"M": 50.0, "m": m, "g": 9.81, "alpha": pi / 6, "mu": 0.25, "nu": 0.2, "beta": 2 * pi / 3}
+        assert all(at(c.right - c.left, values) >= 0 for c in case) is at_rest
