@@ -25,6 +25,7 @@ from lagrange.answers.questions.own_answers import (
     readable,
 )
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
+from lagrange.answers.questions.texts.values_alone import as_asked
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
@@ -93,6 +94,11 @@ class Examiner:
         parameters = {p.symbol for p in self.problem.parameters}
         return self.asks_for_conditions or any(a.question.quantity in parameters for a in asked)
 
+    @property
+    def names_of_questions(self) -> tuple[str, ...]:
+        """The names of what the file asks for under `ask`."""
+        return tuple(a.question.name for a in self.solution.asked) if self.solution is not None else ()
+
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
         from lagrange.answers.points import score
@@ -107,6 +113,8 @@ class Examiner:
             if words != Answers():
                 equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
                 return self.check_answers(words, equations)
+            if only_words:
+                answer = as_asked(answer, self.solution) or answer
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
             return self._checked(answer)
 

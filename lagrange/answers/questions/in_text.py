@@ -35,6 +35,7 @@ _SECOND_VARIATION = re.compile(
 _KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
 """theta = const, which says no more than that the motion is steady."""
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
+_NO_STATEMENT = "it says nothing about the motion"
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -57,7 +58,7 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if any(v.steady is not None for v in solution.views):
         return _with_frequencies(answer, solution, lambda rest: _steady(rest, solution, judge))
     if any(v.linearization is not None for v in solution.views) and not solution.asked:
-        return _with_frequencies(answer, solution, judge)
+        return _linearized(answer, solution, lambda f: _with_frequencies(f, solution, judge))
     if any(a.answered for a in solution.asked):
         if any(v.linearization is not None for v in solution.views):
             return _asked(answer, solution, lambda rest: _with_frequencies(rest, solution, judge))
@@ -203,8 +204,29 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             judged = _beside_frequencies(rest, solution, judge) if rest else None
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
-            return _if_readable(answer, judge) or _only(frequencies, solution)
+            others = _if_readable(answer, judge)
+            is_about = others is not None and not all(e.diagnosis.startswith(_NO_STATEMENT) for e in others.each)
+            return others if others is not None and is_about else _only(frequencies, solution)
     return _with_positions(answer, solution, judge)
+
+
+def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of small oscillations, where the answer is not right as anything else."""
+    from lagrange.answers.questions.texts.linearized import check_linearized
+
+    failed: ProblemError | None = None
+    try:
+        judged = judge(answer)
+        if judged.verdict not in (Verdict.WRONG, Verdict.UNREADABLE):
+            return judged
+    except ProblemError as error:
+        judged, failed = None, error
+    if (linear := check_linearized(answer, solution)) is not None:
+        return _only(linear, solution)
+    if judged is None:
+        assert failed is not None
+        raise failed
+    return judged
 
 
 def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:

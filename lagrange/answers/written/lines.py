@@ -66,7 +66,9 @@ _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
-_I_GOT = re.compile(r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?)\b(?!\s*[=*/^+])")
+_I_GOT = re.compile(
+    r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b(?!\s*[=*/^+])"
+)
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
@@ -118,6 +120,10 @@ _OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
+_PLACE_BEFORE = re.compile(r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE)
+"""The place for which an equation holds, before it: `about θ = 0: ω = sqrt(g/R)`."""
+
+
 def has_sign_of_equality(line: str) -> bool:
     """Whether a line has an equation: a `=`, or what stands for it."""
     return _OTHER_EQUALS.search(line) is not None or is_about(line)
@@ -153,6 +159,9 @@ def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
     fragment = with_equality(fragment)
+    if place := _PLACE_BEFORE.match(fragment.text):
+        beside = f"{beside} {place[0]}"
+        fragment = _part(fragment, place.end(), len(fragment.text))
     if is_latex(fragment):
         if _MAPLE.search(fragment.text) is None or "\\" in fragment.text:
             yield from _in_latex(fragment, beside)
@@ -505,8 +514,7 @@ def condition_alone(fragment: Fragment) -> Fragment:
     if not is_latex(fragment):
         if case := _CASE.match(draft.text):
             draft.keep(case.end(), len(draft.text))
-        start = _after_words(draft.text, 0, len(draft.text))
-        draft.keep(start, len(draft.text.rstrip(" .,;")))
+        draft.keep(_after_words(draft.text, 0, len(draft.text)), len(draft.text.rstrip(" .,;")))
         if tail := _AFTER_COMMA.search(draft.text):
             draft.keep(0, tail.start())
     elif "$" in draft.text:
@@ -516,6 +524,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
             (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
         ]
         draft.apply(between if inside else [])
+    else:
+        draft.keep(_after_words(draft.text, 0, len(draft.text)), len(draft.text))
     return draft.finished(latex=is_latex(fragment))
 
 
