@@ -171,6 +171,8 @@ class Examiner:
             if verdict.verdict is Verdict.WRONG and len(lines) > 1:
                 each = compared_impending(solution, lines)  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            if verdict.verdict is Verdict.WRONG and verdict.diagnosis:
+                return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
             return self._statics(working, solution)
@@ -265,8 +267,14 @@ class Examiner:
         from lagrange.answers.equilibria import alternatives_of, explained_equilibria
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-        stated = alternatives_of(working.judged)
-        why = explained_equilibria(stated, equilibria, self._statics_reference, self.problem)
+        wrong = [
+            (f,)
+            for f, e in zip(working.judged, verdict.equations, strict=False)
+            if e.verdict is Verdict.WRONG and len(verdict.equations) == len(working.judged)
+        ]
+        tried = (alternatives_of(working.judged), wrong if len(wrong) < len(working.judged) else [])
+        found = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
+        why = next(filter(None, found), "")
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
         if not why or others:
             return verdict

@@ -136,9 +136,8 @@ def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> s
     """Whether a reaction balances the other forces in one or two equations of motion, as if nothing were accelerated
     there, and nothing moved."""
     slots = models.system.configuration.slots
-    count = len(slots.coordinates)
-    if len(models.system.equations) != count:
-        return ""
+    count = len(models.system.equations)
+    named = count == len(slots.coordinates)  # of a choice there may be equations of eliminated coordinates as well
     still = dict.fromkeys(slots.velocities, sp.S.Zero)
     for moving in (True, False):
         if not moving and not claim.free_symbols.isdisjoint(still):
@@ -148,8 +147,8 @@ def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> s
         for number in (1, 2):
             for chosen in combinations(range(count), number):
                 if all(at is not None and _is_balance(claim, chosen, at) for at in tried):
-                    names = " and ".join(str(slots.coordinates[k]) for k in chosen)
-                    equations = "equation" if number == 1 else "equations"
+                    names = " and ".join(str(slots.coordinates[k]) for k in chosen) if named else "motion"
+                    equations = "equation" if number == 1 and named else "equations"
                     at_rest = "" if moving else " and velocity"
                     where = f"in the {equations} of {names}, as if there were no acceleration{at_rest}"
                     return f"it balances the other forces {where}"

@@ -210,7 +210,7 @@ def _explained(
 
 
 _LABELLED = re.compile(
-    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
 )
 _BETWEEN = re.compile(
     r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"

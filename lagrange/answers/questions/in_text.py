@@ -13,6 +13,7 @@ from dataclasses import replace
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
 from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.labels import without_place
 from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
 from lagrange.answers.questions.texts.supports import supports_of
 from lagrange.answers.references import Reference, reference_of_solution
@@ -87,20 +88,22 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         with_impulses,
         with_losses,
         with_omega,
+        without_sign_after,
     )
     from lagrange.answers.written.working import understood
 
     found = solution.impact
     assert found is not None
+    answer = [without_sign_after(f) for f in answer]
     lines = with_losses(answer)
     if losses := [check_loss(f, solution) for f, is_loss in lines if is_loss]:
         rest = [f for f, is_loss in lines if not is_loss]
         judged = _impact(rest, solution) if rest else None
         return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
     reference = with_impulses(reference_of_solution(solution), found)
-    verdict = check_impact_in_text(understood(answer, reference), found, reference)
+    verdict = check_impact_in_text(understood(answer, reference), found, reference, solution.problem)
     if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
-        tried = [check_impact_in_text(understood(answer, r), found, r) for r in with_omega(reference, found)]
+        tried = [check_impact_in_text(understood(answer, r), found, r, solution.problem) for r in with_omega(reference, found)]
         verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
@@ -109,7 +112,8 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         answer,
         solution,
         lambda f: _only(
-            replace(check_impact_in_text(understood(f, reference), found, reference), name="impact"), solution
+            replace(check_impact_in_text(understood(f, reference), found, reference, solution.problem), name="impact"),
+            solution,
         ),
         _only(verdict, solution),
     )
@@ -180,6 +184,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
         first = judge(answer)
         if first.verdict is not Verdict.WRONG:
             return first
+        from lagrange.answers.questions.own_answers import explained_steady
+
+        verdict = explained_steady(verdict, alternatives_of(working.judged), conditions, solution)
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
 
 
@@ -284,6 +291,7 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on values in numbers, each with its unit, and on everything else."""
+    answer = [without_place(f) for f in answer]
     valued = values_of(solution.problem) is not None
     found = [(f, stated_in_numbers(f) if valued else None) for f in answer]
     if any(n for _, n in found):  # beside these a number alone is one whose unit was left out

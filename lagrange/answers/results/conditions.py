@@ -151,7 +151,7 @@ def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collectio
             if (total := a.added(b)) is not None and total.is_of(stated.slack):
                 yield _ADDED
     for limit in known:
-        yield from _of_terms(stated.slack, limit.slack)
+        yield from _of_terms(stated.slack, limit.slack, coefficients)
 
 
 _REVERSED = "the limit is right, and the inequality has the wrong sense"
@@ -240,7 +240,7 @@ def _of_sides(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
 _TIMES = {sp.Integer(2): "twice", sp.Rational(1, 2): "half of"}
 
 
-def _of_terms(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
+def _of_terms(stated: sp.Expr, right: sp.Expr, coefficients: Collection[sp.Expr] = ()) -> Iterator[str]:
     """One term of the balance that is missing, has the wrong sign, or is another one."""
     own, other = ([*sp.Add.make_args(_cleared(e))] for e in (stated, right))
     if not 1 < len(other) <= MOST_TERMS or len(own) > MOST_TERMS:
@@ -252,7 +252,9 @@ def _of_terms(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
             continue
         term = gained[0] / scale if gained else None
         if not lost and term is not None:
-            yield f"the term {_written(term)} is missing"
+            of_friction = [mu for mu in coefficients if (term / mu).free_symbols.isdisjoint({*coefficients})]
+            what = f", {of_friction[0]} times a part of the normal force" if of_friction else ""
+            yield f"the term {_written(term)} is missing{what}"
         elif term is None:
             yield f"the term {_written(lost[0] / scale)} does not belong there"
         elif sp.expand(lost[0] + gained[0]) == 0:

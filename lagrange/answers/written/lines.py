@@ -444,7 +444,7 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
         return word.endswith(":")
     if plain in _LINKING or word.endswith(":"):
         return True
-    if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
+    if len(plain) > (2 if words > 1 else 3) and _NAMES_NEXT.match(text, at, end):
         return True
     following = _WORD.match(text, at + 1, end)
     return len(plain) > 3 and (words > 0 or (following is not None and not _is_known(following[0])))
