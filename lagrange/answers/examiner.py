@@ -114,6 +114,12 @@ class Examiner:
                 equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
                 return self.check_answers(words, equations)
             if only_words:
+                from lagrange.answers.questions.texts.stability_alone import check_stability, is_about_stability
+
+                if all(is_about_stability(f.text) for f in answer):
+                    verdict = check_stability(answer, self.solution, self._statics_reference)
+                    if verdict is not None:
+                        return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
                 answer = as_asked(answer, self.solution) or answer
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
             return self._checked(answer)

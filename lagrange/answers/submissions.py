@@ -28,6 +28,7 @@ from time import perf_counter
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.points import Score, as_number, score, unread_score
+from lagrange.answers.questions.texts.stability_alone import is_about_stability
 from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.in_words import stated_in_words
@@ -113,7 +114,8 @@ def answer_in_file(
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
     found = equations_in_file(source, ending, conditions=conditions)
-    if not found and (stated_in_words(source.text) != Answers() or is_expressions(source.text)):
+    in_words = not found and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
+    if in_words or (not found and is_expressions(source.text)):
         return (Fragment(source.text, Span(source, 0, len(source.text)), 0),)
     return found
 

@@ -103,7 +103,8 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
     reference = with_impulses(reference_of_solution(solution), found)
     verdict = check_impact_in_text(understood(answer, reference), found, reference, solution.problem)
     if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
-        tried = [check_impact_in_text(understood(answer, r), found, r, solution.problem) for r in with_omega(reference, found)]
+        others = with_omega(reference, found)
+        tried = [check_impact_in_text(understood(answer, r), found, r, solution.problem) for r in others]
         verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:

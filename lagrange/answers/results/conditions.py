@@ -8,16 +8,15 @@ is linear makes the stated one vanish: at random numbers first, then exactly.
 
 from __future__ import annotations
 
-import math
 import random
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.results.approximate import approximate
+from lagrange.answers.results.approximate import approximate, root_near
 from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -29,7 +28,6 @@ MOST_TERMS = 8
 
 _SAMPLES = 3
 _CLOSE = 1e-9
-_STEPS = 60
 
 
 @record
@@ -190,7 +188,7 @@ class _Limit:
         """Whether another slack vanishes where this one does, all letters but one having random values."""
         point = _point(sp.Add(self.slack, other, evaluate=False), seed)
         for letter in letters:
-            root = _root(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
+            root = root_near(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
             if root is not None:
                 near = [abs(approximate(other, {**point, letter: root + d})) for d in (0.0, 0.1)]
                 return near[0] <= _CLOSE * (1 + near[1])
@@ -275,17 +273,3 @@ def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
     """Random numbers of order one for all letters: acute angles."""
     draw = random.Random(seed)
     return {s: draw.uniform(0.3, 1.3) for s in sorted(_symbols(e), key=str)}
-
-
-def _root(function: Callable[[float], float], start: float) -> float | None:
-    """A zero of a function, by the secant rule; None if none is found."""
-    a, b = start, start + 0.1
-    fa, fb = function(a), function(b)
-    for _ in range(_STEPS):
-        if fb == fa or not math.isfinite(fb):
-            return None
-        a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
-        fb = function(b)
-        if abs(b - a) <= 1e-13 * (1 + abs(b)):
-            return b
-    return None

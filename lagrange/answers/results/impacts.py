@@ -39,7 +39,9 @@ def explained_impact(
         return ""
 
 
-def explained_statement(equation: sp.Expr, found: ImpulsiveMotion, problem: Problem, values: Mapping[sp.Symbol, sp.Rational]) -> str:
+def explained_statement(
+    equation: sp.Expr, found: ImpulsiveMotion, problem: Problem, values: Mapping[sp.Symbol, sp.Rational]
+) -> str:
     """What is stated by a wrong equation with one of the unknowns of an impact, in a sentence; empty if not found.
 
     values  of parameters in the file

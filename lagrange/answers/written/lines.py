@@ -67,7 +67,8 @@ _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
 _I_GOT = re.compile(
-    r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b(?!\s*[=*/^+])"
+    r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b"
+    r"(?!\s*[=*/^+])"
 )
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
@@ -120,7 +121,9 @@ _OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
-_PLACE_BEFORE = re.compile(r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE)
+_PLACE_BEFORE = re.compile(
+    r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE
+)
 """The place for which an equation holds, before it: `about θ = 0: ω = sqrt(g/R)`."""
 
 

@@ -2,15 +2,14 @@ r"""Equations of small oscillations as an answer, where a problem asks for them:
 
     for small angles: m l θ1'' + m g θ1 + c l (θ1 - θ2) = 0        2 l \ddot\xi_1 + l \ddot\xi_2 + 2 g \xi_1 = 0
 
-The coordinates, or the letters ξ, stand for the small changes from an equilibrium. An equation c·ξ'' + d·ξ' + k·ξ = 0 is
-a combination α of the derived ones, with α M = c, if α D = d and α K = k. The equilibrium at which most of the
+The coordinates, or the letters ξ, stand for the small changes from an equilibrium. An equation c·ξ'' + d·ξ' + k·ξ = 0
+is a combination α of the derived ones, with α M = c, if α D = d and α K = k. The equilibrium at which most of the
 equations are right is the one that is meant.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import sympy as sp
 

@@ -22,11 +22,14 @@ from lagrange.expressions.relations import is_inequality
 from lagrange.expressions.syntax_tree import FUNCTIONS
 from lagrange.mechanics.results import Solution
 
-_NAMED = re.compile(r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$", re.M)
+_NAMED = re.compile(
+    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$", re.MULTILINE
+)
 _BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
 _COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")
 _WORD = re.compile(r"[^\W\d_]{2,}")
-_OF_SENTENCES = frozenset("is are be the it we an to of in at on by for if no so".split())
+_SMALL_WORDS = "is are be the it we an to of in at on by for if no so"
+_OF_SENTENCES = frozenset(_SMALL_WORDS.split())
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "and", "or"})
 _LONGEST_RUN = 3
 """Letters of a run that may be a product of names."""
