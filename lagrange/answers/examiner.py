@@ -96,8 +96,11 @@ class Examiner:
 
     @property
     def names_of_questions(self) -> tuple[str, ...]:
-        """The names of what the file asks for under `ask`."""
-        return tuple(a.question.name for a in self.solution.asked) if self.solution is not None else ()
+        """The names of what the file asks for: its questions, and the coordinates of a response."""
+        if self.solution is None:
+            return ()
+        coordinates = {q.name for v in self.solution.views if v.response is not None for q in v.response.by_coordinate}
+        return *(a.question.name for a in self.solution.asked), *sorted(coordinates)
 
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""

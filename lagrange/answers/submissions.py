@@ -41,6 +41,7 @@ from lagrange.answers.written.notation.markup import (
     text_of_html,
     without_named_letters,
 )
+from lagrange.answers.written.notation.matrices import with_bracketed_arrays
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.ratios import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
@@ -113,6 +114,7 @@ def answer_in_file(
     Raises ProblemError as `equations_in_file` does.
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
+    source = replace(source, text=with_bracketed_arrays(source.text))
     found = equations_in_file(source, ending, conditions=conditions)
     in_words = not found and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
     if in_words or (not found and is_expressions(source.text)):

@@ -153,6 +153,8 @@ def _judged(
     text, components = reading.text, reading.with_decimals or reading.components
     if any(e.free_symbols & {*found.slots.accelerations, *found.full.slots.accelerations} for e in components):
         return EquationVerdict.of(text, Verdict.WRONG, _ACCELERATION)
+    if not any(e.free_symbols & {*_state(found), *turned} for e in components):
+        return EquationVerdict.of(text, Verdict.TRIVIAL, _IDENTITY)  # a case: where a = 2*l/3
     remarks = [_OPPOSITE] if any(e.free_symbols & turned.keys() for e in components) else []
     try:
         claims = [found.at(e.xreplace(dict(turned))) for e in components]

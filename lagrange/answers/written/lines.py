@@ -15,7 +15,7 @@ from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
-from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
+from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
@@ -419,7 +419,12 @@ def _after_words(text: str, start: int, end: int) -> int:
             at = article.end()
         else:
             break
+    if read and (name := _NAME_AND_COMMA.match(text, at, end)):  # with the friction angle φ, tan φ = μ
+        at = name.end()
     return at
+
+
+_NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 
 
 def _is_known(word: str) -> bool:
@@ -550,6 +555,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
     if is_latex(fragment):
+        fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))
         return list(_in_latex(fragment, "")) or list(equations(fragment))
     if (decimals := with_decimal_points(fragment.text)) != fragment.text:
         fragment = replace(fragment, text=decimals)

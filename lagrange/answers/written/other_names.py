@@ -54,6 +54,9 @@ _OF_COORDINATE = re.compile(
     r"\s*&?=(?!=)"
 )
 _QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
+_MODULUS = re.compile(
+    r"[\s$&]*(?P<bars>(?:\\left\s*)?(?:\||\\[lv]vert)\s*(?P<name>\\?[^\W\d_]\w{0,12})\s*(?:\\right\s*)?(?:\||\\[rv]vert))\s*&?=(?!=)"
+)
 _STATIONARY = re.compile(
     rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
     rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
@@ -183,7 +186,7 @@ def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
 
 def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
     """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left; `x1` as x_1."""
-    fragment = with_indices(fragment, scope)
+    fragment = _without_modulus(with_indices(fragment, scope), scope)
     match = _OF_COORDINATE.match(fragment.text)
     if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
         return fragment
@@ -192,6 +195,18 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
         return fragment
     draft = Draft(fragment)
     draft.apply([(match.end("name"), match.end("bracket"), "")])
+    made = draft.finished(latex=is_latex(fragment))
+    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def _without_modulus(fragment: Fragment, scope: Scope) -> Fragment:
+    """`|F| = ...` as F = ..., whose sense is left open: the name of a force may stand for its opposite."""
+    match = _MODULUS.match(fragment.text)
+    symbol = scope.scalar(scope.spelling(_plain(match["name"]))) if match is not None else None
+    if match is None or symbol is None or symbol in scope.slots.coordinates or not isinstance(symbol, sp.Symbol):
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(0, match.end("bars"), match["name"])])
     made = draft.finished(latex=is_latex(fragment))
     return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
 
