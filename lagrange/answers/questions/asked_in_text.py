@@ -71,6 +71,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         named = [] if is_used_beside(fragment, answer, reference) else named
         about = {name for name, _ in found}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
+        named = [name for name in named if name in _as_functions(fragment, questions, reference)] or named
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
@@ -93,6 +94,13 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+def _as_functions(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> set[str]:
+    """The questions for a quantity as a function of what occurs in a line, x(t) = ... or y = f(x)."""
+    reading = read_as_written(fragment, reference.scope)
+    used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
+    return {a.question.name for a in questions if a.question.by in used}
 
 
 def _explained(

@@ -69,7 +69,7 @@ class _Written:
 
 
 def with_bracketed_arrays(text: str) -> str:
-    r"""`\left[\begin{array}{cc} ... \end{array}\right]`, as handwriting is recognised, as a matrix of the same length."""
+    r"""`\left[\begin{array}{cc} ... \end{array}\right]`, as handwriting is recognised, as a matrix as long."""
 
     def matrix(match: re.Match[str]) -> str:
         before, after = match.start("inside") - match.start(), match.end() - match.end("inside")
