@@ -71,7 +71,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         named = [] if is_used_beside(fragment, answer, reference) else named
         about = {name for name, _ in found}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
-        named = [name for name in named if name in _as_functions(fragment, questions, reference)] or named
+        named = _of_function(named, fragment, questions, reference)
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
@@ -96,11 +96,15 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
 
 
-def _as_functions(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> set[str]:
-    """The questions for a quantity as a function of what occurs in a line, x(t) = ... or y = f(x)."""
+def _of_function(
+    named: Sequence[str], fragment: Fragment, questions: Sequence[Asked], reference: Reference
+) -> list[str]:
+    """Of questions for one quantity those for a function of what occurs in a line, x(t) = ..., or those for none."""
     reading = read_as_written(fragment, reference.scope)
     used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
-    return {a.question.name for a in questions if a.question.by in used}
+    by = {a.question.name: a.question.by for a in questions}
+    functions = [name for name in named if by[name] is not None and by[name] in used]
+    return functions or [name for name in named if by[name] is None] or [*named]
 
 
 def _explained(

@@ -518,7 +518,10 @@ def condition_alone(fragment: Fragment) -> Fragment:
     if not is_inequality(fragment):
         return fragment
     draft = Draft(fragment)
-    draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
+    draft.replace(
+        _WORDS_IN_BRACKETS,
+        lambda m: None if any(map(_is_known, _LONG_WORDS.findall(m[0]))) or _SIGNS.search(m[0]) else " ",
+    )
     if not is_latex(fragment):
         if case := _CASE.match(draft.text):
             draft.keep(case.end(), len(draft.text))
