@@ -18,7 +18,6 @@ from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
-from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.results import Solution
@@ -150,7 +149,7 @@ def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> 
     return [Fragment.of(f"{text(r.lhs)} = {text(r.rhs)}") for r in relations]
 
 
-def _of(e: sp.Basic | Vector) -> set[sp.Symbol]:
+def _of(e: sp.Expr) -> set[sp.Symbol]:
     return {s for s in e.free_symbols if isinstance(s, sp.Symbol)}
 
 
