@@ -95,18 +95,14 @@ def _no_problem(name: str) -> Diagnostic:
     return Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_)
 
 
-def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragment, ...]:
-    """The equations of an answer: those given one by one, then those in a file, whose extension tells its format.
+def answer_source(file: str) -> Source:
+    """The text of an answer: a file, or standard input. Raises ProblemError."""
+    return _standard_input() if file == "-" else read_source(Path(file))
 
-    Raises ProblemError.
-    """
-    fragments = [Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1)]
-    if file is not None:
-        from lagrange.answers.submissions import answer_in_file
 
-        source = _standard_input() if file == "-" else read_source(Path(file))
-        fragments += answer_in_file(source, Path(file).suffix)
-    return tuple(fragments)
+def stated_equations(equations: Sequence[str]) -> tuple[Fragment, ...]:
+    """The equations of an answer that are given one by one."""
+    return tuple(Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1))
 
 
 def settings_read(settings: Sequence[str]) -> tuple[Fragment, ...]:

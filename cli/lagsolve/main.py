@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import gc
 import sys
+from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 import click
@@ -203,18 +204,23 @@ def check(
 def _checking(problem: Problem, answer_file: str | None, equations: tuple[str, ...]) -> Callable[[Examiner], Judgement]:
     """What checks the equations, a file with all answers, or, if neither is given, the problem file's own.
 
-    The answers are read before the problem is solved.
+    The files are read before the problem is solved; what a text says depends on what the problem asks for.
     """
     from lagrange.problem.library import EXTENSIONS
-    from lagsolve.inputs import answer_fragments, stated_answers
+    from lagsolve.inputs import answer_source, stated_answers, stated_equations
 
     if answer_file is not None and answer_file.lower().endswith(EXTENSIONS):
-        answers, more = stated_answers(answer_file, problem), answer_fragments(None, equations)
+        answers, more = stated_answers(answer_file, problem), stated_equations(equations)
         return lambda examiner: examiner.check_answers(answers, more)
     if answer_file is None and not equations:
         return lambda examiner: examiner.check_own()
-    fragments = answer_fragments(answer_file, equations)
-    return lambda examiner: examiner.check(fragments)
+    given = stated_equations(equations)
+    if answer_file is None:
+        return lambda examiner: examiner.check(given)
+    from lagrange.answers.submissions import answer_to
+
+    source, ending = answer_source(answer_file), PurePath(answer_file).suffix
+    return lambda examiner: examiner.check((*given, *answer_to(examiner, source, ending)))
 
 
 for command in (*PROGRAMS, *COMMANDS, *COURSE_COMMANDS):

@@ -385,6 +385,7 @@ def _with_reasons(
             from lagrange.answers.diagnosis import diagnosed, in_symbols
             from lagrange.answers.hints import Advisor, cause_of
             from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
+            from lagrange.answers.results.forces import explained_force
 
             residues = attempt.candidate.residues
             advisor = Advisor(system.configuration.slots)
@@ -401,10 +402,13 @@ def _with_reasons(
             units = reference.mismatch(readings[n]) if wanted else None
             name = model.name if model is not None else ""
             cause = model.cause if model is not None else cause_of(change)
+            force = explained_force(equation, attempt.candidate) if wanted and model is None else ""
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
-            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
+            if force:
+                hints = *hints[:2], advisor.hints(force, change, units, convention, readings[n].sides)[-1]
+            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=force or cause, model=name)
             if wanted:
                 explained_together.append((n, partial(advisor.hints, why, None, units, None, readings[n].sides)))
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):

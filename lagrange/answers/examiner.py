@@ -25,6 +25,7 @@ from lagrange.answers.questions.own_answers import (
     readable,
 )
 from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
+from lagrange.answers.questions.texts.values_alone import as_asked
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
@@ -93,6 +94,14 @@ class Examiner:
         parameters = {p.symbol for p in self.problem.parameters}
         return self.asks_for_conditions or any(a.question.quantity in parameters for a in asked)
 
+    @property
+    def names_of_questions(self) -> tuple[str, ...]:
+        """The names of what the file asks for: its questions, and the coordinates of a response."""
+        if self.solution is None:
+            return ()
+        coordinates = {q.name for v in self.solution.views if v.response is not None for q in v.response.by_coordinate}
+        return *(a.question.name for a in self.solution.asked), *sorted(coordinates)
+
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
         from lagrange.answers.points import score
@@ -107,6 +116,14 @@ class Examiner:
             if words != Answers():
                 equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
                 return self.check_answers(words, equations)
+            if only_words:
+                from lagrange.answers.questions.texts.stability_alone import check_stability, is_about_stability
+
+                if all(is_about_stability(f.text) for f in answer):
+                    verdict = check_stability(answer, self.solution, self._statics_reference)
+                    if verdict is not None:
+                        return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
+                answer = as_asked(answer, self.solution) or answer
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
             return self._checked(answer)
 
@@ -163,6 +180,8 @@ class Examiner:
             if verdict.verdict is Verdict.WRONG and len(lines) > 1:
                 each = compared_impending(solution, lines)  # up or down, a line each
                 verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            if verdict.verdict is Verdict.WRONG and verdict.diagnosis:
+                return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
             return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
             return self._statics(working, solution)
@@ -257,8 +276,14 @@ class Examiner:
         from lagrange.answers.equilibria import alternatives_of, explained_equilibria
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
-        stated = alternatives_of(working.judged)
-        why = explained_equilibria(stated, equilibria, self._statics_reference, self.problem)
+        wrong = [
+            (f,)
+            for f, e in zip(working.judged, verdict.equations, strict=False)
+            if e.verdict is Verdict.WRONG and len(verdict.equations) == len(working.judged)
+        ]
+        tried = (alternatives_of(working.judged), wrong if len(wrong) < len(working.judged) else [])
+        found = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
+        why = next(filter(None, found), "")
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
         if not why or others:
             return verdict

@@ -113,7 +113,7 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     return replace(reading, notes=[*reading.notes])
 
 
-_LATEST: deque[tuple[Fragment, Scope, Reading]] = deque(maxlen=16)
+_LATEST: deque[tuple[Fragment, Scope, Reading]] = deque(maxlen=32)
 """The fragments that were read last: the same object in the same scope has the same meaning."""
 
 

@@ -28,6 +28,8 @@ from time import perf_counter
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.points import Score, as_number, score, unread_score
+from lagrange.answers.questions.texts.stability_alone import is_about_stability
+from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
@@ -39,6 +41,7 @@ from lagrange.answers.written.notation.markup import (
     text_of_html,
     without_named_letters,
 )
+from lagrange.answers.written.notation.matrices import with_bracketed_arrays
 from lagrange.answers.written.notation.programs import declares, equations_of_program
 from lagrange.answers.written.notation.ratios import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
@@ -59,6 +62,10 @@ _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=tic
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
 _SENTENCE = re.compile(r"[.;:]\s|\n\s*\n|\\end\{|\\\]|\$\$|\\(?:sub)*section")
 _INLINE = ("$", r"\(", r"\)")
+_HEADING = re.compile(
+    r"\s*(?:[^\W\d_]+\s+){0,6}(?:about|around|near|at|um|bei)\s+[^:'\u0307\u0308¨]{1,60}:\s*\Z", re.IGNORECASE
+)
+"""A line under which others stand: `linearised about θ1 = θ2 = 0:`."""
 _NOTHING = ("no-equations",)
 """The mistakes of a problem that has nothing to compare an answer with."""
 
@@ -96,15 +103,29 @@ def _found(fragment: Fragment, source: Source, ending: str) -> Iterator[Fragment
             yield from _in_lines(fragment if text == fragment.text else Fragment.of(text, source.name))
 
 
-def answer_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
-    """The equations in a text; the text itself if it has none, but states degrees of freedom or a classification.
+def answer_in_file(
+    source: Source, ending: str, *, conditions: bool = False, names: Collection[str] = ()
+) -> tuple[Fragment, ...]:
+    """The equations in a text; the text itself if it has none, but words that are judged, or expressions alone.
+
+    conditions  whether inequalities count as well, a line each
+    names       of questions: what follows one of them and a colon is its answer
 
     Raises ProblemError as `equations_in_file` does.
     """
+    source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
+    source = replace(source, text=with_bracketed_arrays(source.text))
     found = equations_in_file(source, ending, conditions=conditions)
-    if not found and stated_in_words(source.text) != Answers():
+    in_words = not found and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
+    if in_words or (not found and is_expressions(source.text)):
         return (Fragment(source.text, Span(source, 0, len(source.text)), 0),)
     return found
+
+
+def answer_to(examiner: Examiner, source: Source, ending: str) -> tuple[Fragment, ...]:
+    """What a text has that may answer the questions of a problem. Raises ProblemError as `equations_in_file` does."""
+    names = examiner.names_of_questions
+    return answer_in_file(source, ending, conditions=examiner.reads_inequalities, names=names)
 
 
 def _conditions(fragment: Fragment) -> Iterator[Fragment]:
@@ -256,6 +277,8 @@ def _of_block(
                 for e in _of_block(fragment, [(start + a, start + b, line[a:b])], number, bullet, words, labels):
                     number += 1
                     yield e
+        elif _HEADING.match(line):
+            words = line.strip()
         elif has_sign_of_equality(line):
             begins = start + _beginning(line, number, bullet, labels)
             beside = f"{words} {fragment.text[start:begins]}".strip()
@@ -434,7 +457,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += answer_in_file(source, ending, conditions=self.examiner.reads_inequalities)
+                fragments += answer_to(self.examiner, source, ending)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"

@@ -14,7 +14,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.equilibria import check_equilibria
 from lagrange.answers.friction.forces_at_limit import ForcesPutIn, forces_put_in, names_of_forces
-from lagrange.answers.readings import read_answer
+from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
@@ -111,7 +111,11 @@ def _explained(
     ]
     relations = [r for m in motions for b in m.equilibrium.branches for r in b.relations]
     coefficients = {c.coefficient for m in motions for c in m.contacts}
-    found = explained_limits(stated, [r.lhs - r.rhs for r in relations], coefficients)
+    derived = [r.lhs - r.rhs for r in relations]
+    found = explained_limits(stated, derived, coefficients)
+    if not found and len(stated) > 1:  # the two limits of a range, each with the same mistake
+        each = [explained_limits([s], derived, coefficients) for s in stated]
+        found = "; ".join(dict.fromkeys(f"`{s.text}`: {why}" for s, why in zip(stated, each, strict=True) if why))
     return found or explained_by_contacts(stated, solution)
 
 
@@ -136,11 +140,17 @@ def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fra
 def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> list[Fragment]:
     """T = m g for an unknown force that an answer does not mention: it may state the limit alone."""
     words = {w for f in alternative for w in re.findall(r"[^\W\d]\w*", f.text)}
+    # P_min is another name of P
+    words |= {s.name for f in alternative if isinstance(f, GivenEquation) for e in f.reading.components for s in _of(e)}
     found = motion.equilibrium
     if len(found.branches) != 1 or not (words & {s.name for b in found.branches for s in _symbols(b)}):
         return []
     relations = [r for r in found.branches[0].relations if r.lhs in found.forces and r.lhs.name not in words]
     return [Fragment.of(f"{text(r.lhs)} = {text(r.rhs)}") for r in relations]
+
+
+def _of(e: sp.Expr) -> set[sp.Symbol]:
+    return {s for s in e.free_symbols if isinstance(s, sp.Symbol)}
 
 
 def _symbols(b: Branch) -> set[sp.Symbol]:

@@ -20,9 +20,8 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
-from lagrange.answers.results.approximate import approximate
+from lagrange.answers.results.approximate import approximate, root_near
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
-from lagrange.answers.written.decimals import as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
@@ -355,7 +354,10 @@ def _differ(a: sp.Expr, b: sp.Expr) -> bool:
 
 
 def _rounds_to(a: _Stated, b: _Stated) -> bool:
-    """Whether the limit of a condition with one decimal is, rounded, that of another: μ ≥ 0.31 for μ ≥ 0.3113."""
+    """Whether the limit of a condition with one decimal is, rounded, that of another: μ ≥ 0.31 for μ ≥ 0.3113.
+
+    At the limit of the other, the number that would make the stated one exact must round to the decimal.
+    """
     if a.rounded is None or a.equation or b.equation:
         return False
     decimals = sorted(decimals_in([a.rounded]), key=str)
@@ -363,29 +365,28 @@ def _rounds_to(a: _Stated, b: _Stated) -> bool:
     if len(decimals) != 1 or not names:
         return False
     [decimal], unknown = decimals, names[0]
-    slope = a.rounded.diff(unknown)
-    if slope == 0 or slope.has(unknown):
+    slope = a.rounded.diff(decimal)
+    if decimal in slope.free_symbols:
         return False
-    limit = sp.expand(unknown - a.rounded / slope)
+    exact = (decimal * slope - a.rounded) / slope
+    is_angle = any(unknown in f.free_symbols for f in b.slack.atoms(sp.sin, sp.cos, sp.tan, sp.cot))
     seen = 0
     for point in islice(_points([_Stated("", b.slack * a.slack, False)]), 8):
-        rest = {s: v for s, v in point.items() if s != unknown}
-        try:
-            ends = [
-                as_written(limit.xreplace({decimal: decimal.written + side * decimal.half_width}))
-                .xreplace(rest)
-                .evalf()
-                for side in (-1, 1)
-            ]
-            low, high = sorted(ends)
-            values = [b.slack.xreplace({**rest, unknown: v}).evalf() for v in (low, high)]
-            rising = bool(slope.xreplace(rest).evalf() > 0)
-            if values[0] * values[1] > 0 or bool(values[1] > values[0]) is not rising:
-                return False
-        except (TypeError, ZeroDivisionError):
+        root = root_near(lambda v, at=point: approximate(b.slack, {**at, unknown: v}), point[unknown])  # type: ignore[misc]
+        if root is None or (is_angle and not 0 < root < math.pi / 2):
+            continue
+        at, near = {**point, unknown: root}, {**point, unknown: root + _STEP}
+        number = approximate(sp.expand(exact), {**at, decimal: 0.0})
+        rises = [approximate(e, near) - approximate(e, at) for e in (a.slack, b.slack)]
+        rounds = abs(number - float(decimal.written)) <= float(decimal.half_width) * (1 + CLEAR)
+        if not rounds or not rises[0] * rises[1] > 0:
             return False
         seen += 1
     return seen > 0
+
+
+_STEP = 1e-4
+"""How far beside a limit the senses of two conditions are compared."""
 
 
 def _has_limit(a: _Stated, b: _Stated) -> bool:

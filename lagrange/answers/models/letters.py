@@ -78,7 +78,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         slots = models.system.configuration.slots
         own = claim.free_symbols
         for resting, clause in _at_rest(models.system.configuration):
-            if own.isdisjoint(resting) and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
+            if own.isdisjoint(resting) and all(holds(claim, Variation("", "", values=resting), at) for at in states):
                 return f"it is the reaction {clause}"
         if balanced := _balanced(claim, models, states):
             return balanced
@@ -86,7 +86,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers)
         likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
         for variation in likely:
-            if bound.isdisjoint(variation.values) and all(_holds(claim, variation, at) for at in states):
+            if bound.isdisjoint(variation.values) and all(holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         for number, (_, variation) in enumerate(models.variations):
             if variation.mechanics is None or variation.is_reduced:
@@ -95,7 +95,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
                 return f"this is the reaction {variation.clause}"
         for variation in variations:
-            if variation not in likely and all(_holds(claim, variation, at) for at in states):
+            if variation not in likely and all(holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         system = models.system
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
@@ -136,9 +136,8 @@ def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> s
     """Whether a reaction balances the other forces in one or two equations of motion, as if nothing were accelerated
     there, and nothing moved."""
     slots = models.system.configuration.slots
-    count = len(slots.coordinates)
-    if len(models.system.equations) != count:
-        return ""
+    count = len(models.system.equations)
+    named = count == len(slots.coordinates)  # of a choice there may be equations of eliminated coordinates as well
     still = dict.fromkeys(slots.velocities, sp.S.Zero)
     for moving in (True, False):
         if not moving and not claim.free_symbols.isdisjoint(still):
@@ -148,8 +147,8 @@ def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> s
         for number in (1, 2):
             for chosen in combinations(range(count), number):
                 if all(at is not None and _is_balance(claim, chosen, at) for at in tried):
-                    names = " and ".join(str(slots.coordinates[k]) for k in chosen)
-                    equations = "equation" if number == 1 else "equations"
+                    names = " and ".join(str(slots.coordinates[k]) for k in chosen) if named else "motion"
+                    equations = "equation" if number == 1 and named else "equations"
                     at_rest = "" if moving else " and velocity"
                     where = f"in the {equations} of {names}, as if there were no acceleration{at_rest}"
                     return f"it balances the other forces {where}"
@@ -194,7 +193,7 @@ def geometry_of(configuration: Configuration) -> set[sp.Basic]:
     return set().union(*(e.free_symbols for e in (*places, *tied, *configuration.expressed.values())))
 
 
-def _holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
+def holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
     """Whether a claim follows from the system with another meaning of a letter, or in a special case, at a state."""
     special = _with_values(at, variation)
     if special is None:

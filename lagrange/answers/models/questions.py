@@ -251,6 +251,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
+    yield from _of_one_term(claim, right)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
     if not all(map(_is_plain, sp.Mul.make_args(ratio))):
         ratio = sp.factor(sp.cancel(sp.together(claim / right)))
@@ -278,6 +279,21 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
         yield f"the right answer does not depend on {', '.join(map(str, more))}"
+
+
+def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """A factor that is missing in one term of a sum, or too many there."""
+    own, other = ({*sp.Add.make_args(sp.expand(e))} for e in (claim, right))
+    if not 1 < len(other) <= MOST_TERMS or len(own - other) != 1 or len(other - own) != 1:
+        return
+    [stated], [term] = own - other, other - own
+    above, below = sp.fraction(sp.powsimp(stated / term))
+    if not all(map(_is_plain, sp.Mul.make_args(above * below))):
+        return
+    parts = [f"a factor {_written(below)} is missing"] if below not in (1, -1) else []
+    parts += [f"there is a factor {_written(above)} too many"] if above not in (1, -1) else []
+    if parts and stated != -term:
+        yield f"{' and '.join(parts)} in the term {_written(_unsigned(stated))}"
 
 
 def _is_short(number: sp.Expr) -> bool:

@@ -69,6 +69,9 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
         named = [] if is_used_beside(fragment, answer, reference) else named
+        about = {name for name, _ in found}  # y = f(x) is about the path, and not about the greatest height
+        named = [name for name in named if name in about] or named
+        named = _of_function(named, fragment, questions, reference)
         judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
@@ -79,11 +82,8 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         elif judged and _holds_at_a_limit(fragment, judged, questions, solution, reference):
             continue
         elif judged and len(judged) == len(named):
-            name, verdict = judged[0]
-            if len(named) == 1:  # with what is wrong about it
-                explained = check_asked({name: fragment}, solution).equations[0]
-                verdict = verdict if explained.verdict in _NOT_JUDGED else explained
-                answered.add(name)
+            name, verdict = _explained(fragment, judged, solution)
+            answered |= {*named} if len(named) == 1 else set()
             parts.append(_part(fragment, name, verdict))
         else:
             rest.append(fragment)
@@ -94,6 +94,29 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
     whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
     return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+def _of_function(
+    named: Sequence[str], fragment: Fragment, questions: Sequence[Asked], reference: Reference
+) -> list[str]:
+    """Of questions for one quantity those for a function of what occurs in a line, x(t) = ..., or those for none."""
+    reading = read_as_written(fragment, reference.scope)
+    used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
+    by = {a.question.name: a.question.by for a in questions}
+    functions = [name for name in named if by[name] is not None and by[name] in used]
+    return functions or [name for name in named if by[name] is None] or [*named]
+
+
+def _explained(
+    fragment: Fragment, judged: Sequence[tuple[str, EquationVerdict]], solution: Solution
+) -> tuple[str, EquationVerdict]:
+    """A wrong line with what is wrong about it, as the answer to the question to which it is close."""
+    for name, _ in judged:
+        explained = check_asked({name: fragment}, solution).equations[0]
+        if explained.verdict not in _NOT_JUDGED and (explained.diagnosis or len(judged) == 1):
+            why = explained.diagnosis if len(judged) == 1 else f"as the answer to `{name}`: {explained.diagnosis}"
+            return name, replace(explained, diagnosis=why)
+    return judged[0]
 
 
 def _states_quantity(fragment: Fragment, asked: Asked, reference: Reference) -> bool:

@@ -54,7 +54,7 @@ _SEVERAL = "no equilibrium has all of them"
 
 
 @record
-class _Place:
+class Place:
     """A point of an equilibrium and its linear equations.
 
     resting  all equilibria of the configuration
@@ -186,7 +186,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
 
 def _explained(
     lists: Sequence[Sequence[sp.Expr]],
-    places: Sequence[_Place],
+    places: Sequence[Place],
     values: dict[sp.Symbol, sp.Rational],
     reference: Reference,
 ) -> Iterator[str]:
@@ -210,7 +210,7 @@ def _explained(
 
 
 _LABELLED = re.compile(
-    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*\w{1,6}\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
 )
 _BETWEEN = re.compile(
     r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
@@ -261,7 +261,7 @@ def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
     return [sp.sqrt(root) for root in sp.roots(sp.expand(equation), square)]
 
 
-def _of_models(claims: Sequence[sp.Expr], places: Sequence[_Place], reference: Reference) -> str:
+def _of_models(claims: Sequence[sp.Expr], places: Sequence[Place], reference: Reference) -> str:
     """Of which changed problem these are the frequencies at one of the equilibria, in a sentence."""
     from lagrange.answers.models.frequencies import explained_by_models
 
@@ -281,11 +281,11 @@ def _of_models(claims: Sequence[sp.Expr], places: Sequence[_Place], reference: R
 _NAME = "frequencies"
 
 
-def _places(f: Linearization, rates: Values) -> Iterator[_Place]:
+def _places(f: Linearization, rates: Values) -> Iterator[Place]:
     """The points at which the characteristic equation is one for ω."""
     for branch, s in zip(f.branches, f.at, strict=True):
         if s is not None and s.oscillates and s.characteristic is not None:
-            yield from (_Place(s, f.equilibrium, branch, p, rates) for p in branch.points)
+            yield from (Place(s, f.equilibrium, branch, p, rates) for p in branch.points)
 
 
 def _is_complete(f: Linearization) -> bool:
@@ -320,7 +320,7 @@ def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
 def _of_list(
     claims: Sequence[sp.Expr],
     texts: Sequence[str],
-    places: Sequence[_Place],
+    places: Sequence[Place],
     values: dict[sp.Symbol, sp.Rational],
     *,
     complete: bool,
@@ -338,7 +338,7 @@ def _of_list(
 
 
 def _at_one(
-    claims: Sequence[sp.Expr], right: Sequence[bool | None], place: _Place, values: dict[sp.Symbol, sp.Rational]
+    claims: Sequence[sp.Expr], right: Sequence[bool | None], place: Place, values: dict[sp.Symbol, sp.Rational]
 ) -> Verdict:
     """The verdict on one list at one equilibrium; `right`: whether each is a root there."""
     if None in right or False in right:
@@ -351,7 +351,7 @@ def _at_one(
     return Verdict.EQUIVALENT if len(nonzero) - repeated == sum(_degrees(place)) else Verdict.INCOMPLETE
 
 
-def _degrees(place: _Place) -> Iterator[int]:
+def _degrees(place: Place) -> Iterator[int]:
     """The number of different frequencies of each factor, without zero and roots ω² known to be negative."""
     frequencies = place.oscillations.frequencies
     factors = {f.factor: f for f in frequencies}

@@ -30,6 +30,7 @@ from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Problem
 
 MOST_IMPULSES = 4
 """So many names of impulses may each stand for the opposite one."""
@@ -42,7 +43,9 @@ _SPEED = "it is taken as the magnitude of {}"
 _MISSING = "the answer does not determine {}"
 
 
-def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Reference) -> AnswerVerdict:
+def check_impact_in_text(
+    working: Working, found: ImpulsiveMotion, reference: Reference, problem: Problem
+) -> AnswerVerdict:
     """The verdict on equations between velocities and impulses."""
     judged = [f for f in working.judged if isinstance(f, GivenEquation)]
     readings = [f.reading for f in judged]
@@ -62,7 +65,7 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
                 if v.verdict is Verdict.EQUIVALENT
                 for e in r.components
             ]
-    parts = best or []
+    parts = [_explained(r, p, found, reference, problem) for r, p in zip(readings, best or [], strict=bool(best))]
     if all(p.verdict is Verdict.TRIVIAL for p in parts):  # what it calls by names of its own
         speeds = [_named(name, value, found, reference) for name, value in working.defined.items()]
         parts += [named[0] for named in speeds if named is not None]
@@ -79,6 +82,19 @@ def check_impact_in_text(working: Working, found: ImpulsiveMotion, reference: Re
     if not parts:
         verdict, why = Verdict.UNDECIDED, "there is nothing in it that could be compared with the impact"
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=working.notes, diagnosis=why)
+
+
+_JUST_AFTER = re.compile(
+    r"(?P<rate>\\dot\s*(?:\{\s*\\?\w{1,12}\s*\}|\\?\w{1,12})|[^\W\d]\w{0,12}['′])\s*[_^]\s*(?:\{\s*\+\s*\}|\+(?=\s*=))"
+)
+"""A velocity just after, with a sign: `\\dot\\theta^+ = ...`."""
+
+
+def without_sign_after(fragment: Fragment) -> Fragment:
+    """`\\dot\\theta^+` as the velocity just after, which is what velocities mean in an answer."""
+    draft = Draft(fragment)
+    changed = draft.replace(_JUST_AFTER, lambda m: m["rate"])
+    return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
 _INDEX_OF_LOSS = r"\{?\s*(?:\\(?:text|mathrm)\s*\{)?"
@@ -137,6 +153,8 @@ def _judged(
     text, components = reading.text, reading.with_decimals or reading.components
     if any(e.free_symbols & {*found.slots.accelerations, *found.full.slots.accelerations} for e in components):
         return EquationVerdict.of(text, Verdict.WRONG, _ACCELERATION)
+    if not any(e.free_symbols & {*_state(found), *turned} for e in components):
+        return EquationVerdict.of(text, Verdict.TRIVIAL, _IDENTITY)  # a case: where a = 2*l/3
     remarks = [_OPPOSITE] if any(e.free_symbols & turned.keys() for e in components) else []
     try:
         claims = [found.at(e.xreplace(dict(turned))) for e in components]
@@ -153,6 +171,18 @@ def _judged(
     if None in holds:
         return EquationVerdict.of(text, Verdict.UNDECIDED, UNDECIDED)
     return EquationVerdict.of(text, Verdict.EQUIVALENT, "; ".join(remarks))
+
+
+def _explained(
+    reading: Reading, judged: EquationVerdict, found: ImpulsiveMotion, reference: Reference, problem: Problem
+) -> EquationVerdict:
+    """The verdict on a wrong equation, with what it states instead."""
+    if judged.verdict is not Verdict.WRONG or judged.diagnosis != _WRONG or len(reading.components) != 1:
+        return judged
+    from lagrange.answers.results.impacts import explained_statement
+
+    why = explained_statement(as_written(reading.components[0]), found, problem, reference.values)
+    return replace(judged, diagnosis=why, hints=(_WRONG, _WRONG, why), cause=why) if why else judged
 
 
 def _named(

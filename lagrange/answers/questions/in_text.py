@@ -13,6 +13,7 @@ from dataclasses import replace
 from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
 from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
+from lagrange.answers.questions.texts.labels import without_place
 from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
 from lagrange.answers.questions.texts.supports import supports_of
 from lagrange.answers.references import Reference, reference_of_solution
@@ -35,6 +36,7 @@ _SECOND_VARIATION = re.compile(
 _KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
 """theta = const, which says no more than that the motion is steady."""
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
+_NO_STATEMENT = "it says nothing about the motion"
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
 )
@@ -57,7 +59,7 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if any(v.steady is not None for v in solution.views):
         return _with_frequencies(answer, solution, lambda rest: _steady(rest, solution, judge))
     if any(v.linearization is not None for v in solution.views) and not solution.asked:
-        return _with_frequencies(answer, solution, judge)
+        return _linearized(answer, solution, lambda f: _with_frequencies(f, solution, judge))
     if any(a.answered for a in solution.asked):
         if any(v.linearization is not None for v in solution.views):
             return _asked(answer, solution, lambda rest: _with_frequencies(rest, solution, judge))
@@ -86,20 +88,23 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         with_impulses,
         with_losses,
         with_omega,
+        without_sign_after,
     )
     from lagrange.answers.written.working import understood
 
     found = solution.impact
     assert found is not None
+    answer = [without_sign_after(f) for f in answer]
     lines = with_losses(answer)
     if losses := [check_loss(f, solution) for f, is_loss in lines if is_loss]:
         rest = [f for f, is_loss in lines if not is_loss]
         judged = _impact(rest, solution) if rest else None
         return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
     reference = with_impulses(reference_of_solution(solution), found)
-    verdict = check_impact_in_text(understood(answer, reference), found, reference)
+    verdict = check_impact_in_text(understood(answer, reference), found, reference, solution.problem)
     if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
-        tried = [check_impact_in_text(understood(answer, r), found, r) for r in with_omega(reference, found)]
+        others = with_omega(reference, found)
+        tried = [check_impact_in_text(understood(answer, r), found, r, solution.problem) for r in others]
         verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
@@ -108,7 +113,8 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         answer,
         solution,
         lambda f: _only(
-            replace(check_impact_in_text(understood(f, reference), found, reference), name="impact"), solution
+            replace(check_impact_in_text(understood(f, reference), found, reference, solution.problem), name="impact"),
+            solution,
         ),
         _only(verdict, solution),
     )
@@ -179,6 +185,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
         first = judge(answer)
         if first.verdict is not Verdict.WRONG:
             return first
+        from lagrange.answers.questions.own_answers import explained_steady
+
+        verdict = explained_steady(verdict, alternatives_of(working.judged), conditions, solution)
     return _only(replace(verdict, name="steady", notes=(*working.notes, *verdict.notes)), solution)
 
 
@@ -203,8 +212,29 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             judged = _beside_frequencies(rest, solution, judge) if rest else None
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
-            return _if_readable(answer, judge) or _only(frequencies, solution)
+            others = _if_readable(answer, judge)
+            is_about = others is not None and not all(e.diagnosis.startswith(_NO_STATEMENT) for e in others.each)
+            return others if others is not None and is_about else _only(frequencies, solution)
     return _with_positions(answer, solution, judge)
+
+
+def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    """The verdict on equations of small oscillations, where the answer is not right as anything else."""
+    from lagrange.answers.questions.texts.linearized import check_linearized
+
+    failed: ProblemError | None = None
+    try:
+        judged = judge(answer)
+        if judged.verdict not in (Verdict.WRONG, Verdict.UNREADABLE):
+            return judged
+    except ProblemError as error:
+        judged, failed = None, error
+    if (linear := check_linearized(answer, solution)) is not None:
+        return _only(linear, solution)
+    if judged is None:
+        assert failed is not None
+        raise failed
+    return judged
 
 
 def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
@@ -262,6 +292,7 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on values in numbers, each with its unit, and on everything else."""
+    answer = [without_place(f) for f in answer]
     valued = values_of(solution.problem) is not None
     found = [(f, stated_in_numbers(f) if valued else None) for f in answer]
     if any(n for _, n in found):  # beside these a number alone is one whose unit was left out

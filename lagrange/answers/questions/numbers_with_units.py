@@ -12,6 +12,7 @@ import re
 import sympy as sp
 
 from lagrange.answers.references import Reference
+from lagrange.answers.written.notation.units import in_one_number
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.units import NO_DIMENSION, Dimension, has_unit, split_number, unit_of
 from lagrange.expressions.edits import Draft
@@ -50,7 +51,7 @@ def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragm
     own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
     if own and not (fits and expected) and not _TEXTS.search(text, start):
         return fragment, True  # 2 m is twice a mass
-    number = f" ({parts[0]})" if unit.factor == 1 else f" ({parts[0]})*({unit.factor})"
+    number = f" {in_one_number(parts[0], unit.factor)}"
     latex = is_latex(fragment)
     draft = Draft(fragment)
     sign = [(m.start(), m.end(), "=") for m in _SIDE.finditer(text) if m.end() == start]  # v ≈ 5.78 m/s

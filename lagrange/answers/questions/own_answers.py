@@ -159,8 +159,7 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         conditions = [v.steady.general for v in solution.views if v.steady is not None]
         if conditions:
             verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
-            why = _about_equilibria(verdict, answers.steady, conditions, solution)
-            yield replace(verdict, name="steady", diagnosis=why.replace("equilibria", "steady motions"))
+            yield replace(explained_steady(verdict, answers.steady, conditions, solution), name="steady")
         else:
             why = "the problem does not ask for steady motions"
             yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
@@ -225,6 +224,17 @@ def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fra
     verdict = compared_in_numbers(alternatives, verdict, solution)
     why = _about_equilibria(verdict, alternatives, equilibria, solution)
     return replace(verdict, name="equilibrium", diagnosis=why)
+
+
+def explained_steady(
+    verdict: AnswerVerdict,
+    alternatives: Sequence[Sequence[Fragment]],
+    conditions: Sequence[Equilibrium],
+    solution: Solution,
+) -> AnswerVerdict:
+    """The verdict on conditions of steady motion, with what is missing, or what they are instead."""
+    why = _about_equilibria(verdict, alternatives, conditions, solution)
+    return replace(verdict, diagnosis=why.replace("equilibria", "steady motions"))
 
 
 def _about_equilibria(

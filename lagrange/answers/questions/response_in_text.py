@@ -32,6 +32,8 @@ from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.equilibrium.driven.response import Response
 
 _HAT = re.compile(r"\\(?:hat|widehat|bar|overline|tilde|underline)\s*(?:\{\s*(\\?[A-Za-z]+)\s*\}|(\\?[A-Za-z]+))")
+_MODULUS = re.compile(r"\A[\s$]*(?:\\left\s*)?\|\s*(\\?\w{1,12})\s*(?:\\right\s*)?\|\s*=(?!=)")
+"""`|x| = ...`, an amplitude."""
 _HAT_ABOVE = re.compile(r"([^\W\d_])[\u0302\u0304\u0303]")
 _LAG = re.compile(r"\\delta(?![A-Za-z]|\s*[A-Za-z({\\])|δ(?!\s*[\w(])|(?<![A-Za-z\\])delta(?![A-Za-z0-9_]|\s*[\w(])")
 """A lag that is called δ, and is no virtual displacement."""
@@ -47,7 +49,8 @@ _NOT_STEADY = "it is not the steady state"
 def without_hats(fragment: Fragment) -> Fragment:
     """x_max for an x with a hat, which is no unit vector here."""
     draft = Draft(fragment)
-    changed = draft.replace(_HAT, lambda m: f"{m[1] or m[2]}_{{max}}")
+    changed = draft.replace(_MODULUS, r"\1 =")
+    changed = draft.replace(_HAT, lambda m: f"{m[1] or m[2]}_{{max}}") or changed
     changed = draft.replace(_HAT_ABOVE, r"\1_max") or changed
     changed = draft.replace(_LAG, lambda m: "\\psi " if m[0][0] == "\\" else "psi") or changed
     return draft.finished(latex=is_latex(fragment)) if changed else fragment

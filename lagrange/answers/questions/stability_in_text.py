@@ -33,15 +33,15 @@ ENOUGH = 10
 CLEAR = 1e-7
 WRONG_STABILITY = "the claim about its stability is wrong"
 ONLY_SOMETIMES = "it is {} for some values of the parameters only: the condition is missing"
-_WORD = re.compile(
+WORD = re.compile(
     r"(?<![^\W\d_])(?P<not>un|in|not\s+|non[- ]|nicht\s+)?(?P<word>stab(?:le|il)|labil)(?![^\W\d_])", re.IGNORECASE
 )
-_CONDITION = re.compile(
+CONDITION = re.compile(
     r"[^<>≤≥=]*?(?<![^\W\d_])(?:iff?|for|when|where|provided(?:\s+that)?|as\s+long\s+as|falls|wenn|für|si|pour)\s+"
     r"(?P<text>.*[<>≤≥].*)",
     re.IGNORECASE | re.DOTALL,
 )
-_ENDS = re.compile(
+ENDS = re.compile(
     r"[;\n]|,(?=\s)|\.(?=\s|$)|\s(?:and|but|otherwise|else|while|whereas|sonst|und|aber)\s", re.IGNORECASE
 )
 _AMBIGUOUS = re.compile(r"marginal|neutral|indiff|metastab", re.IGNORECASE)
@@ -82,7 +82,7 @@ def with_stability(
     verdict: AnswerVerdict, judged: Sequence[Fragment], solution: Solution, reference: Reference
 ) -> AnswerVerdict:
     """The verdict on positions of equilibrium, with that on their stated stability."""
-    if len(verdict.equations) != len(judged) or not any(_WORD.search(getattr(f, "beside", "")) for f in judged):
+    if len(verdict.equations) != len(judged) or not any(WORD.search(getattr(f, "beside", "")) for f in judged):
         return verdict
     equations, whole = list(verdict.equations), verdict.verdict
     for n, (is_wrong, why) in on_stability(judged, solution, reference).items():
@@ -97,20 +97,20 @@ def with_stability(
 def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
     """What is said about stability beside an equation; None if nothing is, or several things."""
     words = getattr(fragment, "beside", "")
-    matches = [*_WORD.finditer(words)]
+    matches = [*WORD.finditer(words)]
     if not matches or _AMBIGUOUS.search(words):
         return None
     kinds = {bool(m["not"]) or m["word"].lower() == "labil" for m in matches}
     first = matches[0]
     rest = words[first.end() : matches[1].start() if len(matches) > 1 else len(words)]
     otherwise = re.search(r"otherwise|else|if\s+not|sonst", words[first.end() :], re.IGNORECASE)
-    conditional = _CONDITION.match(rest)
+    conditional = CONDITION.match(rest)
     if len(matches) > 2 or (len(kinds) > 1 and not (conditional and otherwise)):
         return None
     stable = not (first["not"] or first["word"].lower() == "labil")
     if conditional is None:
         return _Claim(stable) if not is_inequality(Fragment.of(rest)) else None
-    text = _ENDS.split(conditional["text"])[0].strip(" .]")
+    text = ENDS.split(conditional["text"])[0].strip(" .]")
     text = text.rstrip(")") if text.count(")") > text.count("(") else text
     try:
         limit, side = limit_of(Fragment.of(text), "a condition", strict=True)
@@ -136,7 +136,7 @@ def _tried(
         entries = [_numbers(row, state) for row in view.stability.matrix]
         if any(len(row) < len(entries) for row in entries):
             continue
-        stable = _is_stable(sp.Matrix(entries))
+        stable = is_stable(sp.Matrix(entries))
         holds: bool | None = True
         if claim.condition is not None:
             numbers = _numbers([claim.condition], state)
@@ -150,7 +150,7 @@ def _tried(
     return true, false
 
 
-def _is_stable(hessian: sp.Matrix) -> bool | None:
+def is_stable(hessian: sp.Matrix) -> bool | None:
     """Whether a matrix of numbers is positive definite; None where that is not clear."""
     minors = [hessian[:n, :n].det() for n in range(1, hessian.rows + 1)]
     return None if any(abs(m) < CLEAR for m in minors) else all(m > 0 for m in minors)
@@ -179,7 +179,7 @@ def _places(
             state[s] = sp.Float(values.get(s, number))
         for branch in e.branches:
             for point in branch.points:
-                position = _position({k: e.solution.letters.write(v) for k, v in point.items()}, coordinates, state)
+                position = position_at({k: e.solution.letters.write(v) for k, v in point.items()}, coordinates, state)
                 if position is not None:
                     for turns in (0, 1, -1):
                         yield state | {
@@ -189,7 +189,7 @@ def _places(
                             break
 
 
-def _position(
+def position_at(
     point: Mapping[sp.Expr, sp.Expr], coordinates: Sequence[sp.Symbol], state: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The coordinates at a point of a branch, in numbers; None if it does not exist there, or leaves one open."""

@@ -6,7 +6,7 @@ Nothing is decided by them alone: what seems to agree is decided exactly.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import sympy as sp
 
@@ -35,3 +35,20 @@ def _value(e: sp.Expr, point: Mapping[sp.Symbol, float]) -> float:
         result = values[0] ** values[1]
         return result if isinstance(result, float | int) else math.nan
     return FUNCTIONS[type(e)](*values)
+
+
+def root_near(function: Callable[[float], float], start: float) -> float | None:
+    """A zero of a function, by the secant rule; None if none is found."""
+    a, b = start, start + 0.1
+    fa, fb = function(a), function(b)
+    for _ in range(_STEPS):
+        if fb == fa or not math.isfinite(fb):
+            return None
+        a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
+        fb = function(b)
+        if abs(b - a) <= 1e-13 * (1 + abs(b)):
+            return b
+    return None
+
+
+_STEPS = 60

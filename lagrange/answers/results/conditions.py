@@ -8,16 +8,15 @@ is linear makes the stated one vanish: at random numbers first, then exactly.
 
 from __future__ import annotations
 
-import math
 import random
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.results.approximate import approximate
+from lagrange.answers.results.approximate import approximate, root_near
 from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -29,7 +28,6 @@ MOST_TERMS = 8
 
 _SAMPLES = 3
 _CLOSE = 1e-9
-_STEPS = 60
 
 
 @record
@@ -151,7 +149,7 @@ def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collectio
             if (total := a.added(b)) is not None and total.is_of(stated.slack):
                 yield _ADDED
     for limit in known:
-        yield from _of_terms(stated.slack, limit.slack)
+        yield from _of_terms(stated.slack, limit.slack, coefficients)
 
 
 _REVERSED = "the limit is right, and the inequality has the wrong sense"
@@ -190,7 +188,7 @@ class _Limit:
         """Whether another slack vanishes where this one does, all letters but one having random values."""
         point = _point(sp.Add(self.slack, other, evaluate=False), seed)
         for letter in letters:
-            root = _root(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
+            root = root_near(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
             if root is not None:
                 near = [abs(approximate(other, {**point, letter: root + d})) for d in (0.0, 0.1)]
                 return near[0] <= _CLOSE * (1 + near[1])
@@ -240,7 +238,7 @@ def _of_sides(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
 _TIMES = {sp.Integer(2): "twice", sp.Rational(1, 2): "half of"}
 
 
-def _of_terms(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
+def _of_terms(stated: sp.Expr, right: sp.Expr, coefficients: Collection[sp.Expr] = ()) -> Iterator[str]:
     """One term of the balance that is missing, has the wrong sign, or is another one."""
     own, other = ([*sp.Add.make_args(_cleared(e))] for e in (stated, right))
     if not 1 < len(other) <= MOST_TERMS or len(own) > MOST_TERMS:
@@ -252,7 +250,9 @@ def _of_terms(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
             continue
         term = gained[0] / scale if gained else None
         if not lost and term is not None:
-            yield f"the term {_written(term)} is missing"
+            of_friction = [mu for mu in coefficients if (term / mu).free_symbols.isdisjoint({*coefficients})]
+            what = f", {of_friction[0]} times a part of the normal force" if of_friction else ""
+            yield f"the term {_written(term)} is missing{what}"
         elif term is None:
             yield f"the term {_written(lost[0] / scale)} does not belong there"
         elif sp.expand(lost[0] + gained[0]) == 0:
@@ -273,17 +273,3 @@ def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
     """Random numbers of order one for all letters: acute angles."""
     draw = random.Random(seed)
     return {s: draw.uniform(0.3, 1.3) for s in sorted(_symbols(e), key=str)}
-
-
-def _root(function: Callable[[float], float], start: float) -> float | None:
-    """A zero of a function, by the secant rule; None if none is found."""
-    a, b = start, start + 0.1
-    fa, fb = function(a), function(b)
-    for _ in range(_STEPS):
-        if fb == fa or not math.isfinite(fb):
-            return None
-        a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
-        fb = function(b)
-        if abs(b - a) <= 1e-13 * (1 + abs(b)):
-            return b
-    return None

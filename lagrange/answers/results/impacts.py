@@ -6,7 +6,7 @@ of another body, a mass or a rotation that is left out. Its velocities are numbe
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import sympy as sp
 
@@ -37,6 +37,31 @@ def explained_impact(
         return next(_reasons(name, claim, value, found, problem, vanishes), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError, ZeroDivisionError):
         return ""
+
+
+def explained_statement(
+    equation: sp.Expr, found: ImpulsiveMotion, problem: Problem, values: Mapping[sp.Symbol, sp.Rational]
+) -> str:
+    """What is stated by a wrong equation with one of the unknowns of an impact, in a sentence; empty if not found.
+
+    values  of parameters in the file
+    """
+    slots = found.slots
+    names = (f"{q}'" for q in slots.coordinates)
+    unknowns = dict(zip(slots.velocities, zip(names, found.velocities, strict=True), strict=True))
+    unknowns |= {i.symbol: (i.name, i.value) for i in found.impulses if i.value is not None}
+    e = found.at(equation)
+    [*used] = e.free_symbols & unknowns.keys()
+    if len(used) != 1:
+        return ""
+    slope = e.diff(used[0])
+    if slope == 0 or slope.has(used[0]):
+        return ""
+    claim = sp.together(-e.xreplace({used[0]: sp.S.Zero}) / slope)
+    name, value = unknowns[used[0]]
+    return explained_impact(
+        name, claim, value, found, problem, lambda e: found.surface.is_zero(e.xreplace(dict(values)))
+    )
 
 
 def _reasons(

@@ -15,7 +15,7 @@ from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
-from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names
+from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
 from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
@@ -66,7 +66,10 @@ _WORDS_BEFORE = re.compile(r"(?:[^\W\d_]{2,}(?![^\W\d_])[\s,.:]{0,3}){1,8}\Z")  
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|d/dt\s*(?:\([^()=]{{0,20}}\))?\s*:|[:.,&>]|\*\s)\s*")
-_I_GOT = re.compile(r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?)\b(?!\s*[=*/^+])")
+_I_GOT = re.compile(
+    r"[iI]\s+(?:got|get|have|found|find|obtain(?:ed)?|used?|took|take|set|wrote|write|started with|assumed?)\b"
+    r"(?!\s*[=*/^+])"
+)
 _WORD = re.compile(r"(?:[^\W\d_]['’])?[^\W\d_]{2,}(?:['’]s)?[.,:]?(?=\s|$|[,:])")
 _STANDS_ALONE = re.compile(r"\s*:?=(?![=>])")
 """What follows a word that is a name, as in `den = ...`."""
@@ -118,6 +121,12 @@ _OTHER_EQUALS = re.compile(r"[=≡≔]|\{\s*\w+'*(?:\[t\])?\s*->|\\equiv(?![A-Za
 _OPERATOR = re.compile(r"∂|\\partial|d\s*/\s*dt|\{\s*dt\s*\}|\bdiff\b|\\p?dv|Derivative|\bD\[")
 
 
+_PLACE_BEFORE = re.compile(
+    r"\s*(?:about|around|near|at)\s+[^:=]{1,30}(?:=[^:=]{1,20}){1,3}:\s+(?=[^=]*=)", re.IGNORECASE
+)
+"""The place for which an equation holds, before it: `about θ = 0: ω = sqrt(g/R)`."""
+
+
 def has_sign_of_equality(line: str) -> bool:
     """Whether a line has an equation: a `=`, or what stands for it."""
     return _OTHER_EQUALS.search(line) is not None or is_about(line)
@@ -153,6 +162,9 @@ def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
     fragment = with_equality(fragment)
+    if place := _PLACE_BEFORE.match(fragment.text):
+        beside = f"{beside} {place[0]}"
+        fragment = _part(fragment, place.end(), len(fragment.text))
     if is_latex(fragment):
         if _MAPLE.search(fragment.text) is None or "\\" in fragment.text:
             yield from _in_latex(fragment, beside)
@@ -407,7 +419,12 @@ def _after_words(text: str, start: int, end: int) -> int:
             at = article.end()
         else:
             break
+    if read and (name := _NAME_AND_COMMA.match(text, at, end)):  # with the friction angle φ, tan φ = μ
+        at = name.end()
     return at
+
+
+_NAME_AND_COMMA = re.compile(r"[^\W\d]\w{0,12}\s*,\s+(?=[^=,]{1,40}=)")
 
 
 def _is_known(word: str) -> bool:
@@ -435,7 +452,7 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
         return word.endswith(":")
     if plain in _LINKING or word.endswith(":"):
         return True
-    if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
+    if len(plain) > (2 if words > 1 else 3) and _NAMES_NEXT.match(text, at, end):
         return True
     following = _WORD.match(text, at + 1, end)
     return len(plain) > 3 and (words > 0 or (following is not None and not _is_known(following[0])))
@@ -501,12 +518,14 @@ def condition_alone(fragment: Fragment) -> Fragment:
     if not is_inequality(fragment):
         return fragment
     draft = Draft(fragment)
-    draft.replace(_WORDS_IN_BRACKETS, lambda m: None if any(w in _KNOWN for w in _LONG_WORDS.findall(m[0])) else " ")
+    draft.replace(
+        _WORDS_IN_BRACKETS,
+        lambda m: None if any(map(_is_known, _LONG_WORDS.findall(m[0]))) or _SIGNS.search(m[0]) else " ",
+    )
     if not is_latex(fragment):
         if case := _CASE.match(draft.text):
             draft.keep(case.end(), len(draft.text))
-        start = _after_words(draft.text, 0, len(draft.text))
-        draft.keep(start, len(draft.text.rstrip(" .,;")))
+        draft.keep(_after_words(draft.text, 0, len(draft.text)), len(draft.text.rstrip(" .,;")))
         if tail := _AFTER_COMMA.search(draft.text):
             draft.keep(0, tail.start())
     elif "$" in draft.text:
@@ -516,6 +535,8 @@ def condition_alone(fragment: Fragment) -> Fragment:
             (a, b, ", " if a > 0 and b < len(draft.text) else "") for a, b in zip(ends[::2], ends[1::2], strict=True)
         ]
         draft.apply(between if inside else [])
+    else:
+        draft.keep(_after_words(draft.text, 0, len(draft.text)), len(draft.text))
     return draft.finished(latex=is_latex(fragment))
 
 
@@ -537,6 +558,7 @@ def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
     if is_latex(fragment):
+        fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))
         return list(_in_latex(fragment, "")) or list(equations(fragment))
     if (decimals := with_decimal_points(fragment.text)) != fragment.text:
         fragment = replace(fragment, text=decimals)

@@ -4,6 +4,7 @@ r"""Names of coordinates and of their rates that the problem does not declare, a
     \ell, ℓ                      l
     a, in `m a = ...`            x'', where x is the only coordinate that is a length
     v, in `m dv/dt = ...`        x', likewise
+    v, in `m v^2/2 = ...`        the speed of the only particle
     a_x, v_x                     x'', x', where x is a coordinate; unless the answer defines them: a_x = x''
     dx, where ddx stands, too    x'
     r_1, r_2                     the positions of the first and the second particle
@@ -43,6 +44,7 @@ _A_STATED = re.compile(
 )
 _RATE_OF_V = re.compile(r"(?<![A-Za-z])d\s?v\s*(?:/|\}\s*\{)\s*d\s?[a-z]|\\dot\s*\{?\s*v(?![A-Za-z])|v\u0307")
 _V_IS = re.compile(r"(?<![A-Za-z_])v(?:\^2|²|\^\{2\})?\s*&?=(?!=)|=\s*v\s*\Z")
+_V_SQUARED = re.compile(r"(?<![A-Za-z_\\])v\s*(?:\^\s*\{?\s*2|²|\*\*\s*2)")
 _STATE = re.compile(r"(?<![A-Za-z0-9_])state_([0-9]{1,2})(?![0-9])")
 _PLACE = re.compile(
     r"(?<![A-Za-z0-9_])(?:\\(?:mathbf|vec|boldsymbol|bm)\s*\{?\s*)?r\s*\}?\s*_?\{?([1-9])\}?(?![A-Za-z0-9_])"
@@ -52,6 +54,9 @@ _OF_COORDINATE = re.compile(
     r"\s*&?=(?!=)"
 )
 _QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
+_MODULUS = re.compile(
+    r"[\s$&]*(?P<bars>(?:\\left\s*)?(?:\||\\[lv]vert)\s*(?P<name>\\?[^\W\d_]\w{0,12})\s*(?:\\right\s*)?(?:\||\\[rv]vert))\s*&?=(?!=)"
+)
 _STATIONARY = re.compile(
     rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
     rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
@@ -96,6 +101,8 @@ def other_names(
             scalars["a"] = prime(prime(length))
         if _is_speed(texts, scope, reference):
             scalars["v"] = prime(length)
+    if "v" not in scalars and _is_squared_speed(texts, scope) and (speed := _only_speed(reference)) is not None:
+        scalars["v"] = speed
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
         scalars.update(_of_states(max(states), reference))
     return scalars, _positions(whole, scope)
@@ -144,6 +151,27 @@ def _is_speed(texts: Sequence[str], scope: Scope, reference: Reference) -> bool:
     return any(_RATE_OF_V.search(text) for text in texts) and not any(_V_IS.search(text) for text in texts)
 
 
+def _is_squared_speed(texts: Sequence[str], scope: Scope) -> bool:
+    """Whether `v` occurs as v², in an energy or m v²/R, and nothing says what it is."""
+    if scope.role("v") is not Role.UNDECLARED or any(_V_IS.search(text) for text in texts):
+        return False
+    return any(_V_SQUARED.search(text) for text in texts)
+
+
+def _only_speed(reference: Reference) -> sp.Expr | None:
+    """The speed of the only mass that moves, if it is a particle.
+
+    With an initial state v may be the speed at one place.
+    """
+    if not reference.candidates or reference.candidates[0].starts is not None:
+        return None
+    configuration = reference.candidates[0].configuration
+    moving = [p for p in configuration.points if p.mass != 0]
+    if len(moving) != 1 or configuration.rotations:
+        return None
+    return sp.sqrt(sp.Add(*(sp.expand(c**2) for c in moving[0].velocity.components)))
+
+
 def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
     """The coordinates x of which `ddx` occurs, so that `dx` is a rate and no differential."""
     whole = "\n".join(texts)
@@ -158,7 +186,7 @@ def rates_without_bar(texts: Sequence[str], scope: Scope) -> frozenset[str]:
 
 def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
     """`T(θ) = ...` as T = ...: what a quantity depends on, after its name alone on the left; `x1` as x_1."""
-    fragment = with_indices(fragment, scope)
+    fragment = _without_modulus(with_indices(fragment, scope), scope)
     match = _OF_COORDINATE.match(fragment.text)
     if match is None or scope.role(_plain(match["name"])) is not Role.SCALAR:
         return fragment
@@ -167,6 +195,18 @@ def without_arguments(fragment: Fragment, scope: Scope) -> Fragment:
         return fragment
     draft = Draft(fragment)
     draft.apply([(match.end("name"), match.end("bracket"), "")])
+    made = draft.finished(latex=is_latex(fragment))
+    return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
+
+
+def _without_modulus(fragment: Fragment, scope: Scope) -> Fragment:
+    """`|F| = ...` as F = ..., whose sense is left open: the name of a force may stand for its opposite."""
+    match = _MODULUS.match(fragment.text)
+    symbol = scope.scalar(scope.spelling(_plain(match["name"]))) if match is not None else None
+    if match is None or symbol is None or symbol in scope.slots.coordinates or not isinstance(symbol, sp.Symbol):
+        return fragment
+    draft = Draft(fragment)
+    draft.apply([(0, match.end("bars"), match["name"])])
     made = draft.finished(latex=is_latex(fragment))
     return replace(made, beside=getattr(fragment, "beside", "")) if isinstance(made, OneEquation) else made
 

@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.answers.references import Reference
 from lagrange.core.units import NO_DIMENSION
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
+from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import short_reactions
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
@@ -25,13 +26,28 @@ _OF_ENERGY = re.compile(
 )
 
 
-def printed_names(reference: Reference) -> dict[str, sp.Symbol]:
-    """The short names of reactions that mean nothing else in the problem."""
+def printed_names(reference: Reference, texts: Sequence[str] = ()) -> dict[str, sp.Symbol]:
+    """The short names of reactions that mean nothing else in the problem, and what the lines of an answer call one."""
     if reference.newton is None:
         return {}
     known = {*reference.declared, *reference.letters, *reference.scope.scalars, *reference.scope.vectors}
     known |= {*reference.scope.functions, *reference.coordinates}
-    return {short: symbol for symbol, short in short_reactions(reference.newton, known)}
+    short_names = {short: symbol for symbol, short in short_reactions(reference.newton, known)}
+    return short_names | _of_normal_force(texts, reference)
+
+
+def _of_normal_force(texts: Sequence[str], reference: Reference) -> dict[str, sp.Symbol]:
+    """`N_A` of `N_A = ...`, which is not declared, as the force of the only contact; empty if there are several."""
+    known = {*reference.declared, *reference.scope.scalars}
+    meant = {re.sub(r"[{}]", "", m[1]) for text in texts if (m := _NORMAL.match(text))} - known
+    if len(meant) != 1 or reference.newton is None:
+        return {}
+    normal = [r for r in reference.newton.reactions if r.single is not None and r.single.kind is ForceKind.ALONG]
+    symbol = (normal[0].force if normal[0].named else normal[0].symbol_of_force) if len(normal) == 1 else None
+    return {meant.pop(): symbol} if symbol is not None else {}
+
+
+_NORMAL = re.compile(r"[\s$&]*((?:N|F_N|R)(?:_\{?[A-Za-z0-9]{1,2}\}?)?)\s*&?=(?!=)")
 
 
 def lines_with(name: str, lines: Sequence[str]) -> list[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from typing import TypeVar
@@ -53,17 +54,30 @@ def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:
     if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
         yield fragment
     elif is_latex(fragment):
-        yield rewritten_latex(fragment, scope)
+        yield _rewritten(fragment, scope, rewritten_latex)
         if "cancel" in fragment.text:
             yield rewritten_latex(fragment, scope, keep_cancelled=True)
         yield fragment
     else:
         yield fragment
-        in_language = rewritten(fragment, scope)
+        in_language = _rewritten(fragment, scope, rewritten)
         if in_language is not fragment:
             yield in_language
         if re.search(r"[_^]\{", fragment.text):
             yield rewritten_latex(in_language, scope)
+
+
+def _rewritten(fragment: Fragment, scope: Scope, rewrite: Callable[[Fragment, Scope], Fragment]) -> Fragment:
+    """A text in the language; what was rewritten last is remembered, so that its reading is the same one, too."""
+    for known, with_scope, made in _LATEST:
+        if known is fragment and with_scope is scope:
+            return made
+    made = rewrite(fragment, scope)
+    _LATEST.append((fragment, scope, made))
+    return made
+
+
+_LATEST: deque[tuple[Fragment, Scope, Fragment]] = deque(maxlen=32)
 
 
 def too_long(fragment: Fragment) -> ProblemError:

@@ -11,7 +11,7 @@ import re
 import sympy as sp
 
 from lagrange.answers.references import Reference
-from lagrange.answers.written.notation.units import plain_unit
+from lagrange.answers.written.notation.units import in_one_number, plain_unit
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.units import split_number, unit_of
 from lagrange.expressions.characters import GREEK
@@ -70,20 +70,7 @@ def _in_si(fragment: Fragment, name: str, place: tuple[int, int], unit: str, ref
         message = f"`{parts[1]}` is no unit of `{name}`"
         raise ProblemError(Diagnostic("unit-mismatch", message, fragment.span(*place), help=f"it is in {unit}"))
     latex = is_latex(fragment)
-    number = _times(parts[0], found.factor)
+    number = in_one_number(parts[0], found.factor)
     draft = Draft(fragment)
     draft.apply([(*place, number.replace("*", r" \cdot ") if latex else number)])
     return draft.finished(latex=latex)
-
-
-def _times(number: str, factor: sp.Expr) -> str:
-    """`84.9` kN as (84.9e3): a factor of its own would count as rounded, too."""
-    if factor == 1:
-        return f"({number})"
-    power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
-    if power is not None and _PLAIN.fullmatch(number):
-        return f"({number}e{power})"
-    return f"({number})*({factor})"
-
-
-_PLAIN = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?")

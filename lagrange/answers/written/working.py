@@ -340,8 +340,9 @@ class _Sorting:
     def _use_printed_names(self, lines: list[_Line]) -> None:
         """Take T for the tension T_rod, as on a page, where it occurs in one equation and is no energy."""
         texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
-        for name, symbol in printed_names(self.reference).items():
-            found = lines_with(name, [line.fragment.text for line in lines])
+        stated = [line.fragment.text for line in lines]
+        for name, symbol in printed_names(self.reference, stated).items():
+            found = lines_with(name, stated)
             if len(found) != 1:
                 continue
             line = lines[found[0]]

@@ -8,10 +8,24 @@ from collections.abc import Sequence
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
 
 _LABEL = re.compile(
     r"[\s$&]*(?P<written>\\?(?P<name>[^\W\d_]+)(?:_\{?\s*(?:\\(?:text|mathrm|rm)\s*\{)?\\?(?P<index>\w{1,12})[\s}]*|(?P<digits>\d{1,2}))?)\s*(?:\([^()=]{0,20}\))?\s*&?="
 )
+
+
+_AT_A_PLACE = re.compile(
+    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?"
+    r"(?:\(\s*\\?\w{1,12}\s*=\s*[^()=]{1,16}\)|\|?\s*_\s*\{\s*\\?\w{1,12}\s*=\s*[^{}=]{1,16}\})(?=\s*&?=(?!=))"
+)
+
+
+def without_place(fragment: Fragment) -> Fragment:
+    """`N(θ=0) = ...` as N = ...: the place is that of a question."""
+    draft = Draft(fragment)
+    return draft.finished(latex=is_latex(fragment)) if draft.replace(_AT_A_PLACE, lambda m: m["name"]) else fragment
 
 
 def label_of(fragment: Fragment) -> str:

@@ -44,8 +44,8 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
     rest: list[Fragment] = []
     for f in answer:
         both = with_both_signs(f)
-        working = understood(both, reference, moving=False)
-        is_position = len(working.judged) >= len(both) and all(_is_position(g, reference) for g in working.judged)
+        listed = [understood(a, reference, moving=False).judged for g in both for a in alternatives_of([g])]
+        is_position = all(listed) and all(_is_position(g, reference) for judged in listed for g in judged)
         (stated if is_position else rest).append(f)
     if not stated:
         return None

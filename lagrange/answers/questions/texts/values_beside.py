@@ -25,12 +25,13 @@ from lagrange.expressions.reader import read_value
 from lagrange.mechanics.results import Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
+_SPEEDS = {"v", "V", "u"}
 _UNANSWERED = "it answers none of the questions"
 
 
 def working_beside(rest: Sequence[Fragment], answer: Sequence[Fragment], reference: Reference) -> list[Fragment]:
-    """The lines that cannot be read only because of names that other lines state."""
-    labels = {name for f in answer if (name := label_of(f))}
+    """The lines that cannot be read only because of names that other lines state, or of v, the speed at some place."""
+    labels = {name for f in answer if (name := label_of(f))} | _SPEEDS
     found = []
     for f in rest:
         names = {*undeclared(read_as_written(f, reference.scope_of_answers), f.text)}

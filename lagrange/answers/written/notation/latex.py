@@ -68,7 +68,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.apply(units_of_latex_in_si(draft.text, scope))
     draft.apply(ratio_as_fractions(draft.text))
     draft.apply(extremes(draft.text, latex=True))
-    draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
+    draft.replace(_L_DEGREES, r"\\frac{\\pi}{2\\cdot 90}")  # 180 would count as rounded
     draft.replace(_L_SIGNS, "=")
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
     draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")

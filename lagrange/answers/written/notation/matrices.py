@@ -26,6 +26,11 @@ from lagrange.expressions.edits import closings, cuts
 _MATRIX = re.compile(
     r"\\begin\s*\{(?P<kind>[pbvBV]?matrix|smallmatrix)\}(?P<inside>.*?)\\end\s*\{(?P=kind)\}", re.DOTALL
 )
+_BRACKETED_ARRAY = re.compile(
+    r"\\left\s*[\[(]\s*\\begin\s*\{array\}\s*\{[lcr|\s]{1,12}\}(?P<inside>(?:(?!\\(?:begin|end)\s*\{array\}).)*)"
+    r"\\end\s*\{array\}\s*\\right\s*[\])]",
+    re.DOTALL,
+)
 _ROW = re.compile(r"\\\\\*?(?:\[[0-9a-z. ]{1,20}\])?")
 _EQUALS = re.compile(r"&?\s*=\s*&?")
 _SPACE = re.compile(r"\\(?:cdot|,|;|:|!|left\s*[(\[.]|right\s*[)\].]|quad)|[~\s]")
@@ -61,6 +66,16 @@ class _Written:
     start: int
     end: int
     rows: Matrix
+
+
+def with_bracketed_arrays(text: str) -> str:
+    r"""`\left[\begin{array}{cc} ... \end{array}\right]`, as handwriting is recognised, as a matrix as long."""
+
+    def matrix(match: re.Match[str]) -> str:
+        before, after = match.start("inside") - match.start(), match.end() - match.end("inside")
+        return r"\begin{bmatrix}".ljust(before) + match["inside"] + r"\end{bmatrix}".ljust(after)
+
+    return _BRACKETED_ARRAY.sub(matrix, text) if "{array}" in text else text
 
 
 def with_named_matrices(texts: Sequence[str], sets: Sequence[Sequence[str]]) -> list[str | None]:

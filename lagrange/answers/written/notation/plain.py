@@ -96,6 +96,8 @@ _EXPONENTIAL = re.compile(
 )
 _AFTER_FUNCTION = re.compile(r"(?<![A-Za-z])(?:sin|cos|tan|cot|exp)\s*\Z")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
+_IN_RADIANS = "*pi/(2*90)"
+"""A number with three digits, 180, would count as rounded."""
 
 
 def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
@@ -104,7 +106,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     characters(draft)
     special(draft, scope)
     draft.apply(units_in_si(draft.text, scope))
-    draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
+    draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else _IN_RADIANS)
     draft.apply(_exponentials(draft.text, scope))
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))

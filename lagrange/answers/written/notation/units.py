@@ -10,6 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import sympy as sp
+
 from lagrange.core.units import unit_of
 from lagrange.expressions.edits import Edit
 from lagrange.expressions.latex_names import LatexNames
@@ -98,4 +100,17 @@ def _in_si(number: str, unit: str) -> str:
     found = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
     if found is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
         return ""
-    return f"({number.strip()})" if found.factor == 1 else f"({number.strip()})*({found.factor})"
+    return in_one_number(number.strip(), found.factor)
+
+
+def in_one_number(number: str, factor: sp.Expr) -> str:
+    """`84.9` kN as (84.9e3): a factor of its own would count as rounded, too."""
+    if factor == 1:
+        return f"({number})"
+    power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
+    if power is not None and _PLAIN.fullmatch(number):
+        return f"({number}e{power})"
+    return f"({number})*({str(factor).replace('180', '(2*90)')})"
+
+
+_PLAIN = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?")

@@ -1,0 +1,45 @@
+"""Wrong answers in a text, each worked out from a wrong model, and the physical cause that they are told."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.examiner import Examiner
+from lagrange.core.diagnostics import Fragment
+from tests.support.shared import loaded, solved
+
+CAUSES = [
+    ("rod-falls-on-an-edge", "theta' = 3*a*v/(4*l^2 + 3*a^2)", "moment of inertia 4*m*l^2/3"),
+    ("rod-falls-on-an-edge", "θ' = v/√(l²/3 + a²)", "kinetic energy is taken to be conserved"),
+    ("centre-of-percussion", "x' = J/m", "without `hinge`"),
+    ("disc-against-a-step", "theta' = 2/3*omega*(1 - h/R)", "without theta' just before the impact"),
+    ("swinging-atwood", "F = M g", "as if there were no acceleration"),
+    ("cylinder-on-wedge", "N = m g cos(alpha)", "as if there were no acceleration"),
+    ("particle-in-bowl", "N = -m g z/l", "at rest: what the velocities contribute"),
+    ("ball-on-a-string", "T = m g cos(phi)", "at rest: what the velocities contribute"),
+    ("shortening-pendulum", "T = m*g*cos(phi) + m*l*phi'^2", "for a constant l"),
+    ("hoop-on-incline", "F = m g sin(alpha)/3", "3/2 times as large"),
+    ("ex15-rough-incline", "F_N = m g", "a factor cos(alpha) is missing"),
+    ("cylinder-on-rough-incline", "F = mu_s*m*g*cos(alpha)", "does not depend on mu_s"),
+    ("rough-incline", "P = W tan(alpha) - mu_s W", "mu_s times a part of the normal force"),
+    ("rough-incline", "P_min = W (tan(alpha) - mu_s), P_max = W (tan(alpha) + mu_s)", "part of the normal force"),
+    ("rough-incline", "P = W tan(alpha)", "as if mu_s = 0"),
+    ("conical-pendulum", "tan(theta) = l*phi'^2/g", "a factor sin(theta) is missing"),
+    ("inverted-pendulum-springs", "θ = 0, θ = π, cosθ = W l/(2 c b²)", "an energy without its 1/2"),
+    ("thrown-stone", "y = x*tan(alpha) - g*x^2/(2*v^2)", "cos(alpha)^2 too many in the term g*x^2/(2*v^2)"),
+    ("escape-from-a-planet", "v = sqrt(K/R)", "a factor sqrt(2) is missing"),
+    ("charge-in-crossed-fields", "y = m E/(q B^2)", "the middle of the oscillation"),
+    ("coupled-pendulums", "omega_1 = sqrt(g/l), omega_2 = sqrt(g/l + c/m)", "the other coordinates held fast"),
+    ("rotating-unbalance", "|y| = m e w² / (c − (M+m) w²)", "under the root is missing"),
+]
+
+
+@pytest.mark.parametrize(("problem", "text", "cause"), CAUSES)
+def test_a_wrong_text_is_told_its_cause(problem: str, text: str, cause: str) -> None:
+    judgement = Examiner(loaded(problem), solved(problem)).check((Fragment.of(text),))
+    assert judgement.verdict.value in ("wrong", "undecided")
+    said = str(judgement) + " ".join(a.diagnosis for a in judgement.others)
+    parts = [e.diagnosis for e in (*judgement.each, *(e for a in judgement.others for e in a.equations))]
+    assert cause in " ".join([said, *parts])
+    hint = " ".join(str(judgement.at_hint_level(1)).split())
+    assert cause not in hint
