@@ -57,3 +57,9 @@ MOST_ROUGH_CONTACTS = 6
 # Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is
 # found.
 UNITS_OF_REST = 15_000
+
+# Search for lost equilibria: unknowns, multipliers among them; places from which the iteration starts for each choice of
+# parameters; operations of all of them together, about a tenth of a second.
+MOST_SEARCHED_UNKNOWNS = 10
+SEARCHED_STARTS = 16
+SEARCHED_OPERATIONS = 1_500_000

@@ -1,0 +1,239 @@
+"""Places of rest found in numbers, against the list of equilibria in closed form.
+
+What loses an equilibrium is a step of solving: a division by sin θ, a factor that is dropped, a pivot. So parameters
+are drawn, and the conditions as they were before any step,
+
+    Q + Aᵀ λ = 0 ,     f = 0 ,
+
+are solved for q, λ and unknown forces by Newton's method from places spread over a box, which is always the same. Each
+zero must satisfy the printed relations and conditions of a branch. One that satisfies none is lost, if it is confirmed
+to many digits and the constraints are regular there; then the conditions join the list as unsolved, so that it is
+stated to be incomplete wherever it is used.
+
+That nothing is found proves nothing: the search is short. What is only of the coordinates, a pole of a chart or a place
+outside of a range, is no equilibrium that is lost, and neither is one where a force has no value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import chain
+from random import Random
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.single_equation import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.core.symbols import Bounded, Sign
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.limits import (
+    MOST_SEARCHED_UNKNOWNS,
+    SEARCHED_OPERATIONS,
+    SEARCHED_STARTS,
+)
+from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
+
+BOX = 2.5
+"""Coordinates that are no angles are searched between −BOX and BOX."""
+SPREADS = (1, 1, 2)
+"""Parameters are drawn so many times, between 2^−spread and 2^spread."""
+FARTHEST = 60.0
+AGREES, DIFFERS = 1e-18, 1e-9
+"""Relations hold to so many digits at a confirmed place of rest; conditions fail by so much, or they hold."""
+
+
+def with_search(e: Equilibrium) -> Equilibrium:
+    """The equilibria with what a search in numbers says of the list; with unsolved conditions where it lacks any."""
+    if e.given or any(b.left for b in e.branches):
+        return e
+    try:
+        missing = _Search(e).missing()
+    except NoTapeError:
+        return e
+    if not missing:
+        return replace(e, all_found=missing if missing is None else True)
+    left = Branch((), left=tuple(x for x in _conditions(e) if x.free_symbols), occupied=True)
+    solution = replace(e.solution, branches=(*e.solution.branches, left))
+    idle = (*e.idle, ()) if e.idle else ()
+    return replace(e, all_found=False, solution=solution, branches=(*e.branches, left), idle=idle)
+
+
+def _conditions(e: Equilibrium) -> tuple[sp.Expr, ...]:
+    """Q + Aᵀ λ, the laws and the finite constraints: each zero, before anything is multiplied."""
+    multipliers = e.multipliers or tuple(row.multiplier for row in e.binding)
+    return (*e.balance(multipliers), *e.laws, *e.configuration.finite_constraints)
+
+
+class _Search:
+    """The search for one list."""
+
+    def __init__(self, e: Equilibrium) -> None:
+        self.e = e
+        self.coordinates = e.configuration.slots.coordinates
+        multipliers = e.multipliers or tuple(row.multiplier for row in e.binding)
+        self.unknowns = (*self.coordinates, *e.forces, *multipliers)
+        self.linear = len(self.unknowns) - len(multipliers)
+        self.equations = [x for x in _conditions(e) if x != 0]
+        self.rows = [[a for a in row.coefficients] for row in e.binding]
+        explained = (*e.poles, *e.outside, *(place.branch for place in e.singular))
+        self.listed = [(b, True) for b in e.branches if not b.special] + [(b, False) for b in explained]
+        stated = (x for b, _ in self.listed for x in (*b.relations, *b.conditions))
+        used = chain(self.equations, *((x.lhs, x.rhs) for x in stated), *self.rows)
+        self.parameters = sorted({s for x in used for s in x.free_symbols} - {*self.unknowns}, key=str)
+        self.symbols = (*self.unknowns, *self.parameters)
+        self.tape = Tape(self.equations, self.symbols)
+
+    def missing(self) -> bool | None:
+        """Whether a place of rest is missing from the list; None if none was found where some are stated."""
+        if not self.equations or len(self.unknowns) > MOST_SEARCHED_UNKNOWNS:
+            return None
+        evaluations = 12 * (len(self.unknowns) + 2)
+        starts = min(SEARCHED_STARTS, SEARCHED_OPERATIONS // (len(self.tape) * evaluations * len(SPREADS)))
+        random = Random(2)
+        found = False
+        for spread in SPREADS:
+            numbers = [_drawn(s, spread, random) for s in self.parameters]
+            for place in self._zeros(numbers, starts, random):
+                found = True
+                if not self._is_listed(place, numbers) and self._is_lost(place, numbers):
+                    return True
+        return False if found or (starts > 1 and not self.e.branches) else None
+
+    def _zeros(self, numbers: Sequence[float], starts: int, random: Random) -> Iterator[list[float]]:
+        """Different zeros, angles turned into (−π, π]."""
+
+        def f(x: Sequence[float]) -> list[float]:
+            return self.tape.values([*x, *numbers])
+
+        seen: list[list[float]] = []
+        for _ in range(starts):
+            start = with_best(f, [self._start(u, random) for u in self.unknowns], self.linear)
+            place = zero_near(f, start, FARTHEST)
+            if place is None or any(max(abs(a - b) for a, b in zip(place, p, strict=True)) < 1e-4 for p in seen):
+                continue
+            seen.append(place)
+            yield place
+
+    def _start(self, u: sp.Symbol, random: Random) -> float:
+        if u not in self.coordinates:
+            return 0.0
+        return random.uniform(-3.1, 3.1) if u in self.e.solution.letters.angles else random.uniform(-BOX, BOX)
+
+    def _is_listed(self, place: Sequence[Any], numbers: Sequence[float], agrees: float = 1e-6) -> bool:
+        """Whether a branch has the place, to so many digits."""
+        return any(self._has(b, conditioned, place, numbers, agrees) for b, conditioned in self.listed)
+
+    def _is_lost(self, guess: Sequence[float], numbers: Sequence[float]) -> bool:
+        """Whether the place is certainly a place of rest, and certainly in no branch."""
+
+        def f(x: Sequence[Any]) -> list[Any]:
+            return self.tape.values([*x, *numbers], DIGITS)
+
+        place = confirmed(f, guess)
+        if place is None or self._is_outside(place, numbers):
+            return False
+        with mpmath.workdps(60):
+            try:
+                return self._is_regular(place, numbers) and not self._is_listed(place, numbers, AGREES)
+            except (ValueError, ArithmeticError):
+                return False
+
+    def _is_regular(self, place: Sequence[Any], numbers: Sequence[float]) -> bool:
+        """Whether the constraints have the rank there that they have elsewhere."""
+        if not self.rows:
+            return True
+        tape, width = Tape([a for row in self.rows for a in row], self.symbols), len(self.coordinates)
+        beside = [a + 0.3 * mpmath.cos(n) for n, a in enumerate(place)]
+        ranks = []
+        for x in (place, beside):
+            flat = tape.values([*x, *numbers], DIGITS)
+            ranks.append(rank([flat[n : n + width] for n in range(0, len(flat), width)]))
+        return ranks[0] == ranks[1]
+
+    def _is_outside(self, place: Sequence[Any], numbers: Sequence[float]) -> bool:
+        """Whether a coordinate is outside of its range, or at its end."""
+        ranges = self.e.configuration.ranges
+        known = dict(zip(self.symbols, (*place, *numbers), strict=True))
+        for q, limits in ranges.items():
+            low, high = (float(x.xreplace({s: sp.Float(v) for s, v in known.items()})) for x in (limits.low, limits.high))
+            if not low + 1e-9 < float(known[q]) < high - 1e-9:
+                return True
+        return False
+
+    @cached_property
+    def _tapes(self) -> Mapping[int, tuple[Tape, Tape]]:
+        """The relations and the conditions of each branch."""
+        return {
+            id(b): (
+                Tape([x for r in b.relations for x in (r.lhs, r.rhs)], self.symbols),
+                Tape([c.lhs - c.rhs for c in b.conditions], self.symbols),
+            )
+            for b, _ in self.listed
+        }
+
+    def _has(
+        self, b: Branch, conditioned: bool, place: Sequence[Any], numbers: Sequence[float], agrees: float
+    ) -> bool:
+        """Whether the relations of a branch hold at a place, and its conditions; also where they have no value."""
+        relations, conditions = self._tapes[id(b)]
+        given = [mpmath.mpf(x) for x in (*place, *numbers)]
+        try:
+            sides = relations.values(given, DIGITS)
+        except (ValueError, ArithmeticError):
+            return False
+        if not all(self._agree(r, *pair, agrees) for r, pair in zip(b.relations, _pairs(sides), strict=True)):
+            return False
+        try:
+            differences = conditions.values(given, DIGITS) if conditioned else []
+        except (ValueError, ArithmeticError):
+            return True
+        return all(_may_hold(c, d) for c, d in zip(b.conditions, differences, strict=False))
+
+    def _agree(self, r: Relation, left: Any, right: Any, agrees: float) -> bool:
+        """Whether the sides of a relation are equal, angles up to full turns."""
+        difference = left - right
+        if r.lhs in self._turning:
+            turn = 2 * mpmath.pi * self._turning[r.lhs]
+            difference -= turn * mpmath.nint(difference / turn)
+        return bool(abs(difference) <= agrees * (1 + abs(left)))
+
+    @cached_property
+    def _turning(self) -> dict[sp.Symbol, Any]:
+        """The coordinates that occur in sines and cosines alone, each with its period in turns."""
+        turning = {}
+        for q in self.coordinates:
+            angle = self.e.solution.letters.angles.get(q)
+            waves = {f: sp.S.One for x in self.equations for f in x.atoms(*CIRCULAR) if q in f.free_symbols}
+            if angle is not None and not any(q in x.xreplace(waves).free_symbols for x in self.equations):
+                turning[q] = mpmath.mpf(int(q / angle.measure))
+        return turning
+
+
+def _pairs(values: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+    return zip(values[::2], values[1::2], strict=True)
+
+
+def _may_hold(c: SignCondition, difference: Any) -> bool:
+    """Whether a condition holds, or fails by too little to be sure."""
+    if abs(difference) < DIFFERS:
+        return True
+    return c.relation == "≠" or (c.relation != "=" and (difference > 0) == (c.relation in ("≥", ">")))
+
+
+def _drawn(s: sp.Symbol, spread: float, random: Random) -> float:
+    """A number for a parameter, of the sign or in the range that is declared."""
+    if isinstance(s, Sign):
+        return random.choice((-1.0, 1.0))
+    if isinstance(s, Bounded):
+        return float(s.low) + (float(s.high) - float(s.low)) * random.uniform(0.1, 0.9)
+    size = 2 ** random.uniform(-spread, spread)
+    if s.is_nonnegative or s.is_nonpositive:
+        return size if s.is_nonnegative else -size
+    return random.choice((-size, size))
