@@ -134,8 +134,13 @@ def with_divisors(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) 
         if b.special or b.left or not letters.unknowns_in(d) or letters.unknowns_in(value):
             continue
         above, _ = sp.fraction(sp.together(value))
-        conditions += [c for p in factors(above) or () if p.is_Add for c in different_from_zero(p)]
+        conditions += [c for p in _vanishing_factors(above) for c in different_from_zero(p)]
     return replace(b, conditions=tuple(dict.fromkeys(conditions)))
+
+
+def _vanishing_factors(e: sp.Expr) -> list[sp.Expr]:
+    """The sums of which one is zero where an expression is; of √(a² − 2 a b + b²), the length of a spring, a − b."""
+    return [q for p in factors(e) or () for q in factors(p) or () if q.is_Add]
 
 
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import chain
+from itertools import chain, product
 from random import Random
 from typing import Any
 
@@ -34,6 +34,7 @@ from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_SEARCHED_UNKNOWNS,
+    MOST_TURNED,
     SEARCHED_OPERATIONS,
     SEARCHED_STARTS,
 )
@@ -51,14 +52,14 @@ AGREES, DIFFERS = 1e-18, 1e-9
 
 def with_search(e: Equilibrium) -> Equilibrium:
     """The equilibria with what a search in numbers says of the list; with unsolved conditions where it lacks any."""
-    if e.given or any(b.left for b in e.branches):
+    if e.given or any(b.left and not b.relations for b in e.branches):
         return e
     try:
         missing = _Search(e).missing()
     except NoTapeError:
         return e
     if not missing:
-        return replace(e, all_found=missing if missing is None else True)
+        return replace(e, all_found=None if missing is None else True)
     left = Branch((), left=tuple(x for x in _conditions(e) if x.free_symbols), occupied=True)
     solution = replace(e.solution, branches=(*e.solution.branches, left))
     idle = (*e.idle, ()) if e.idle else ()
@@ -84,7 +85,7 @@ class _Search:
         self.rows = [[a for a in row.coefficients] for row in e.binding]
         explained = (*e.poles, *e.outside, *(place.branch for place in e.singular))
         self.listed = [(b, True) for b in e.branches if not b.special] + [(b, False) for b in explained]
-        stated = (x for b, _ in self.listed for x in (*b.relations, *b.conditions))
+        stated = (x for b, _ in self.listed for x in (*b.equations, *b.conditions))
         used = chain(self.equations, *((x.lhs, x.rhs) for x in stated), *self.rows)
         self.parameters = sorted({s for x in used for s in x.free_symbols} - {*self.unknowns}, key=str)
         self.symbols = (*self.unknowns, *self.parameters)
@@ -94,32 +95,51 @@ class _Search:
         """Whether a place of rest is missing from the list; None if none was found where some are stated."""
         if not self.equations or len(self.unknowns) > MOST_SEARCHED_UNKNOWNS:
             return None
-        evaluations = 12 * (len(self.unknowns) + 2)
-        starts = min(SEARCHED_STARTS, SEARCHED_OPERATIONS // (len(self.tape) * evaluations * len(SPREADS)))
         random = Random(2)
         found = False
         for spread in SPREADS:
             numbers = [_drawn(s, spread, random) for s in self.parameters]
-            for place in self._zeros(numbers, starts, random):
+            for tape, place in self._zeros(numbers, random):
                 found = True
-                if not self._is_listed(place, numbers) and self._is_lost(place, numbers):
+                if not self._is_listed(place, numbers) and self._is_lost(tape, place, numbers):
                     return True
-        return False if found or (starts > 1 and not self.e.branches) else None
+        return False if found or not self.e.branches else None
 
-    def _zeros(self, numbers: Sequence[float], starts: int, random: Random) -> Iterator[list[float]]:
-        """Different zeros, angles turned into (−π, π]."""
-
-        def f(x: Sequence[float]) -> list[float]:
-            return self.tape.values([*x, *numbers])
-
+    def _zeros(self, numbers: Sequence[float], random: Random) -> Iterator[tuple[Tape, list[float]]]:
+        """Different zeros, each with the equations that it satisfies; half of the work for the equations alone."""
         seen: list[list[float]] = []
-        for _ in range(starts):
-            start = with_best(f, [self._start(u, random) for u in self.unknowns], self.linear)
-            place = zero_near(f, start, FARTHEST)
-            if place is None or any(max(abs(a - b) for a, b in zip(place, p, strict=True)) < 1e-4 for p in seen):
-                continue
-            seen.append(place)
-            yield place
+        share = SEARCHED_OPERATIONS // (2 * len(SPREADS))
+        for tapes in ([self.tape] * SEARCHED_STARTS, self._divided):
+            spent = 0
+            for tape in tapes:
+                before = tape.carried_out
+
+                def f(x: Sequence[float], tape: Tape = tape) -> list[float]:
+                    return tape.values([*x, *numbers])
+
+                start = with_best(f, [self._start(u, random) for u in self.unknowns], self.linear)
+                place = zero_near(f, start, FARTHEST)
+                spent += tape.carried_out - before
+                if place is not None and not any(_is_same(place, other) for other in seen):
+                    seen.append(place)
+                    yield tape, place
+                if spent > share:
+                    break
+
+    @cached_property
+    def _divided(self) -> list[Tape]:
+        """The equations with one more: that something vanishes by which a step of solving may divide.
+
+        Equilibria that fill a surface hide the line on it that a division by sin θ loses. A coordinate is 0, an angle a
+        multiple of π/2, a pivot or a denominator of what is stated vanishes.
+        """
+        angles = self.e.solution.letters.angles
+        more: list[sp.Expr] = []
+        for q in self.coordinates:
+            more += [q - k * sp.pi / 2 for k in (0, 1, 2, -1)] if q in angles else [q]
+        below = [sp.fraction(r.rhs)[1] for b in self.e.branches for r in b.relations]
+        more += [x for x in (*self.e.elimination.pivots, *below) if x.free_symbols & {*self.coordinates}]
+        return [Tape([*self.equations, x], self.symbols) for x in dict.fromkeys(more)]
 
     def _start(self, u: sp.Symbol, random: Random) -> float:
         if u not in self.coordinates:
@@ -127,14 +147,28 @@ class _Search:
         return random.uniform(-3.1, 3.1) if u in self.e.solution.letters.angles else random.uniform(-BOX, BOX)
 
     def _is_listed(self, place: Sequence[Any], numbers: Sequence[float], agrees: float = 1e-6) -> bool:
-        """Whether a branch has the place, to so many digits."""
-        return any(self._has(b, conditioned, place, numbers, agrees) for b, conditioned in self.listed)
+        """Whether a branch has the place, to so many digits, or another one that differs by full turns."""
+        if any(self._has(b, conditioned, place, numbers, agrees) for b, conditioned in self.listed):
+            return True
+        mixed = [
+            n for n, q in enumerate(self.coordinates) if q in self.e.solution.letters.angles and q not in self._turning
+        ]
+        for turns in product((0, 1, -1), repeat=len(mixed) if len(mixed) <= MOST_TURNED else 0):
+            turned = list(place)
+            for n, turn in zip(mixed, turns, strict=False):
+                turned[n] += 2 * turn * mpmath.pi
+            residual = self.tape.values([*turned, *numbers], DIGITS) if any(turns) else [mpmath.inf]
+            if max(map(abs, residual)) < max(agrees, 1e-7) and any(
+                self._has(b, conditioned, turned, numbers, agrees) for b, conditioned in self.listed
+            ):
+                return True
+        return False
 
-    def _is_lost(self, guess: Sequence[float], numbers: Sequence[float]) -> bool:
+    def _is_lost(self, tape: Tape, guess: Sequence[float], numbers: Sequence[float]) -> bool:
         """Whether the place is certainly a place of rest, and certainly in no branch."""
 
         def f(x: Sequence[Any]) -> list[Any]:
-            return self.tape.values([*x, *numbers], DIGITS)
+            return tape.values([*x, *numbers], DIGITS)
 
         place = confirmed(f, guess)
         if place is None or self._is_outside(place, numbers):
@@ -172,7 +206,7 @@ class _Search:
         """The relations and the conditions of each branch."""
         return {
             id(b): (
-                Tape([x for r in b.relations for x in (r.lhs, r.rhs)], self.symbols),
+                Tape([x for r in b.equations for x in (r.lhs, r.rhs)], self.symbols),
                 Tape([c.lhs - c.rhs for c in b.conditions], self.symbols),
             )
             for b, _ in self.listed
@@ -188,7 +222,7 @@ class _Search:
             sides = relations.values(given, DIGITS)
         except (ValueError, ArithmeticError):
             return False
-        if not all(self._agree(r, *pair, agrees) for r, pair in zip(b.relations, _pairs(sides), strict=True)):
+        if not all(self._agree(r, *pair, agrees) for r, pair in zip(b.equations, _pairs(sides), strict=True)):
             return False
         try:
             differences = conditions.values(given, DIGITS) if conditioned else []
@@ -214,6 +248,10 @@ class _Search:
             if angle is not None and not any(q in x.xreplace(waves).free_symbols for x in self.equations):
                 turning[q] = mpmath.mpf(int(q / angle.measure))
         return turning
+
+
+def _is_same(place: Sequence[float], other: Sequence[float]) -> bool:
+    return max(abs(a - b) for a, b in zip(place, other, strict=True)) < 1e-4
 
 
 def _pairs(values: Sequence[Any]) -> Iterator[tuple[Any, Any]]:

@@ -60,19 +60,18 @@ DIGITS = Arithmetic(
 
 
 class Tape:
-    """Several expressions of the same symbols."""
+    """Several expressions of the same symbols; `carried_out` counts operations."""
 
     def __init__(self, expressions: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> None:
         self._places: dict[sp.Basic, int] = {s: n for n, s in enumerate(symbols)}
         self._given = len(symbols)
         self._operations: list[tuple[str, Any, tuple[int, ...]]] = []
         self._results = [self._placed(e) for e in expressions]
-
-    def __len__(self) -> int:
-        return len(self._operations)
+        self.carried_out = 0
 
     def values(self, given: Sequence[Number], by: Arithmetic = FLOATS) -> list[Number]:
         """The values of the expressions. Raises ValueError or ArithmeticError if one has none."""
+        self.carried_out += len(self._operations)
         v = list(given)
         for kind, data, needs in self._operations:
             match kind:
