@@ -16,6 +16,7 @@ outside of a range, is no equilibrium that is lost, and neither is one where a f
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -120,7 +121,7 @@ class _Search:
                 start = with_best(f, [self._start(u, random) for u in self.unknowns], self.linear)
                 place = zero_near(f, start, FARTHEST)
                 spent += tape.carried_out - before
-                if place is not None and not any(_is_same(place, other) for other in seen):
+                if place is not None and not self._is_far(place) and not any(_is_same(place, p) for p in seen):
                     seen.append(place)
                     yield tape, place
                 if spent > share:
@@ -150,12 +151,10 @@ class _Search:
         """Whether a branch has the place, to so many digits, or another one that differs by full turns."""
         if any(self._has(b, conditioned, place, numbers, agrees) for b, conditioned in self.listed):
             return True
-        mixed = [
-            n for n, q in enumerate(self.coordinates) if q in self.e.solution.letters.angles and q not in self._turning
-        ]
-        for turns in product((0, 1, -1), repeat=len(mixed) if len(mixed) <= MOST_TURNED else 0):
+        turned_at_all = any(q in self.e.solution.letters.angles for q in self.coordinates)
+        for turns in product((0, 1, -1), repeat=min(len(self._mixed), MOST_TURNED * turned_at_all)):
             turned = list(place)
-            for n, turn in zip(mixed, turns, strict=False):
+            for n, turn in zip(self._mixed, turns, strict=False):
                 turned[n] += 2 * turn * mpmath.pi
             residual = self.tape.values([*turned, *numbers], DIGITS) if any(turns) else [mpmath.inf]
             if max(map(abs, residual)) < max(agrees, 1e-7) and any(
@@ -163,6 +162,16 @@ class _Search:
             ):
                 return True
         return False
+
+    @cached_property
+    def _mixed(self) -> list[int]:
+        """The coordinates that do not occur in sines and cosines alone, by number: turns of several may cancel."""
+        return [n for n, q in enumerate(self.coordinates) if q not in self._turning]
+
+    def _is_far(self, place: Sequence[float]) -> bool:
+        """Whether an angle among these is more than one turn away."""
+        angles = self.e.solution.letters.angles
+        return any(abs(place[n]) > 3 * math.pi for n in self._mixed if self.coordinates[n] in angles)
 
     def _is_lost(self, tape: Tape, guess: Sequence[float], numbers: Sequence[float]) -> bool:
         """Whether the place is certainly a place of rest, and certainly in no branch."""
