@@ -8,7 +8,7 @@ the midpoint m and C an approximate inverse of the Jacobian there, Krawczyk's op
 lies inside X only if X contains exactly one root. Otherwise a box is cut, across its longest side. The list is
 complete if every box was excluded or belongs to a root; a box that stays undecided, near a double root, makes it
 incomplete, and so does the bound on the number of boxes. With three unknowns and more the search ends after a few of
-these: roots that fill a curve would need ever more, and nothing is gained for the list. The boxes that are tested are a little larger than those cut,
+these: roots that fill a curve would need ever more. The boxes that are tested are a little larger than those cut,
 so that a root on the edge of two is found. Reference: Neumaier, Interval Methods for Systems of Equations, ch. 5.
 """
 

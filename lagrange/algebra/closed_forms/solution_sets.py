@@ -79,10 +79,14 @@ class SolutionSet:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at a point of a branch. Raises NotAlgebraicError."""
-        value = resolved(self.letters.read(e), point)
+        return self.letters.write(self._with_roots(resolved(self.letters.read(e), point), point))
+
+    def _with_roots(self, value: sp.Expr, point: Values) -> sp.Expr:
+        """A value with the letters of roots replaced; a root may stand under another one, √|x|."""
         for root in [r for r in self.letters.roots if r in value.free_symbols]:
-            value = value.xreplace({root: sp.sqrt(self.letters.write(resolved(self.letters.roots[root], point)))})
-        return self.letters.write(value)
+            radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
+            value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})
+        return value
 
 
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:

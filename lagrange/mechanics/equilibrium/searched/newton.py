@@ -6,9 +6,9 @@ The search takes Levenberg's and Marquardt's steps,
 
 with small μ near a zero, where they are Newton's, and large μ where a step makes |f| larger; J need be neither square
 nor regular, so that equilibria which fill a curve are reached as well. A zero is confirmed by Newton's own steps with
-many digits: at a regular zero, or a curve of such, the number of right digits doubles in each, and |f| < 10⁻⁴⁵ is reached
-soon. A multiple zero, which is approached slowly, is not confirmed, and neither is a place where |f| is only small.
-Reference: Nocedal and Wright, Numerical Optimization, ch. 10 and 11.
+many digits: at a regular zero, or a curve of such, each step doubles the number of right digits, and |f| < 10⁻⁴⁵ is
+reached soon. A multiple zero, which is approached slowly, is not confirmed, and neither is a place where |f| is only
+small. Reference: Nocedal and Wright, Numerical Optimization, ch. 10 and 11.
 """
 
 from __future__ import annotations

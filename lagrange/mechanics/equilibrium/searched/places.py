@@ -83,11 +83,12 @@ class _Search:
         self.unknowns = (*self.coordinates, *e.forces, *multipliers)
         self.linear = len(self.unknowns) - len(multipliers)
         self.equations = [x for x in _conditions(e) if x != 0]
-        self.rows = [[a for a in row.coefficients] for row in e.binding]
+        self.rows = [list(row.coefficients) for row in e.binding]
         explained = (*e.poles, *e.outside, *(place.branch for place in e.singular))
         self.listed = [(b, True) for b in e.branches if not b.special] + [(b, False) for b in explained]
-        stated = (x for b, _ in self.listed for x in (*b.equations, *b.conditions))
-        used = chain(self.equations, *((x.lhs, x.rhs) for x in stated), *self.rows)
+        stated = [x for b, _ in self.listed for r in b.equations for x in (r.lhs, r.rhs)]
+        stated += [x for b, _ in self.listed for c in b.conditions for x in (c.lhs, c.rhs)]
+        used = chain(self.equations, stated, *self.rows)
         self.parameters = sorted({s for x in used for s in x.free_symbols} - {*self.unknowns}, key=str)
         self.symbols = (*self.unknowns, *self.parameters)
         self.tape = Tape(self.equations, self.symbols)
@@ -205,7 +206,9 @@ class _Search:
         ranges = self.e.configuration.ranges
         known = dict(zip(self.symbols, (*place, *numbers), strict=True))
         for q, limits in ranges.items():
-            low, high = (float(x.xreplace({s: sp.Float(v) for s, v in known.items()})) for x in (limits.low, limits.high))
+            low, high = (
+                float(x.xreplace({s: sp.Float(v) for s, v in known.items()})) for x in (limits.low, limits.high)
+            )
             if not low + 1e-9 < float(known[q]) < high - 1e-9:
                 return True
         return False
@@ -221,9 +224,7 @@ class _Search:
             for b, _ in self.listed
         }
 
-    def _has(
-        self, b: Branch, conditioned: bool, place: Sequence[Any], numbers: Sequence[float], agrees: float
-    ) -> bool:
+    def _has(self, b: Branch, conditioned: bool, place: Sequence[Any], numbers: Sequence[float], agrees: float) -> bool:
         """Whether the relations of a branch hold at a place, and its conditions; also where they have no value."""
         relations, conditions = self._tapes[id(b)]
         given = [mpmath.mpf(x) for x in (*place, *numbers)]

@@ -8,9 +8,9 @@ from functools import cache
 import pytest
 import sympy as sp
 
+from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.core.diagnostics import Source
-from lagrange.mechanics.equilibrium import equilibrium as statics
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.searched.places import with_search
 from lagrange.mechanics.solution import solve
@@ -79,13 +79,11 @@ def test_where_nothing_can_be_searched() -> None:
 
 
 def test_a_run_that_loses_solutions_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    solutions = statics.solutions
-
     def lossy(*arguments: object, **more: object) -> object:
         whole = solutions(*arguments, **more)  # type: ignore[arg-type]
         return replace(whole, branches=whole.branches[:1])
 
-    monkeypatch.setattr(statics, "solutions", lossy)
+    monkeypatch.setattr("lagrange.mechanics.equilibrium.equilibrium.solutions", lossy)
     solution = solve(read_problem(Source("problem.yaml", SKATE)))
     [check] = [c for c in solution.checks if c.name == "no place of rest found in numbers is missing"]
     assert check.passed is False
