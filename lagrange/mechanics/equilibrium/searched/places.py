@@ -170,9 +170,9 @@ class _Search:
         return [n for n, q in enumerate(self.coordinates) if q not in self._turning]
 
     def _is_far(self, place: Sequence[float]) -> bool:
-        """Whether an angle among these is more than one turn away."""
+        """Whether an angle among these is more than one turn away: one turn from −3π is −π, which is stated as π."""
         angles = self.e.solution.letters.angles
-        return any(abs(place[n]) > 3 * math.pi for n in self._mixed if self.coordinates[n] in angles)
+        return any(abs(place[n]) > 2.9 * math.pi for n in self._mixed if self.coordinates[n] in angles)
 
     def _is_lost(self, tape: Tape, guess: Sequence[float], numbers: Sequence[float]) -> bool:
         """Whether the place is certainly a place of rest, and certainly in no branch."""

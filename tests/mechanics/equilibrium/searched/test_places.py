@@ -19,9 +19,8 @@ from tests.support.statics_texts import BEAD, CROSS_WIND, INCLINES, PENDULUM, SK
 
 TORSION = """
 title: Rods with a torsion spring
-parameters: [c]
 coordinates: [phi, psi]
-forces: {spring: {potential: c*(phi - psi)^2/2}, weight: {potential: 15*sin(phi)}}
+forces: {spring: {potential: 2*(phi - psi)^2}, weight: {potential: -5*cos(phi)}}
 """
 THETA = sp.Symbol("theta", real=True)
 
