@@ -309,9 +309,7 @@ def _is_preferred(view: InCoordinates, solution: Solution) -> bool:
 
 
 def _with_speeds(solution: Solution, on_stage: OnStage) -> Solution:
-    """The solution with the quasi-velocities: in every choice of coordinates, and in the file's own coordinates unless
-    a choice satisfies their geometric constraints.
-    """
+    """The solution with quasi-velocities: in every choice, and in the file's own coordinates unless a choice is free."""
     from lagrange.mechanics.dynamics.quasi_equations import check_speeds, in_speeds
 
     on_stage("equations in quasi-velocities")
@@ -451,13 +449,14 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
+    from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
-    original = with_spring_forces(equilibrium(own.configuration, own.elimination, problem.unknowns))
+    original = with_spring_forces(with_search(equilibrium(own.configuration, own.elimination, problem.unknowns)))
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
     checks = [*solution.checks]
@@ -466,8 +465,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         on_stage(_stage("equilibria", view))
         resting = original
         if view is not own:
-            resting = equilibrium(view.configuration, view.elimination, problem.unknowns)
-            resting = with_spring_forces(without_poles(resting, original))
+            resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
+            resting = with_spring_forces(with_search(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

@@ -20,5 +20,8 @@ LARGEST_IN_NUMBERS = 2_000
 SMALLEST_BOX = 1e-9
 """Part of the width of the search at which a box that is neither excluded nor confirmed is given up."""
 
+MOST_UNDECIDED = 20
+"""Boxes given up after which a search with three unknowns and more ends."""
+
 MOST_STEPS = 20
 """Steps of Newton's iteration from one start."""

@@ -7,7 +7,8 @@ the midpoint m and C an approximate inverse of the Jacobian there, Krawczyk's op
 
 lies inside X only if X contains exactly one root. Otherwise a box is cut, across its longest side. The list is
 complete if every box was excluded or belongs to a root; a box that stays undecided, near a double root, makes it
-incomplete, and so does the bound on the number of boxes. The boxes that are tested are a little larger than those cut,
+incomplete, and so does the bound on the number of boxes. With three unknowns and more the search ends after a few of
+these: roots that fill a curve would need ever more. The boxes that are tested are a little larger than those cut,
 so that a root on the edge of two is found. Reference: Neumaier, Interval Methods for Systems of Equations, ch. 5.
 """
 
@@ -25,7 +26,14 @@ from mpmath import iv
 
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.values.limits import MOST_BOXES, MOST_OPERATIONS, MOST_STEPS, SMALLEST_BOX, WORKING_DIGITS
+from lagrange.values.limits import (
+    MOST_BOXES,
+    MOST_OPERATIONS,
+    MOST_STEPS,
+    MOST_UNDECIDED,
+    SMALLEST_BOX,
+    WORKING_DIGITS,
+)
 
 Box = list[Any]  # of intervals
 INFLATION = 0.05
@@ -91,6 +99,8 @@ def real_roots(
                 continue
         if all(_width(x) < SMALLEST_BOX * w for x, w in zip(box, widths, strict=True)):
             undecided.append(box)
+            if several and len(undecided) > MOST_UNDECIDED:
+                break
             continue
         waiting += _halves(box, widths)
     inside = [r for r in found if all(lo <= v <= hi for v, (lo, hi) in zip(r.values, search, strict=True))]

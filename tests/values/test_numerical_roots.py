@@ -12,7 +12,7 @@ import sympy as sp
 from lagrange.values import numerical_roots
 from lagrange.values.numerical_roots import real_roots, sign_at
 
-x, y = sp.symbols("x y", real=True)
+x, y, z = sp.symbols("x y z", real=True)
 half = sp.Rational(1, 2)
 
 ONE: list[tuple[sp.Expr, Callable[[float], float], float]] = [
@@ -101,3 +101,19 @@ def test_a_pivot_that_is_zero_but_for_rounding() -> None:
     assert step is not None
     assert (slope * sp.Matrix(step) - residual).norm() < 1e-40
     assert numerical_roots._solved(sp.Matrix([[1, 2], [2, 4]]), sp.Matrix([1, 1])) is None
+
+
+def test_roots_that_fill_a_curve_end_the_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A circle of roots needs ever more boxes; after a few that stay undecided nothing more is tried."""
+    excluded = numerical_roots._is_excluded
+    tried = []
+
+    def counted(*arguments: object) -> bool:
+        tried.append(arguments)
+        return excluded(*arguments)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(numerical_roots, "_is_excluded", counted)
+    circle = x**2 + y**2 - 1
+    found = real_roots([circle, circle * (x - 3), z], [x, y, z], [(-2, 2)] * 3)
+    assert not found.complete
+    assert len(tried) < 1000

@@ -79,10 +79,14 @@ class SolutionSet:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at a point of a branch. Raises NotAlgebraicError."""
-        value = resolved(self.letters.read(e), point)
+        return self.letters.write(self._with_roots(resolved(self.letters.read(e), point), point))
+
+    def _with_roots(self, value: sp.Expr, point: Values) -> sp.Expr:
+        """A value with the letters of roots replaced; a root may stand under another one, √|x|."""
         for root in [r for r in self.letters.roots if r in value.free_symbols]:
-            value = value.xreplace({root: sp.sqrt(self.letters.write(resolved(self.letters.roots[root], point)))})
-        return self.letters.write(value)
+            radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
+            value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})
+        return value
 
 
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:
@@ -134,7 +138,7 @@ def with_divisors(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) 
         if b.special or b.left or not letters.unknowns_in(d) or letters.unknowns_in(value):
             continue
         above, _ = sp.fraction(sp.together(value))
-        conditions += [c for p in factors(above) or () if p.is_Add for c in different_from_zero(p)]
+        conditions += [c for p in _vanishing_factors(above) for c in different_from_zero(p)]
     return replace(b, conditions=tuple(dict.fromkeys(conditions)))
 
 
@@ -165,6 +169,11 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
 
 def _has_root(e: sp.Expr) -> bool:
     return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
+
+
+def _vanishing_factors(e: sp.Expr) -> list[sp.Expr]:
+    """The sums of which one is zero where an expression is; of √(a² − 2 a b + b²), the length of a spring, a − b."""
+    return [q for p in factors(e) or () for q in factors(p) or () if q.is_Add]
 
 
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:

@@ -179,7 +179,10 @@ def _joined(element: Element, index: int, base: Element, order: int) -> Element:
 
 def _class_joined(parts: dict[int, Element], index: int, base: Element, order: int) -> Element:
     """Σ part · g^exponent, the exponents equal modulo the order."""
-    basis, least = base.basis, min(parts)
+    basis = base.basis
+    if len(parts) > 1:
+        parts = _each_shortened(parts, base, order)
+    least = min(parts)
     # Over the common denominator only if it cancels against the numerator or is no longer than the parts were.
     if least < 0:
         numerator = basis.total(part * base ** ((e - least) // order) for e, part in parts.items())
@@ -187,6 +190,15 @@ def _class_joined(parts: dict[int, Element], index: int, base: Element, order: i
         if joined > least or len(numerator) <= sum(map(len, parts.values())):
             parts = {joined: numerator}
     return basis.total(part * basis.power_of(index, e) for e, part in parts.items())
+
+
+def _each_shortened(parts: dict[int, Element], base: Element, order: int) -> dict[int, Element]:
+    """The parts, each by itself in lowest terms: sin 2θ/(sin θ cos θ) is 2, whatever else there is over sin²θ."""
+    shortened: dict[int, Element] = {}
+    for exponent, part in parts.items():
+        numerator, lower = _shortened(part, base, exponent, order)
+        shortened[lower] = shortened[lower] + numerator if lower in shortened else numerator
+    return shortened
 
 
 class _LaurentVariables:

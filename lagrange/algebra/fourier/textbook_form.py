@@ -26,7 +26,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.division import as_fraction, by_denominator, over_one_denominator
 from lagrange.algebra.fourier.elements import Basis, Element, Terms
-from lagrange.algebra.fourier.limits import LONGEST_FACTORED, MOST_SHARED_GENERATORS
+from lagrange.algebra.fourier.limits import LONGEST_FACTORED, MOST_JOINING_ROUNDS, MOST_SHARED_GENERATORS
 from lagrange.algebra.fourier.polynomials import (
     Polynomial,
     common,
@@ -434,9 +434,19 @@ def textbook_form(expression: sp.Expr | Element, unknowns: Iterable[sp.Symbol] =
         return Textbook(expression.basis, unknowns, merge).form(expression)
     if isinstance(expression, sp.Symbol | sp.Rational):
         return expression
-    if unknowns or merge:
-        return Textbook(FourierRing(), unknowns, merge).form(expression)
-    return _shared().form(expression)
+    textbook = Textbook(FourierRing(), unknowns, merge) if unknowns or merge else _shared()
+    form = textbook.form(expression)
+    # What is over sin θ cos θ may be split in several ways, and which is found depends on how it was read.
+    for _ in range(MOST_JOINING_ROUNDS):
+        if len(_waves_below(form)) < 2 or (again := textbook.form(form)) == form:
+            break
+        form = again
+    return form
+
+
+def _waves_below(form: sp.Expr) -> set[sp.Expr]:
+    """The sines and cosines by which a form divides."""
+    return {p.base for p in form.atoms(sp.Pow) if p.exp.is_negative and isinstance(p.base, sp.sin | sp.cos)}
 
 
 def _shared() -> Textbook:

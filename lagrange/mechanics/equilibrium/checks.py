@@ -142,12 +142,21 @@ def check_equilibrium(resting: Equilibrium, original: Equilibrium) -> list[Check
     if verdicts:
         words = "every equilibrium satisfies the conditions"
         checks.append(Check(words, all_hold(verdicts), "exact, by substitution", name))
+    checks += check_search(resting)
     if resting is not original and resting.solution.solved and resting.branches:
         how = "exact, by ranks"
         checks.append(
             Check("the forces balance in the file's coordinates as well", _holds_there(resting, original), how, name)
         )
     return checks
+
+
+def check_search(resting: Equilibrium) -> list[Check]:
+    """The check of the list against a search in numbers, if there was one."""
+    if resting.all_found is None:
+        return []
+    how = "Newton's method at drawn parameters"
+    return [Check("no place of rest found in numbers is missing", resting.all_found, how, resting.configuration.name)]
 
 
 def check_reactions_at_rest(reactions: StaticReactions | None) -> list[Check]:
@@ -189,7 +198,7 @@ def check_impending(equilibria: Sequence[Equilibrium]) -> list[Check]:
 def check_linearization(linear: Linearization) -> list[Check]:
     """The checks of one set of coordinates."""
     name = linear.configuration.name
-    checks = []
+    checks = check_search(linear.equilibrium)
     stated = stated_equilibria_hold(replace(linear.equilibrium, branches=linear.branches))
     if stated is not None:
         how = "exact, at positions sampled from what is stated"

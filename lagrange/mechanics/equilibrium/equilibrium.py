@@ -109,6 +109,7 @@ class Equilibrium:
     outside      branches that lie outside of the ranges of the coordinates, left out above
     pulls        for each branch the forces of the springs there, by name (`spring_forces`)
     laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
+    all_found    whether the places of rest that a search in numbers finds are in the list (`searched`); None: not tried
     """
 
     configuration: Configuration
@@ -128,6 +129,7 @@ class Equilibrium:
     outside: tuple[Branch, ...] = ()
     pulls: tuple[Mapping[str, sp.Expr], ...] = ()
     laws: tuple[sp.Expr, ...] = ()
+    all_found: bool | None = None
 
     @property
     def required(self) -> tuple[sp.Expr, ...]:

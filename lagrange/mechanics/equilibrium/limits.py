@@ -57,3 +57,11 @@ MOST_ROUGH_CONTACTS = 6
 # Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is
 # found.
 UNITS_OF_REST = 15_000
+
+# Search for lost equilibria: unknowns, multipliers among them; places from which the iteration starts for each choice
+# of parameters; operations of all of them together, about a tenth of a second; angles that may be turned, each by
+# itself.
+MOST_SEARCHED_UNKNOWNS = 10
+SEARCHED_STARTS = 16
+SEARCHED_OPERATIONS = 300_000
+MOST_TURNED = 3

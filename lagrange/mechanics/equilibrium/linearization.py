@@ -65,6 +65,7 @@ from lagrange.mechanics.equilibrium.relative_equilibrium import (
     is_time,
     without_time,
 )
+from lagrange.mechanics.equilibrium.searched.places import with_search
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
 ZERO = sp.S.Zero
@@ -192,7 +193,7 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
     configuration = replace(motion.configuration, constrained=motion.configuration.constrained.with_rows(rows))
     motion = replace(motion, configuration=configuration, elimination=replace(motion.elimination, unused=()))
     form = matrix_form(motion)
-    resting = equilibria_of_motion(form, motion)
+    resting = with_search(equilibria_of_motion(form, motion))
     names = displacement_names(configuration.slots.coordinates, taken)
     omega, exponent = letters_of(taken)
     branches, complete = branches_at_rest(resting)

@@ -358,6 +358,28 @@ def test_the_value_of_a_quotient_is_kept(expression: sp.Expr) -> None:
     assert textbook_form(form) == form
 
 
+@pytest.mark.parametrize(
+    "expression",
+    [
+        (sin(theta) + cos(theta) / sin(2 * theta)) * (sin(theta) + 1 / sin(2 * theta)) + 1,
+        (sin(theta) + cos(theta) / sin(2 * theta)) * (sin(theta) + 1 / sin(2 * theta)),
+        (cos(theta) + sin(theta) / sin(2 * theta)) * (cos(theta) + 1 / sin(2 * theta)) + 1,
+        (sin(phi) + cos(phi) / sin(2 * phi)) * (sin(phi) + 1 / sin(2 * phi)) + x,
+        (2 * x + sin(phi)) * (sin(theta) / sin(2 * theta) + cos(theta) / sin(2 * theta)) + 1 / cos(theta),
+        (m + sin(phi)) * (sin(theta) + cos(theta)) / sin(2 * theta) + 1 / cos(theta),
+        (sin(theta) + cos(theta) / sin(2 * theta)) * (m + 1 / sin(2 * theta)) + x,
+        (sin(theta) + cos(theta) / cos(2 * theta)) * (sin(theta) + 1 / cos(2 * theta)) + 1,
+        (sin(theta) + cos(theta) / sin(2 * theta)) ** 2 + 1 / cos(theta),
+        (tan(theta) + 1 / sin(2 * theta)) * (sin(theta) + 1 / sin(2 * theta)) + 1 / sin(theta),
+        (sin(phi) / sin(2 * theta) + cos(theta)) * (1 / sin(2 * theta) + sin(theta)) + 1,
+    ],
+)
+def test_the_form_of_a_quotient_of_double_angles_is_its_own_form(expression: sp.Expr) -> None:
+    form = textbook_form(expression)
+    assert same(form, expression)
+    assert textbook_form(form) == form
+
+
 @quick
 @given(sums(atoms))
 def test_equal_expressions_have_one_form(expression: sp.Expr) -> None:

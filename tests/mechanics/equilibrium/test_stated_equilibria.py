@@ -38,6 +38,19 @@ def test_what_is_stated_holds(text: str) -> None:
     assert stated_equilibria_hold(found(text)) is True
 
 
+def test_a_root_under_a_root() -> None:
+    """y = √|x| holds at x = −c, y = √c."""
+    text = """
+title: A wire with a cusp
+parameters: [c]
+coordinates: [x, y]
+constraints: {wire: y = sqrt(abs(x))}
+forces: {weight: {potential: y + c/y}}
+find: equilibrium
+"""
+    assert stated_equilibria_hold(found(text)) is True
+
+
 def test_a_force_without_value() -> None:
     """A spring of length 0, on a circle and on a line, and a pole of the potential."""
     assert stated_equilibria_hold(stating(found(SPRING_ON_CIRCLE), (THETA, 0))) is False
