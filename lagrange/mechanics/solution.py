@@ -309,7 +309,7 @@ def _is_preferred(view: InCoordinates, solution: Solution) -> bool:
 
 
 def _with_speeds(solution: Solution, on_stage: OnStage) -> Solution:
-    """The solution with quasi-velocities: in every choice, and in the file's own coordinates unless a choice is free."""
+    """The solution with quasi-velocities: in every choice, and in the own coordinates unless a choice is free."""
     from lagrange.mechanics.dynamics.quasi_equations import check_speeds, in_speeds
 
     on_stage("equations in quasi-velocities")
