@@ -16,8 +16,8 @@ import sympy as sp
 from lagrange.answers.references import Reference
 from lagrange.core.units import NO_DIMENSION
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
-from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.dynamics.newton import short_reactions
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
 _OF_ENERGY = re.compile(
