@@ -140,7 +140,7 @@ def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     its = plural(len(newton.bodies or ()), "its", "their")
     one = len(newton.reactions) == 1
     yield prose(
-        f"Together with {bound}, {its} {counted(laws, 'component')} give {before.equations} equations for "
+        f"With {bound}, {its} {counted(laws, 'component')} give {before.equations} equations for "
         f"{before.unknowns} unknowns: {missing}. The {'direction' if one else 'directions'} of the "
         f"{'reaction' if one else 'reactions'} must be known."
     )

@@ -51,6 +51,9 @@ def explain_linearization(linearization: Linearization) -> Step:
             body += explain_about(n, b, s, linearization)
             body += _copies(n, linearization)
     body += explain_omitted(linearization)
+    if linearization.turning:
+        rates = listed(math(prime(q)) for q in linearization.turning)
+        body.append(prose("There are steady motions as well, in which ", *rates, " are constant and not zero."))
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
 
 

@@ -180,6 +180,12 @@ class Linearization:
         """The configuration."""
         return self.motion.configuration
 
+    @property
+    def turning(self) -> tuple[sp.Symbol, ...]:
+        """The coordinates of which the equations of motion have the velocities only: in steady motions these stay."""
+        occurring = {s for e in self.motion.expressions for s in e.free_symbols}
+        return tuple(q for q in self.configuration.slots.coordinates if q not in occurring and prime(q) in occurring)
+
 
 def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Linearization:
     """Small oscillations about the equilibria of the equations of motion.

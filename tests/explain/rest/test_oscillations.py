@@ -60,3 +60,14 @@ def test_what_is_divided_by_is_said_with_angles_of_parameters_in_it() -> None:
     [condition] = branch.conditions
     assert condition.relation == "≠"
     assert sp.expand(condition.lhs - condition.rhs - c + m * Omega**2 * sp.sin(alpha) ** 2) == 0
+
+
+def test_small_oscillations_of_a_spinning_body_name_its_steady_motions() -> None:
+    text = (
+        "title: Top\nparameters: [m, g, l, A, C]\ncoordinates: [phi, theta, psi]\nbodies: {top: {mass: m, inertia: "
+        "[A, A, C], position: l*e3_top, orientation: {axes: 313, angles: [phi, theta, psi]}}}\ngravity: -g*k\n"
+        "find: linearization\n"
+    )
+    found = report(read_problem(Source("top.yaml", text)), complete=False)
+    page = " ".join(terminal.text(found.derivation, found.notation, 80).split())
+    assert "There are steady motions as well, in which φ̇ and ψ̇ are constant and not zero." in page
