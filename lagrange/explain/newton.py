@@ -352,7 +352,7 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
         words += f": {missing} too few" + (", as many as there are degrees of freedom" if missing == freedom else "")
     same = "" if after.unknowns == after.equations else f" in {after.equations} equations"
     words += f". With the directions of the reactions known, {after.unknowns} unknowns remain{same}."
-    if after.missing > 0 and constraints > coordinates - freedom:
+    if after.missing > 0 and len(newton.reactions) > coordinates - freedom:
         words += (
             " The constraints are not independent, so the multipliers are not determined individually, only their "
             "combined effect."
