@@ -112,7 +112,7 @@ def test_the_template_has_every_key() -> None:
 def test_a_key_that_is_not_in_use_may_be_used(number: int) -> None:
     text = "\n".join([*LINES[:number], UNUSED.sub(r"\1", LINES[number]), *LINES[number + 1 :]])
     problem = read_problem(Source("template", text))
-    assert problem.notes == ()
+    assert not [note for note in problem.notes if note.code != "unused-parameter"]
     if re.search("equilibrium|frequencies", LINES[number]):
         problem = read_problem(Source("template", text.replace("find: motion", "find: linearization")))
     shortcomings = [str(s) for s in report(problem, complete=False).shortcomings]
