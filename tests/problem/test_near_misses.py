@@ -23,8 +23,8 @@ FREE = HEAD + "parameters: [m, g]\n" + PARTICLE
         (HEAD + "parameters: {m: {positive: true}}\n" + PARTICLE, "help: write `assume: positive`"),
         (HEAD + "parameters: {m: {min: 0}}\n" + PARTICLE, "help: write `range: [a, b]`"),
         (HEAD + "parameters: [m]\nmasses: {P: {mass: m, position: x*i}}\n", "help: write `particles`"),
-        (FREE + "forces: {gravity: -g*i}\n", "as a key of the problem: `gravity: -g*i`"),
-        (FREE + "forces: {gravity: {vector: g*i}}\n", "as a key of the problem: `gravity: g*i`"),
+        (FREE + "forces: {gravity: -g*i}\n", "without the mass, beside `forces`: `gravity: -g*j`"),
+        (FREE + "forces: {gravity: {vector: g*i}}\n", "without the mass, beside `forces`: `gravity: -g*j`"),
     ],
 )
 def test_the_cure(text: str, cure: str) -> None:

@@ -238,7 +238,6 @@ TOO_LARGE = {
     "circles_with_common_point": "first second rod",
     "four-bar-linkage": "closure.1 closure.2",
     "four_bar": "crank coupler rocker",
-    "free_top_quasi": "first second third",
     "heavy_slider_crank": "pin.1 pin.2 bolt.1 bolt.2",
     "rear-wheel-drive": "rear front",
     "three-link-chain": "upper middle lower",

@@ -7,6 +7,10 @@ All bound the time of one step or the length of what is printed. A number in bra
 # Terms of a result for a unit of work (`core.effort`), and products of two terms, which are looked up and added.
 TERMS_PER_UNIT = 2
 PRODUCTS_PER_UNIT = 20
+# Terms that are divided by a cosine and by a sine (`product_to_sum`), and terms of a polynomial of half angles, each of
+# which takes several products (`fractions`), for a unit of work.
+TRIED_IN_A_UNIT = 5
+MULTIPLIED_IN_A_UNIT = 5
 # From here on a term costs four times as much, for the memory: sin sin ... sin x, twenty deep, filled 900 MB.
 MANY_TERMS = 20_000
 
