@@ -290,8 +290,6 @@ def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     above, below = sp.fraction(sp.powsimp(stated / term))
     if not all(map(_is_plain, sp.Mul.make_args(above * below))):
         return
-    if above.is_number and below.is_number and 1 not in (above**2, below**2):
-        return  # some other number: no factor was forgotten
     parts = [f"a factor {_written(below)} is missing"] if below not in (1, -1) else []
     parts += [f"there is a factor {_written(above)} too many"] if above not in (1, -1) else []
     if parts and stated != -term:
