@@ -34,7 +34,7 @@ from lagrange.answers.readings import Reading
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
 from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"
@@ -484,11 +484,11 @@ class EquilibriumComparison:
             return True, False, ""
         if len(equations) + len(angles) < len(self.conditions) - len(self.rows):
             return False, True, ""
-        surface = Surface([*equations, *rows], self.unknowns)
-        verdicts = [surface.is_zero(c) for c in conditions]
-        if angles or None in verdicts:
+        if angles:
             return None, False, ""
-        return (True, False, "") if all(verdicts) else (False, False, "it has solutions that are not equilibria")
+        surface = Surface([*equations, *rows], self.unknowns)
+        verdict = is_balanced_on(self.equilibrium, surface, {**self.values, **given})
+        return verdict, False, "it has solutions that are not equilibria" if verdict is False else ""
 
     def _same_factors(self, equations: Sequence[sp.Expr]) -> bool:
         """Whether the equations have the same factors as the conditions of equilibrium."""

@@ -114,3 +114,29 @@ def test_equilibria_lost_by_dividing(stated: str, expected: Verdict) -> None:
     """x = 0, θ = 0 with any y is lost by a division by sin θ, and x = y = 0 with any θ by one by y."""
     judged = examiner(SKATE_ON_A_SPRING).check((Fragment.of(stated),))
     assert judged.verdict is expected
+
+
+FOUR_BAR = """
+title: Four-bar linkage with a force on the crank's pin
+coordinates: [alpha, beta, gamma]
+particles: {A: {position: 2*cos(alpha)*i + 2*sin(alpha)*j}}
+constraints:
+  h: 2*cos(alpha) + cos(beta) - cos(gamma) = 2
+  v: 2*sin(alpha) + sin(beta) - sin(gamma) = 0
+forces: {push: {on: A, vector: 2*i + 3*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("last", "expected"),
+    [("cos(beta)*sin(gamma) - sin(beta)*cos(gamma) = 0", INCOMPLETE), ("cos(beta)*sin(gamma) = 1/2", WRONG)],
+)
+def test_forces_balance_where_a_linkage_is_stretched_out(last: str, expected: Verdict) -> None:
+    """Where β = γ the crank cannot turn, and the conditions of equilibrium, divided by sin(β − γ), do not vanish.
+
+    These equilibria, as the program states them, were called wrong for "solutions that are not equilibria".
+    """
+    closed = ["2*sin(alpha) + sin(beta) - sin(gamma) = 0", "2*cos(alpha) - 2 + cos(beta) - cos(gamma) = 0"]
+    stated = tuple(Fragment.of(e) for e in (*closed, last))
+    assert examiner(FOUR_BAR).check(stated).verdict is expected

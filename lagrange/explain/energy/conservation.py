@@ -178,12 +178,31 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: 
 
 
 def conserved_called(integral: Integral, configuration: Configuration) -> ConservedQuantity:
-    """The quantity; the momentum of an angle, also with other coordinates, is an angular momentum."""
+    """The quantity; the momentum of an angle, also with other coordinates, is an angular one; not of a screw."""
     displaced = (integral.displacement or {}) if integral.coordinate is None else (integral.coordinate,)
     if integral.quantity is not ConservedQuantity.MOMENTUM or not displaced:
         return integral.quantity
-    turned = any(_turns(q, configuration) for q in displaced)
-    return ConservedQuantity.ANGULAR_MOMENTUM if turned else integral.quantity
+    turned = [q for q in displaced if _turns(q, configuration)]
+    others = [q for q in displaced if q not in turned]
+    is_angular = bool(turned) and not _advances(others, turned, configuration)
+    return ConservedQuantity.ANGULAR_MOMENTUM if is_angular else integral.quantity
+
+
+def _advances(others: Sequence[sp.Symbol], turned: Sequence[sp.Symbol], configuration: Configuration) -> bool:
+    """Whether coordinates move a point along the axis about which others turn, as a screw advances."""
+    places = [sp.Matrix(p.position.fixed().components) for p in configuration.points]
+    axes = [sp.Matrix([c.diff(prime(q)) for c in _turning(r)]) for r in configuration.rotations for q in turned]
+    around = [r.diff(q) for r in places for q in turned]
+    along = [b for r in places for q in others if not (b := r.diff(q)).is_zero_matrix]
+    return (
+        bool(along)
+        and all(all(_is_zero(x) for x in b.cross(a)) for b in along for a in axes)
+        and all(_is_zero(b.dot(a)) for b in along for a in around)
+    )
+
+
+def _is_zero(e: sp.Expr) -> bool:
+    return bool(sp.expand(e) == 0)
 
 
 def _turns(q: sp.Symbol, configuration: Configuration) -> bool:

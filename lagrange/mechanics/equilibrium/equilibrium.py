@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import chain
 
 import sympy as sp
 
@@ -29,7 +30,7 @@ from lagrange.algebra.closed_forms.conditions import solved_for
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point, Surface, agreed, is_zero, rank
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook
@@ -214,6 +215,26 @@ def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None
         ranks = rank(matrix), rank([*matrix, [at(q) for q in e.work.forces]])
         verdicts.append(None if None in ranks else ranks[0] == ranks[1])
     return all_hold(verdicts)
+
+
+def is_balanced_on(e: Equilibrium, surface: Surface, values: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+    """Whether there is equilibrium at all points of a surface, symbols having some values; None: undecided.
+
+    The conditions of equilibrium presuppose that the constraints can be solved for the dependent displacements. Where
+    they cannot, as in a linkage stretched out, forces may balance that do not satisfy the conditions.
+    """
+    verdict = all_hold([surface.is_zero(c.xreplace(dict(values))) for c in e.required])
+    if verdict is not False or e.given or not e.binding:
+        return verdict
+    rows = [[a.xreplace(dict(values)) for a in row.coefficients] for row in e.binding]
+    forces = [q.xreplace(dict(values)) for q in e.work.forces]
+
+    def balanced(point: Point) -> bool:
+        bound = point.matrix(rows)
+        return point.rank(bound) == point.rank([*bound, point.values(forces)])
+
+    laws = [surface.is_zero(law.xreplace(dict(values))) for law in e.laws]
+    return all_hold([*laws, agreed(surface, balanced, [*chain(*rows), *forces], lambda result: not result)])
 
 
 def without_poles(e: Equilibrium, original: Equilibrium) -> Equilibrium:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.support.nets.evaluate import VECTORS, NotReadError, evaluate, holds, names_in, sides
+from tests.support.nets.evaluate import VECTORS, NotReadError, evaluate, holds, names_in, python_name, sides
 from tests.support.nets.rest import Rest, imbalance, is_pole, is_singular, newton, rests, rests_at_pole, start_in
 from tests.support.nets.run import Finding, Printed, printed, wrong_names
 from tests.support.nets.statics_systems import random_system
@@ -120,6 +120,9 @@ def _satisfies(system: System, r: Rest, q: Array, relations: Sequence[str], cond
     names = system.scope(q, r.parameters)
     tolerance = 3e-3 if r.degenerate else 1e-5
     varied = system.names(variables(q, 1), r.parameters)
+    if any("lambda_" in text for text in relations):  # where the conditions are not solved for the coordinates alone
+        solved = multipliers(system, q, r.parameters)
+        names, varied = names | solved, varied | solved
     zero = varied[system.coordinates[0]] * 0
     for text in relations:
         left = sides(text)[0]
@@ -131,22 +134,37 @@ def _satisfies(system: System, r: Rest, q: Array, relations: Sequence[str], cond
     return all(holds(c, names, 1e-5) is not False for c in conditions)
 
 
+def multipliers(system: System, q: Array, parameters: dict[str, float]) -> dict[str, float]:
+    """λ of the finite constraints at a place of rest: Σ λ ∂f/∂q = ∂V/∂q."""
+    rows = np.array([f.gradient for f in system.finite(q, parameters)])
+    solved = np.linalg.lstsq(rows.T, system.energy(q, parameters).gradient, rcond=None)[0]
+    return {m: float(x) for m, x in zip(multiplier_names(system), solved, strict=True)}
+
+
+def multiplier_names(system: System) -> list[str]:
+    """λ of the finite constraints as they are printed."""
+    return [python_name(f"lambda_{c}") for c in system.constraints]
+
+
 def sampled(
     system: System, relations: Sequence[str], parameters: dict[str, float], rng: random.Random, samples: int = SAMPLES
 ) -> Iterator[Array]:
-    """Points that satisfy the relations of a branch, and nothing else of the system."""
+    """Points that satisfy the relations of a branch, and nothing else of the system; multipliers are unknowns too."""
+    n = len(system.coordinates)
+    unknown = [m for m in multiplier_names(system) if any(m in names_in(t) for t in relations)]
 
     def at(q: Array) -> tuple[Array, Array]:
-        names = system.names(variables(q, 1), parameters)
-        zero = names[system.coordinates[0]] * 0
+        varied = variables(q, 1)
+        names = system.names(varied[:n], parameters) | dict(zip(unknown, varied[n:], strict=True))
+        zero = varied[0] * 0
         values = [zero + _residual(system, t, names) for t in relations]
         return np.array([v.value for v in values]), np.array([v.gradient for v in values]).reshape(len(values), len(q))
 
     for _ in range(samples):
-        start = start_in(system, rng)
+        start = np.array([*start_in(system, rng), *(rng.gauss(0, 3) for _ in unknown)])
         result = newton(at, start, steps=40) if relations else (start, None)
         if result is not None:
-            yield result[0]
+            yield result[0][:n]
 
 
 def _points(
@@ -317,14 +335,14 @@ def _reactions(
         given = {c: entries[n] for c in file.constraints if (entries := stated.get(c, {}).get("at_equilibrium"))}
         if r.degenerate or not any(given.values()) or not satisfies(system, r, *branches[n]):
             continue
-        scope = VECTORS | system.scope(r.q, r.parameters)
         q = _in_file(system, file, shown.choice, r)
         gradients = dict(zip(file.constraints, (f.gradient for f in file.finite(q, r.parameters)), strict=True))
         rows = np.array([*gradients.values()])
         if np.linalg.svd(rows)[1][-1] < 1e-6:
             continue
-        solved = np.linalg.lstsq(rows.T, file.energy(q, r.parameters).gradient, rcond=None)[0]
-        for (c, gradient), multiplier in zip(gradients.items(), solved, strict=True):
+        solved = multipliers(file, q, r.parameters)
+        scope = VECTORS | system.scope(r.q, r.parameters) | solved
+        for (c, gradient), multiplier in zip(gradients.items(), solved.values(), strict=True):
             for said, value, true in _stated_reaction(given.get(c), file, gradient * multiplier, multiplier, scope):
                 errors = [abs(x - y) / (1 + abs(y)) for x, y in zip(value, true, strict=False) if not math.isnan(y)]
                 if not all(e < 1e-4 for e in errors):

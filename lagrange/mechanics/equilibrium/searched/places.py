@@ -243,21 +243,27 @@ class _Search:
     def _agree(self, r: Relation, left: Any, right: Any, agrees: float) -> bool:
         """Whether the sides of a relation are equal, angles up to full turns."""
         difference = left - right
-        if r.lhs in self._turning:
-            turn = 2 * mpmath.pi * self._turning[r.lhs]
+        if r.lhs in self._periods:  # with s = h θ beside it, θ = 0 stands for θ = 2π as well
+            turn = 2 * mpmath.pi * self._periods[r.lhs]
             difference -= turn * mpmath.nint(difference / turn)
         return bool(abs(difference) <= agrees * (1 + abs(left)))
 
     @cached_property
-    def _turning(self) -> dict[sp.Symbol, Any]:
-        """The coordinates that occur in sines and cosines alone, each with its period in turns."""
-        turning = {}
-        for q in self.coordinates:
-            angle = self.e.solution.letters.angles.get(q)
+    def _periods(self) -> dict[sp.Symbol, Any]:
+        """The coordinates that occur in sines and cosines, each with its period in turns."""
+        angles = self.e.solution.letters.angles
+        ratios = {q: q / angles[q].measure for q in self.coordinates if q in angles}
+        return {q: mpmath.mpf(int(ratio)) for q, ratio in ratios.items() if ratio.is_Integer}
+
+    @cached_property
+    def _turning(self) -> frozenset[sp.Symbol]:
+        """The coordinates that occur in sines and cosines alone."""
+        turning = set()
+        for q in self._periods:
             waves = {f: sp.S.One for x in self.equations for f in x.atoms(*CIRCULAR) if q in f.free_symbols}
-            if angle is not None and not any(q in x.xreplace(waves).free_symbols for x in self.equations):
-                turning[q] = mpmath.mpf(int(q / angle.measure))
-        return turning
+            if not any(q in x.xreplace(waves).free_symbols for x in self.equations):
+                turning.add(q)
+        return frozenset(turning)
 
 
 def _is_same(place: Sequence[float], other: Sequence[float]) -> bool:

@@ -22,6 +22,13 @@ title: Rods with a torsion spring
 coordinates: [phi, psi]
 forces: {spring: {potential: 2*(phi - psi)^2}, weight: {potential: -5*cos(phi)}}
 """
+NUT = """
+title: A nut on a thread, held by a spring, with an arm that is heavy
+parameters: [k, W, h]
+coordinates: [theta, s]
+forces: {field: {potential: "k*(s - h*theta)^2/2 - W*cos(theta)"}}
+find: equilibrium
+"""
 THETA = sp.Symbol("theta", real=True)
 
 
@@ -37,10 +44,10 @@ def without(e: Equilibrium, n: int) -> Equilibrium:
     return replace(e, branches=(*e.branches[:n], *e.branches[n + 1 :]), idle=())
 
 
-@pytest.mark.parametrize("text", [BEAD, PENDULUM, SKATE, SPRING_ON_CIRCLE, CROSS_WIND, TORSION])
+@pytest.mark.parametrize("text", [BEAD, PENDULUM, SKATE, SPRING_ON_CIRCLE, CROSS_WIND, TORSION, NUT])
 def test_nothing_is_missing(text: str) -> None:
     """A spring of length 0 and a pole of the chart satisfy the conditions too: they are no equilibria. Nor are angles
-    that differ by full turns, both of them, other equilibria of two rods with a torsion spring between them.
+    that differ by full turns, both of them, other equilibria of two rods with a torsion spring between them. θ = 0 with s = h θ, for a nut, is θ = 2π too.
     """
     assert with_search(found(text)).all_found is True
 
