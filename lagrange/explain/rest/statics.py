@@ -250,8 +250,8 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
     alike: dict[tuple[str, ...], list[tuple[Part, ...]]] = {}
     for place in equilibrium.singular:
         alike.setdefault(place.springs, []).append(listed(math(r.lhs, r.rhs) for r in place.branch.equations))
-    for springs, places in alike.items():
-        where: tuple[Part, ...] = ("Where ", *series(places, " or "), ", ")
+    for springs, alternatives in alike.items():
+        where: tuple[Part, ...] = ("Where ", *series(alternatives, " or "), ", ")
         if springs:
             called = listed(f"the {link_called(name, 'spring')}" for name in springs)
             one = len(springs) == 1

@@ -139,7 +139,11 @@ def _holds(choice: Choice, row: Row, pulled: Row, through_rates: Sequence[sp.Sym
         if verdict is False:
             message = f"the choice `{choice.name}` does not satisfy the constraint `{row.name}`"
             becomes = "with the substitution it"
-            if not pulled.finite.has(Unspecified) and count_operations(pulled.finite) <= LONGEST_SHOWN:
+            if (
+                pulled.finite is not None
+                and not pulled.finite.has(Unspecified)
+                and count_operations(pulled.finite) <= LONGEST_SHOWN
+            ):
                 left = str(pulled.finite).replace("**", "^")
                 becomes += f" becomes `{left} = 0`, which"
             help_ = (
