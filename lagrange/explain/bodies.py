@@ -152,7 +152,8 @@ def moments_on(configuration: Configuration, rough: Collection[str] = ()) -> lis
             verb = plural(len(beside), " acts at", " act at")
             lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
             names = (friction_called(f.name, rough) if f.name in rough else spoken(f.name) for f in beside)
-            blocks += [prose("Of these, ", *listed(names), verb), display(*lines)]
+            one = len(beside) == len([f for f in configuration.loads if f.on == r.name]) == 1
+            blocks += [prose(*(("It",) if one else ("Of these, ", *listed(names))), verb), display(*lines)]
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")

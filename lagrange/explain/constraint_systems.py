@@ -70,8 +70,8 @@ def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Bloc
         listed(math(variation(q), size * a) for q, a in zip(slots.coordinates, direction, strict=True) if a != 0)
         for direction, size in ((found.first, epsilon), (found.second, epsilon), (found.left_over, epsilon**2))
     )
-    return [prose("Yet the system can get where no single step leads: the steps ", *first, ", then ", *second, ", then "
-                  "both back in the same order add up, to second order, to ", *left,
+    return [prose("Yet the system can get where no single step leads: with a small ", math(epsilon), ", the steps ",
+                  *first, ", then ", *second, ", then both back in the same order add up, to second order, to ", *left,
                   ", a displacement that the constraint forbids.")]  # fmt: skip
 
 

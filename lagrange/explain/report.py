@@ -39,6 +39,7 @@ from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.page.arrangement import page, without_names_of_choices
 from lagrange.explain.page.names import short_names
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
+from lagrange.explain.remarks import remarks as remarks_on
 from lagrange.explain.statement import explain_statement
 from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
@@ -53,13 +54,12 @@ from lagrange.mechanics.energy_symbols import (
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.mechanics.valued import values_in
-from lagrange.problem.model import Find, Friction, Problem
+from lagrange.problem.model import Problem
 from lagrange.problem.values import no_values
 
 if TYPE_CHECKING:
     from lagrange.explain.energy.energies import LagrangeExposition
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
-    from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.values.quantities import Values
 
@@ -174,7 +174,7 @@ def _explained(
     whole = tuple(in_full()) if complete else _later(in_full, problem)
     arranged = _later(on_page, problem) if complete else tuple(on_page())
     derivation = Derivation(problem.title, problem.source, whole, arranged)
-    remarks = (*_remarks(problem, method), *not_compared(solution, answers))
+    remarks = (*remarks_on(solution, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks, values)
 
 
@@ -198,28 +198,6 @@ def _later(make: Callable[[], Iterator[Step]], problem: Problem) -> MadeWhenRead
     return MadeWhenRead(made)
 
 
-def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
-    """Notes: on friction smaller at rest, and if a method was chosen but no equations of motion are asked for."""
-    lower = tuple(_below_kinetic(problem))
-    if method is Method.DALEMBERT or Find.MOTION in problem.find:
-        return lower
-    message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
-    help_ = "equilibrium is found by the principle of virtual work; `find: motion` asks for equations of motion"
-    return (*lower, Diagnostic("method-without-motion", message, help=help_).as_note())
-
-
-def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
-    """A note on each friction that is smaller at rest than in motion, as far as the file gives values."""
-    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    for f in problem.forces:
-        if not isinstance(f, Friction) or f.static is None:
-            continue
-        if (f.coefficient - f.static).xreplace(values).is_positive:
-            message = f"the friction `{f.name}` is smaller at rest than in motion"
-            help_ = "`static:` is usually the larger coefficient; have the two been exchanged?"
-            yield Diagnostic("static-below-kinetic", message, f.span, help=help_).as_note()
-
-
 def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: bool) -> Iterator[Step | None]:
     """The steps in the order of the chapter; None for one that has nothing to show."""
     problem, classification = solution.problem, solution.classification
@@ -238,7 +216,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     yield from _motion(solution, complete)
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
-    yield _small_oscillations(solution.own.linearization)
+    yield _small_oscillations(solution.own)
     yield _forced(solution.own)
     yield from _in_momenta(solution.own, solution)
     for c in solution.choices:
@@ -283,7 +261,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     yield _reactions(solution, c.dynamics, c.name)
     yield _rolling(c)
     yield _conserved(c.conserved, problem, c.name)
-    yield _small_oscillations(c.linearization)
+    yield _small_oscillations(c)
     yield _forced(c)
     yield from _in_momenta(c, solution)
 
@@ -334,12 +312,12 @@ def _rolling(view: InCoordinates) -> Step | None:
     return explain_rolling(view.rolling)
 
 
-def _small_oscillations(linearization: Linearization | None) -> Step | None:
-    if linearization is None:
+def _small_oscillations(view: InCoordinates) -> Step | None:
+    if view.linearization is None:
         return None
     from lagrange.explain.rest.oscillations import explain_linearization
 
-    return explain_linearization(linearization)
+    return explain_linearization(view.linearization, after_equilibrium=view.equilibrium is not None)
 
 
 def _forced(view: InCoordinates) -> Step | None:

@@ -193,11 +193,15 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
             continue
         if to == sp.oo and not any(e.free_symbols & constants for e in limit):
             continue  # of what the problem is about nothing is left
+        if to == sp.oo and _only_stops(limit, equations, view):
+            continue  # what is very heavy is not accelerated, which nobody needs to be told
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost
         shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
+        if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
+            continue  # nor that without forces there is no acceleration
         yield Limit(parameter, to, limit, shown if whole else {})
         found.append(limit)
         if len(found) == MOST_LIMITS:
@@ -249,6 +253,12 @@ def _limit(
     except DivisionByZeroError:
         return None
     return tuple(shorter) if regular else None
+
+
+def _only_stops(limit: Sequence[sp.Expr], equations: Sequence[sp.Expr], view: InCoordinates) -> bool:
+    """Whether every equation that the limit changes has come to say no more than that an acceleration is zero."""
+    changed = [e for e in limit if not any(sp.expand(e - f) == 0 for f in equations)]
+    return all(e in view.configuration.slots.accelerations for e in changed)
 
 
 def _with_zeros(equations: Sequence[sp.Expr], accelerations: Sequence[sp.Symbol]) -> list[sp.Expr]:

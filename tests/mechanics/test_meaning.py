@@ -159,3 +159,14 @@ def test_no_limit_in_which_contact_is_lost(sign: str, without_weight: bool) -> N
     found = meaning(solve(read_problem(Source("cylinder.yaml", BOWL.replace(">=", sign)))))
     assert found is not None
     assert any(x.parameter.name == "g" for x in found.limits) is without_weight
+
+
+def test_no_limit_says_only_that_nothing_accelerates() -> None:
+    """A mass that grows stands still and without forces nothing is accelerated: neither is worth a line."""
+    text = "title: Two\nparameters: [m, M, k]\ncoordinates: [x, X]\nparticles: {P: {mass: m, position: x*i}, "
+    text += "S: {mass: M, position: X*i}}\nforces: {f: {spring: k, between: [P, S]}}\n"
+    found = meaning(solve(read_problem(Source("two.yaml", text))))
+    assert found is not None
+    still = [x for x in found.limits if all(e in found.view.configuration.slots.accelerations for e in x.equations)]
+    assert not still
+    assert not [x for x in found.limits if x.to == sp.oo]

@@ -297,6 +297,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "static-below-kinetic": ("The coefficient at rest is usually the larger one; the two may have been exchanged.", problem(
         PARTICLE + "constraints: {floor: y >= 0}\n"
         "forces: {rub: {friction: 1/2, static: 1/3, constraint: floor, on: P}, push: {on: P, vector: -g*j}}")),
+    "angle-in-radians": ("A number without a unit is in units of SI, an angle in radians; 30 degrees are `30 deg`.", problem(
+        PARTICLE + "forces: {push: {on: P, vector: m*g*cos(beta)*i}}",
+        parameters="{m: positive, g: positive, beta: 30}")),
     "impending-without-friction": ("Impending motion is equilibrium with static friction at its limit.", problem(
         PARTICLE + "forces: {push: {on: P, vector: g*i}}\nfind: impending")),
     "friction-slip": ("`slip` says in which sense a particle slides along a line; leave it out where there is none.", problem(

@@ -17,7 +17,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step, Table
+from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
@@ -385,9 +385,10 @@ def _with_measures(solution: Solution, step: Step) -> Step:
     if measures is None or not isinstance(first, Prose):
         return step
     noun = next((n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith(" as generalized")), None)
-    if noun is not None:  # they have just been named
-        it = plural(len(view.configuration.slots.coordinates), "it", "them")
-        first = prose(f"With {it}", *first.parts[noun + 1 :])
+    chosen = view.configuration.slots.coordinates
+    measured = {s for p in measures.parts if isinstance(p, Math) for s in p.sides}
+    if noun is not None and {*chosen} <= measured:
+        first = prose(f"With {plural(len(chosen), 'it', 'them')}", *first.parts[noun + 1 :])
     return replace(step, body=(paragraph(measures, first), *step.body[1:]))
 
 

@@ -13,9 +13,6 @@ from lagrange.explain.words import constraints_called, in_words, joined, plural,
 from lagrange.mechanics.constraints.measures import Angle, angles, of_mass_centre
 from lagrange.mechanics.results import InCoordinates, Solution
 
-SHORT_NAME = 2
-"""The most characters of a point whose name is written beside another, as in AB."""
-
 
 def explain_measures(solution: Solution, view: InCoordinates) -> Prose | None:
     """What the coordinates of a choice are that the file has not explained; None where this was not found."""
@@ -84,9 +81,14 @@ def _axis(axis: Vector, solution: Solution) -> tuple[Part, ...]:
     return (math(axis),)
 
 
+def is_letter(name: str) -> bool:
+    """Whether a name is one letter, with a digit perhaps, so that `OP` and `P1P2` can be read: not so `OAB`."""
+    return len(name) == 1 or (len(name) == 2 and name[1].isdigit())
+
+
 def line(start: str, end: str) -> str:
     """`OP`, `AB`, or `the line from the block to the ball`."""
     first = start or "O"
-    if len(first) <= SHORT_NAME and len(end) <= SHORT_NAME:
+    if is_letter(first) and is_letter(end):
         return f"{first}{end}"
     return f"the line from {the(start) if start else 'O'} to {the(end)}"

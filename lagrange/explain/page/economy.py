@@ -108,7 +108,12 @@ def _renamed(block: Block, rule: dict[sp.Basic, sp.Basic], names: Mapping[str, s
 
 # -- what is not used ------------------------------------------------------------------------------------------------
 
-_OPENINGS = ("For brevity, write", "The unit vectors that turn with the bodies are", "With the unit vectors")
+_OPENINGS = ("For brevity, write", "The unit vectors that turn with the bodies are", "With the unit vector")
+
+_ONE = {
+    "The unit vectors that turn with the bodies are": "A unit vector that turns with a body is",
+    "With the unit vectors": "With the unit vector",
+}
 
 
 def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -133,6 +138,8 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
                 defined.add(name)
                 kept.append(e)
             if kept:
+                if len(kept) == 1 and isinstance(before, Prose):
+                    body[-1] = replace(before, parts=(_ONE.get(first, first), *before.parts[1:]))
                 body.append(replace(block, equations=tuple(kept)))
             else:
                 body.pop()
@@ -179,9 +186,12 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
     head = next((s for s in steps if s.rule is Rule.RESULT), None)
     shown = [e.sides for b in head.body if isinstance(b, Display) for e in b.equations] if head else []
     asked: dict[object, list[str | None]] = {}
+    kinematics: dict[object, list[str]] = {}
     for step in steps:
         blocks: list[Block] = []
         for block in step.body:
+            if isinstance(block, Display) and step.rule is Rule.SOLVED_REACTIONS:
+                asked |= {((e.sides[0], e.sides[-1]),): [e.label] for e in block.equations if e.label}
             if isinstance(block, Display) and step.rule is not Rule.RESULT:
                 block = _defined_once(block, defined)
             if isinstance(block, Display) and step.rule is Rule.QUESTION and not block.boxed:
@@ -192,6 +202,14 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                     blocks[-1:] = [prose("As before, ", *listed(known), holds)] if known else []
                     continue
                 asked[sides] = [e.label for e in block.equations]
+            if isinstance(block, Display) and _is_kinematic(block):
+                sides = tuple(e.sides for e in block.equations)
+                same, last = kinematics.get(sides), blocks[-1] if blocks else None
+                if same is not None and isinstance(last, Prose) and str(last.parts[-1]).endswith((" is", " are")):
+                    blocks[-1] = replace(last, parts=(*last.parts, " given by ", *listed(map(Ref, same)), "."))
+                    continue
+                if all(e.label for e in block.equations):
+                    kinematics[sides] = [e.label for e in block.equations if e.label]
             before = blocks[-1] if blocks else None
             in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
             if in_short and isinstance(block, Display) and _is_repeated(block, shown):
@@ -200,6 +218,10 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
                 blocks.append(block)
         if blocks or not step.body:
             yield replace(step, body=tuple(blocks))
+
+
+def _is_kinematic(block: Display) -> bool:
+    return all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
 
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:

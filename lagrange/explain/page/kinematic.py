@@ -20,9 +20,9 @@ from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, fr
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
-from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.displacements import conditions, explain_displacements
 from lagrange.explain.page.constraints import common_number, halved
-from lagrange.explain.words import in_words
+from lagrange.explain.words import in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
@@ -189,9 +189,18 @@ def without_solution(solution: Solution, step: Step) -> Step:
     if not solution.own.elimination.pivots:
         return step
     free, size = len(solution.own.elimination.independent), len(solution.problem.slots.coordinates)
-    words = f"{in_words(free, '').split()[0].capitalize()} of the {in_words(size, '').split()[0]} can be chosen freely."
+    words = prose(f"{in_words(free, '').split()[0].capitalize()} of the {in_words(size, '').split()[0]} can be chosen "
+                  "freely.")  # fmt: skip
+    solved = solution.own.elimination.solved(solution.problem.slots)
+    if free and solved and not any(solved.values()):  # not any of them: these
+        names = listed(
+            math(variation(solution.problem.slots.coordinates[k])) for k in solution.own.elimination.independent
+        )
+        where = (" where ", *conditions(solution.own.elimination)) if solution.own.elimination.pivots else ()
+        words = prose("So ", *listed(math(d, sp.S.Zero) for d in solved), *where, ". ", *names,
+                      plural(free, " remains free.", " remain free."))  # fmt: skip
     before, last = step.body[: at - 1], step.body[at - 1]
-    first = [paragraph(last, prose(words))] if isinstance(last, Prose) else [last, prose(words)]
+    first = [paragraph(last, words)] if isinstance(last, Prose) else [last, words]
     return replace(step, body=(*before, *first, *step.body[at + 3 :]))
 
 

@@ -20,6 +20,7 @@ from lagrange.document.builders import display, listed, math, paired, paragraph,
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
+from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
@@ -31,8 +32,6 @@ ZERO = sp.S.Zero
 LONGEST_FORMS = 12
 """The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
 """Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
-SHORT_NAME = 2
-"""The most characters of a point whose name is written beside another, as in AB."""
 
 
 def has_vector_laws(solution: Solution) -> bool:
@@ -111,7 +110,7 @@ def _along(reaction: Reaction) -> str:
     if not second and (centre is None or not centre.is_zero):
         return f"the distance of {the(first)} from a given point"
     other = second or "O"
-    if len(first) <= SHORT_NAME and len(other) <= SHORT_NAME:
+    if is_letter(first) and is_letter(other):
         return f"{other}{first}" if not second else f"{first}{other}"
     return f"the distance between {the(other) if second else 'O'} and {the(first)}"
 
@@ -241,7 +240,8 @@ def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator
     names = joined(map(the, dict.fromkeys(n for w in several for n in w.working)))
     called = constraints_called(w.reaction.name for w in several)
     does = plural(len(several), "does", "do")
-    words = f"On {names} taken separately {called} {does} work: what one loses, another gains."
+    other = "the other" if len({n for w in several for n in w.working}) == 2 else "another"
+    words = f"On {names} taken separately {called} {does} work: what one loses, {other} gains."
     yield prose(*by, " " if by else "", words)
 
 

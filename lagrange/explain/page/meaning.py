@@ -13,6 +13,7 @@ from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
+from lagrange.explain.energy.remaining import in_remaining_velocities
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
@@ -128,6 +129,7 @@ def _conserved(
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
     step = _without_constant_coordinates(step, conserved)
+    step = replace(step, body=tuple(_in_remaining(b, conserved) for b in step.body))
     short = all(count_operations(i.expression) <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
@@ -138,7 +140,7 @@ def _conserved(
             proof = ("a combination of the equations of motion",)
         called = conserved_called(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
-        quantity = math(integral.expression, CONSTANT)
+        quantity = math(in_remaining_velocities(integral.expression, conserved.motion), CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
 
 
@@ -170,6 +172,19 @@ def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:
         for b in step.body
     )
     return replace(step, body=tuple(body))
+
+
+def _in_remaining(block: Block, conserved: Conserved) -> Block:
+    """The integrals of a display without velocities that are eliminated from the equations of motion."""
+    if not isinstance(block, Display):
+        return block
+    lines = (
+        replace(e, sides=(in_remaining_velocities(e.sides[0], conserved.motion), *e.sides[1:]))
+        if (e.label or "").startswith("conserved") and isinstance(e.sides[0], sp.Expr)
+        else e
+        for e in block.equations
+    )
+    return replace(block, equations=tuple(lines))
 
 
 def _at(zero: dict[sp.Symbol, sp.Expr], equation: Equation) -> Equation:
@@ -361,7 +376,7 @@ def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
     equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)
     if changed and same:
-        equations = (*equations, plural(same, " (the other as it is)", " (the others as they are)"))
+        equations = (*equations, plural(same, " (the other unchanged)", " (the others unchanged)"))
     forces: tuple[Part, ...] = ()
     if limit.reactions:
         forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))

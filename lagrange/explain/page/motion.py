@@ -148,19 +148,25 @@ def with_conditions(step: Step, motion: EquationsOfMotion) -> Step:
     excluded = excluding(motion)
     if not excluded:
         return step
-    where = ("where ", *listed(math(e, sp.S.Zero, relation="≠") for e in excluded))
-    return replace(step, body=tuple(_conditional(b, where) for b in step.body))
+    return replace(step, body=tuple(_conditional(b, excluded, motion) for b in step.body))
 
 
-def _conditional(block: Block, where: tuple[Part, ...]) -> Block:
-    """A boxed display of equations of motion with a condition after the last of them."""
+def _conditional(block: Block, excluded: Sequence[sp.Expr], motion: EquationsOfMotion) -> Block:
+    """A boxed display of equations of motion, each condition at its equation; after the last those of several."""
     if not isinstance(block, Display) or not block.boxed:
         return block
     places = [n for n, e in enumerate(block.equations) if (e.label or "").startswith("motion")]
     if not places:
         return block
+    at: dict[int, list[sp.Expr]] = {}
+    for e in excluded:
+        owners = [] if e in motion.elimination.pivots or len(places) != len(motion.final) else [
+            n for n, equation in zip(places, motion.final, strict=True) if e in equation.factor.nonzero]  # fmt: skip
+        at.setdefault(owners[0] if len(owners) == 1 else places[-1], []).append(e)
     equations = list(block.equations)
-    equations[places[-1]] = replace(equations[places[-1]], condition=where)
+    for n, those in at.items():
+        where = ("where ", *listed(math(e, sp.S.Zero, relation="≠") for e in those))
+        equations[n] = replace(equations[n], condition=where)
     return replace(block, equations=tuple(equations))
 
 

@@ -40,10 +40,13 @@ LONGEST = 120
 """The most operations of conditions, or of a characteristic equation, that are shown."""
 
 
-def explain_linearization(linearization: Linearization) -> Step:
-    """The step on small oscillations in one set of coordinates."""
+def explain_linearization(linearization: Linearization, *, after_equilibrium: bool = False) -> Step:
+    """The step on small oscillations in one set of coordinates; `after_equilibrium`: that on equilibrium precedes."""
     name = linearization.configuration.name
     body = [*_rest(linearization)]
+    if after_equilibrium:
+        said = [*singular_places(linearization.equilibrium), *outside_ranges(linearization.equilibrium)]
+        body = [b for b in body if b not in said]
     if any(s is not None for s in linearization.at):
         body.append(_names(linearization))
     for n, (b, s) in enumerate(zip(linearization.branches, linearization.at, strict=True), start=1):

@@ -247,12 +247,14 @@ def _remarks(equilibrium: Equilibrium) -> Iterator[Block]:
 
 def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
     """The positions at which a force has no value, and why that is so."""
+    alike: dict[tuple[str, ...], list[tuple[Part, ...]]] = {}
     for place in equilibrium.singular:
-        equations = place.branch.equations
-        where: tuple[Part, ...] = ("Where ", *listed(math(r.lhs, r.rhs) for r in equations), ", ")
-        if place.springs:
-            called = listed(f"the {link_called(name, 'spring')}" for name in place.springs)
-            one = len(place.springs) == 1
+        alike.setdefault(place.springs, []).append(listed(math(r.lhs, r.rhs) for r in place.branch.equations))
+    for springs, alternatives in alike.items():
+        where: tuple[Part, ...] = ("Where ", *series(alternatives, " or "), ", ")
+        if springs:
+            called = listed(f"the {link_called(name, 'spring')}" for name in springs)
+            one = len(springs) == 1
             what = (
                 *called,
                 " has length 0 and its force" if one else " have length 0 and their forces",

@@ -21,12 +21,16 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.expression_size import Sizes
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, partial, prime
+from lagrange.core.symbols import Sign, Slots, Unspecified, partial, prime
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
 from lagrange.mechanics.constraints.limits import LONGEST_EXPANDED, LONGEST_SOLVED, MOST_SOLVED_TERMS
 from lagrange.problem.model import Choice
+
+LONGEST_SHOWN = 25
+"""The most operations of what a constraint becomes that an error shows."""
 
 
 @record
@@ -134,7 +138,17 @@ def _holds(choice: Choice, row: Row, pulled: Row, through_rates: Sequence[sp.Sym
             )
         if verdict is False:
             message = f"the choice `{choice.name}` does not satisfy the constraint `{row.name}`"
-            help_ = f"put into it, the substitution must make `{row.name}` true for all values of its coordinates"
+            becomes = "with the substitution it"
+            if (
+                pulled.finite is not None
+                and not pulled.finite.has(Unspecified)
+                and count_operations(pulled.finite) <= LONGEST_SHOWN
+            ):
+                left = str(pulled.finite).replace("**", "^")
+                becomes += f" becomes `{left} = 0`, which"
+            help_ = (
+                f"{becomes} does not hold for all values of the coordinates: correct `substitute`, or the constraint"
+            )
             if _holds_for_positive(pulled):
                 help_ = (
                     "it is satisfied for positive coordinates only: sqrt(r^2) is |r|; write the constraint in squares"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from lagrange.document.derivation import Rule, Step
-from lagrange.explain.page.coordinates import explain_independence
+from lagrange.explain.page.coordinates import explain_independence, line
 from tests.support.derivation_text import words
 from tests.support.shared import reported
 
@@ -27,3 +27,8 @@ def test_how_many_coordinates_are_independent(name: str, sentence: str) -> None:
         return
     assert said is not None
     assert words(Step(Rule.GENERALIZED_COORDINATES, "", (said,))).startswith(sentence)
+
+
+def test_a_line_is_called_by_two_letters_where_both_can_be_read() -> None:
+    assert [line("", "P"), line("P1", "P2")] == ["OP", "P1P2"]
+    assert line("", "AB") == "the line from O to AB"

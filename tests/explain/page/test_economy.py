@@ -114,3 +114,20 @@ def test_a_given_lagrangian_is_displayed_once() -> None:
 )  # fmt: skip
 def test_a_page_has_the_short_form(name: str, said: str) -> None:
     assert said in " ".join(printed(name, 100).split()).replace("( ", "(")
+
+
+def test_what_the_reaction_is_a_question_does_not_display_again() -> None:
+    found = step(display(Equation((x, y, z), label="force"), boxed=True), rule=Rule.SOLVED_REACTIONS)
+    asked = step(prose("In terms of position and velocity,"), display(Equation((x, z))), rule=Rule.QUESTION)
+    _, question = said_before([found, asked])
+    assert question.body == (prose("As before, ", Ref("force"), " holds."),)
+
+
+def test_accelerations_that_a_choice_leaves_as_they_are_stand_once() -> None:
+    def kinematics(label: str) -> Step:
+        line = Equation((VectorSymbol("r''"), x), label=label)
+        return step(prose("The acceleration is"), display(line))
+
+    first, second = said_before([kinematics("acceleration-P"), kinematics("acceleration-choice-P")])
+    assert first == kinematics("acceleration-P")
+    assert second.body == (prose("The acceleration is", " given by ", Ref("acceleration-P"), "."),)

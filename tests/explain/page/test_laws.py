@@ -12,7 +12,7 @@ from tests.support.derivation_text import said_in
     ("name", "rule", "said"),
     [
         ("ex10-double-pendulum", Rule.REACTIONS, ", and its reaction acts along it. With the tensions "),
-        ("ex10-double-pendulum", Rule.WORKLESS, " work: what one loses, another gains."),
+        ("ex10-double-pendulum", Rule.WORKLESS, " work: what one loses, the other gains."),
         ("ball-on-a-ball", Rule.WORKLESS, "In a virtual displacement the work of the reactions is the sum of "),
     ],
 )

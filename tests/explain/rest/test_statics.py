@@ -36,3 +36,19 @@ def test_a_condition_is_stated_once_and_shortly() -> None:
     assert "where k R ≥ 2m g" in words
     assert "positive where k R > 2m g: stable" in words
     assert "8m g k R" not in words
+
+
+TIED = """
+title: Slider tied to a point
+parameters: [m, a, k, c]
+coordinates: [theta]
+particles: {P: {mass: m, position: a*cos(theta)*i}}
+forces: {tie: {spring: k, between: [P, O], length: c}}
+find: [equilibrium, linearization]
+"""
+
+
+def test_places_alike_are_in_one_sentence_and_in_one_section() -> None:
+    said = " ".join(page(TIED).split())
+    assert said.count("the spring tie has length 0") == 1
+    assert "Where θ = π/2 or θ = −π/2, the spring tie has" in said
