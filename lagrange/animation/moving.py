@@ -29,7 +29,7 @@ from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OP
 from lagrange.animation.samples import sampled, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.operations import count_distinct
+from lagrange.core.operations import count_distinct, distinct_parts
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -59,7 +59,7 @@ def moving_figure(solution: Solution, simulation: Simulation | None = None) -> M
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:
-        moves = any(v.dynamics is not None for v in solution.views)
+        moves = any(v.dynamics is not None for v in solution.views) or solution.long_equations is not None
         states = simulation.equations if simulation is not None else state_equations(solution) if moves else None
         return _Maker(solution, _view(solution, states), states, simulation).made()
     except (UnmovableError, NoValueError) as error:
@@ -114,10 +114,8 @@ class _Maker:
         self._drive(slots, drawn)
         expressions = self._expressions(system, pose)
         signs = view.dynamics.signs if view.dynamics else {}
-        symbols = sorted(
-            set().union(*(e.free_symbols for group in expressions.values() for e in group)) - self._state_symbols(),
-            key=str,
-        )
+        parts = distinct_parts(e for group in expressions.values() for e in group)
+        symbols = sorted({s for s in parts if isinstance(s, sp.Symbol)} - self._state_symbols(), key=str)
         self._refuse_unknown(symbols, signs)
         along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
         parameters = [s for s in symbols if s not in along]

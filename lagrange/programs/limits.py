@@ -6,6 +6,9 @@ LARGEST_ELIMINATED = 4
 # Different parts of all expressions of a program. The largest of a shipped problem, the bicycle's, has 2,300.
 LONGEST_PROGRAM = 20_000
 
+# Different parts of the expressions in which equal parts of sums and products are searched for too.
+LONGEST_SEARCHED = 1_000
+
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
 SMALLEST_STEP = 1e-13

@@ -67,7 +67,7 @@ def _groups(simulation: Simulation) -> list[tuple[str, list[tuple[str, Any]]]]:
             values = simulation.system.along(e, simulation.times, simulation.states)
         except NotCoveredError:
             continue
-        found.setdefault((1, units.of(e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
+        found.setdefault((1, units.of_column(name, e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
     return [(unit, members) for (_, unit), members in sorted(found.items(), key=lambda item: item[0][0])]
 
 
