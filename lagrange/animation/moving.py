@@ -16,7 +16,7 @@ why.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -36,7 +36,10 @@ from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.solution import solve
+from lagrange.mechanics.through_impact import problem_begun
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
@@ -54,11 +57,11 @@ if TYPE_CHECKING:
 
 def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
     """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
-    if solution.after is not None and simulation is None:
-        solution = solution.after  # the motion after an impact, where the page has it
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:
+        if solution.impact is not None and simulation is None:
+            solution = solution.after or _after(solution, solution.impact)
         moves = any(v.dynamics is not None for v in solution.views) or solution.long_equations is not None
         states = simulation.equations if simulation is not None else state_equations(solution) if moves else None
         return _Maker(solution, _view(solution, states), states, simulation).made()
@@ -66,6 +69,18 @@ def moving_figure(solution: Solution, simulation: Simulation | None = None) -> M
         return Still(str(error))
     except ProblemError as error:
         return Still(error.diagnostics[0].message)
+
+
+def _after(solution: Solution, impact: ImpulsiveMotion) -> Solution:
+    """The motion after an impact, where the file asks nothing about it; the solution itself where it cannot be solved.
+
+    It is solved in the first coordinates that are independent then, for in others its equations are longer.
+    """
+    begun = problem_begun(solution.problem, impact)
+    begun = replace(begun, questions=(), choices=begun.choices[:1])
+    after = solve(begun, complete=False)
+    moves = after.law is not None or after.long_equations is not None
+    return solution if after.given_up or not moves else after
 
 
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:

@@ -7,7 +7,7 @@ LARGEST_ELIMINATED = 4
 LONGEST_PROGRAM = 20_000
 
 # Different parts of the expressions in which equal parts of sums and products are searched for too.
-LONGEST_SEARCHED = 1_000
+LONGEST_SEARCHED = 500
 
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
