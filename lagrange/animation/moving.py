@@ -74,13 +74,12 @@ def moving_figure(solution: Solution, simulation: Simulation | None = None) -> M
 def _after(solution: Solution, impact: ImpulsiveMotion) -> Solution:
     """The motion after an impact, where the file asks nothing about it; the solution itself where it cannot be solved.
 
-    It is solved in the first coordinates that are independent then, for in others its equations are longer.
+    Its equations alone: what would follow from the initial state in letters is not shown.
     """
     begun = problem_begun(solution.problem, impact)
-    begun = replace(begun, questions=(), choices=begun.choices[:1])
-    after = solve(begun, complete=False)
+    after = solve(replace(begun, questions=(), initial=()), complete=False)
     moves = after.law is not None or after.long_equations is not None
-    return solution if after.given_up or not moves else after
+    return solution if after.given_up or not moves else replace(after, problem=begun)
 
 
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:

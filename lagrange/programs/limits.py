@@ -30,6 +30,8 @@ NEARLY_CIRCULAR = 0.9
 TOLERANCE = 1e-10
 # How much larger the tolerance of a motion is with which one is compared that conserves nothing.
 REPEATED = 10
+# A determinant that is so many times larger or smaller than elsewhere on the way belongs to a pole of the coordinates.
+POLE = 1e4
 # Above this drift of what is conserved, or error in the constraints, a simulation counts as failed.
 LARGEST_DRIFT = 1e-6
 # Times at which a motion is given: so many a second, but no fewer and no more than these.
