@@ -458,7 +458,6 @@ class _Maker:
             conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
             equilibria=tuple(self.buttons),
             moves=self.states is not None,
-            long=self.states is None and self.solution.long_equations is not None,
             rests=self.view.equilibrium is not None,
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,

@@ -214,4 +214,11 @@ def animated(simulation: Simulation, law: Any, frames: int = 200, interval: floa
         clock.set_text(f"t = {simulation.times[k]:.2f} s")
         return [*drawn_lines, *traces, *dots, clock]
 
-    return FuncAnimation(figure, show, frames=len(range(0, len(simulation.times), step)), interval=interval, blit=False)
+    class Shown(FuncAnimation):
+        """An animation that a notebook shows by itself, with buttons."""
+
+        def _repr_html_(self) -> str:
+            html: str = self.to_jshtml()
+            return html
+
+    return Shown(figure, show, frames=len(range(0, len(simulation.times), step)), interval=interval, blit=False)

@@ -1,9 +1,9 @@
 """Poles of coordinates, over which no integration goes.
 
-The depth y = l cos θ of a pendulum is a good coordinate until the bottom. There its mass m l²/(l² − y²) is infinite, and
-the equation of motion has y = l as a second solution, on which a computed motion stays for ever, with a wrong energy.
-What is conserved shows that something has gone wrong, and the determinant of the linear equations for accelerations, far
-larger or smaller there than elsewhere on the way, that it was a pole.
+The depth y = l cos θ of a pendulum is a good coordinate until the bottom. There its mass m l²/(l² − y²) is infinite,
+and the equation of motion has y = l as a second solution, on which a computed motion stays for ever, with a wrong
+energy. What is conserved shows that something has gone wrong, and the determinant of the linear equations for
+accelerations, far larger or smaller there than elsewhere on the way, that it was a pole.
 """
 
 from __future__ import annotations
