@@ -74,7 +74,7 @@ class Units:
         for reaction in states.reactions.values():
             of(reaction)
         for _, multiplier, rate in states.idle.values():
-            power = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
+            power: Exponents = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
             self._homogeneity.alike([times(rate, multiplier), power])
 
     def of(self, expression: sp.Expr) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from lagrange.programs.state_equations import StateEquations, state_equations
 from lagrange.programs.units import Units, with_unit
@@ -35,3 +36,10 @@ def test_every_column_of_a_shipped_problem_that_states_units_has_one(name: str) 
     found = header(state_equations(solution))
     assert [n for n, unit in found.items() if not unit] == []
     assert all(unit == "J" for n, unit in found.items() if n.startswith(("energy", "jacobi")))
+
+
+def test_functions_of_which_nothing_is_known_and_samples_of_them() -> None:
+    states = in_numbers("shortening-pendulum").states
+    named = states.with_functions({"l": 2 - sp.Symbol("t", real=True) / 10})
+    assert header(named) == header(states)
+    assert header(named)["T"] == "N"
