@@ -50,7 +50,7 @@ from lagrange.programs.limits import (
     WRONG_SIGN,
 )
 from lagrange.programs.numerical_system import NumericalSystem
-from lagrange.programs.poles import REASON, pole
+from lagrange.programs.special.poles import REASON, pole
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
 from lagrange.programs.sticking import at_rest, beginning, beginning_in_plane, growth

@@ -6,8 +6,8 @@ import math
 
 import pytest
 
-from lagrange.programs.poles import REASON
 from lagrange.programs.simulation import EventKind, simulated
+from lagrange.programs.special.poles import REASON
 from tests.support.shared import in_numbers
 
 
