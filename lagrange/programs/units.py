@@ -31,8 +31,6 @@ class Units:
             self._columns["energy"] = states.energy
             self._energies.add(states.energy)
         self._homogeneity = Homogeneity(self._known)
-        if not known:
-            return  # the file states no unit
         vectors = [p.position for p in configuration.points] + [a for r in configuration.rotations for a in r.axes]
         for e in (c for v in vectors for c in v.fixed().components):
             self._homogeneity.exponents(e)
@@ -73,14 +71,12 @@ class Units:
             self._homogeneity.alike([*terms, *map(of, sp.Add.make_args(right))])
         for reaction in states.reactions.values():
             of(reaction)
-        for _, multiplier, rate in states.idle.values():
+        for _, multiplier, rate in states.idle.values() if self._known else ():
             power: Exponents = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
             self._homogeneity.alike([times(rate, multiplier), power])
 
     def of(self, expression: sp.Expr) -> str:
         """The unit of an expression; of a number none, of an angle rad, of an energy J."""
-        if not self._known:
-            return ""
         found = self._homogeneity.dimension(expression) or dimension(expression, self._known)
         if found is None:
             return ""

@@ -43,3 +43,8 @@ def test_functions_of_which_nothing_is_known_and_samples_of_them() -> None:
     named = states.with_functions({"l": 2 - sp.Symbol("t", real=True) / 10})
     assert header(named) == header(states)
     assert header(named)["T"] == "N"
+
+
+def test_an_angle_needs_no_unit_of_the_file() -> None:
+    found = header(in_numbers("beads-on-hoop").states)
+    assert (found["theta"], found["theta'"], found["energy"]) == ("rad", "rad/s", "")
