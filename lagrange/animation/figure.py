@@ -61,7 +61,6 @@ class MovingFigure:
     conserved    what is constant along the motion
     equilibria   where it can be at rest
     moves        whether there are equations of motion
-    long         whether there are, but too long for a page that nobody has asked to move
     rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
     pushed       whether it begins a little beside an equilibrium
@@ -85,7 +84,6 @@ class MovingFigure:
     released: bool
     pushed: bool = False
     orbits: bool = False
-    long: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     needed: tuple[sp.Expr, ...] = ()
     driven: tuple[sp.Symbol, ...] = ()

@@ -16,7 +16,7 @@ why.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from typing import TYPE_CHECKING, Any
 
@@ -29,14 +29,17 @@ from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OP
 from lagrange.animation.samples import sampled, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.operations import count_distinct
+from lagrange.core.operations import count_distinct, distinct_parts
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.solution import solve
+from lagrange.mechanics.through_impact import problem_begun
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
@@ -54,18 +57,29 @@ if TYPE_CHECKING:
 
 def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
     """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
-    if solution.after is not None and simulation is None:
-        solution = solution.after  # the motion after an impact, where the page has it
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:
-        moves = any(v.dynamics is not None for v in solution.views)
+        if solution.impact is not None and simulation is None:
+            solution = solution.after or _after(solution, solution.impact)
+        moves = any(v.dynamics is not None for v in solution.views) or solution.long_equations is not None
         states = simulation.equations if simulation is not None else state_equations(solution) if moves else None
         return _Maker(solution, _view(solution, states), states, simulation).made()
     except (UnmovableError, NoValueError) as error:
         return Still(str(error))
     except ProblemError as error:
         return Still(error.diagnostics[0].message)
+
+
+def _after(solution: Solution, impact: ImpulsiveMotion) -> Solution:
+    """The motion after an impact, where the file asks nothing about it; the solution itself where it cannot be solved.
+
+    Its equations alone: what would follow from the initial state in letters is not shown.
+    """
+    begun = problem_begun(solution.problem, impact)
+    after = solve(replace(begun, questions=(), initial=()), complete=False)
+    moves = after.law is not None or after.long_equations is not None
+    return solution if after.given_up or not moves else replace(after, problem=begun)
 
 
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
@@ -114,10 +128,8 @@ class _Maker:
         self._drive(slots, drawn)
         expressions = self._expressions(system, pose)
         signs = view.dynamics.signs if view.dynamics else {}
-        symbols = sorted(
-            set().union(*(e.free_symbols for group in expressions.values() for e in group)) - self._state_symbols(),
-            key=str,
-        )
+        parts = distinct_parts(e for group in expressions.values() for e in group)
+        symbols = sorted({s for s in parts if isinstance(s, sp.Symbol)} - self._state_symbols(), key=str)
         self._refuse_unknown(symbols, signs)
         along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
         parameters = [s for s in symbols if s not in along]
@@ -446,7 +458,6 @@ class _Maker:
             conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
             equilibria=tuple(self.buttons),
             moves=self.states is not None,
-            long=self.states is None and self.solution.long_equations is not None,
             rests=self.view.equilibrium is not None,
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,

@@ -141,7 +141,7 @@ class SimulatedMotion:
         return phase_plane(self.simulation, coordinates[name])
 
     def animate(self, frames: int = 200) -> Any:
-        """The points, rods and springs in motion: a `FuncAnimation`, whose `to_jshtml()` a notebook shows."""
+        """The points, rods and springs in motion: a `FuncAnimation`, which a notebook shows by itself."""
         require("matplotlib")
         from lagrange.programs.plots import animated
 

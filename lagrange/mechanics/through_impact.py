@@ -75,6 +75,14 @@ def problem_after(problem: Problem, found: ImpulsiveMotion) -> Problem:
     )
 
 
+def problem_begun(problem: Problem, found: ImpulsiveMotion) -> Problem:
+    """The same; coordinates that `before` leaves open are those of `initial`."""
+    after = problem_after(problem, found)
+    known = {v.symbol for v in after.initial}
+    places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)
+    return replace(after, initial=(*after.initial, *places))
+
+
 def _within(choice: Choice, persistent: Sequence[Constraint]) -> Choice | None:
     """The choice without the coordinates that persistent constraints give by the others; None where that fails."""
     coordinates, substitute = [*choice.coordinates], dict(choice.substitute or {})

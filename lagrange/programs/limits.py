@@ -6,6 +6,9 @@ LARGEST_ELIMINATED = 4
 # Different parts of all expressions of a program. The largest of a shipped problem, the bicycle's, has 2,300.
 LONGEST_PROGRAM = 20_000
 
+# Different parts of the expressions in which equal parts of sums and products are searched for too.
+LONGEST_SEARCHED = 500
+
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
 SMALLEST_STEP = 1e-13
@@ -27,6 +30,8 @@ NEARLY_CIRCULAR = 0.9
 TOLERANCE = 1e-10
 # How much larger the tolerance of a motion is with which one is compared that conserves nothing.
 REPEATED = 10
+# A determinant that is so many times larger or smaller than elsewhere on the way belongs to a pole of the coordinates.
+POLE = 1e4
 # Above this drift of what is conserved, or error in the constraints, a simulation counts as failed.
 LARGEST_DRIFT = 1e-6
 # Times at which a motion is given: so many a second, but no fewer and no more than these.

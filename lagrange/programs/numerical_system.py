@@ -99,6 +99,12 @@ class NumericalSystem:
 
         return solved
 
+    @cached_property
+    def matrix(self) -> Rate:
+        """The rows of the linear equations for s' and λ, one after another."""
+        made: Rate = self._compiled([*chain.from_iterable(self.states.equations.matrix)])
+        return made
+
     def function_of(self, expressions: Sequence[sp.Expr]) -> Callable[..., list[float]]:
         """Several expressions of the state alone."""
         made: Callable[..., list[float]] = self._compiled(expressions)

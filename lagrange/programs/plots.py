@@ -67,7 +67,7 @@ def _groups(simulation: Simulation) -> list[tuple[str, list[tuple[str, Any]]]]:
             values = simulation.system.along(e, simulation.times, simulation.states)
         except NotCoveredError:
             continue
-        found.setdefault((1, units.of(e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
+        found.setdefault((1, units.of_column(name, e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
     return [(unit, members) for (_, unit), members in sorted(found.items(), key=lambda item: item[0][0])]
 
 
@@ -214,4 +214,11 @@ def animated(simulation: Simulation, law: Any, frames: int = 200, interval: floa
         clock.set_text(f"t = {simulation.times[k]:.2f} s")
         return [*drawn_lines, *traces, *dots, clock]
 
-    return FuncAnimation(figure, show, frames=len(range(0, len(simulation.times), step)), interval=interval, blit=False)
+    class Shown(FuncAnimation):
+        """An animation that a notebook shows by itself, with buttons."""
+
+        def _repr_html_(self) -> str:
+            html: str = self.to_jshtml()
+            return html
+
+    return Shown(figure, show, frames=len(range(0, len(simulation.times), step)), interval=interval, blit=False)

@@ -72,15 +72,12 @@ def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Pro
     """The motion after the impact of a file: it begins with the velocities that the impact leaves, in the position of
     the impact. Coordinates that `before` leaves open are those of `initial`.
     """
-    from lagrange.mechanics.through_impact import problem_after
+    from lagrange.mechanics.through_impact import problem_begun
 
     blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
     found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
     assert found is not None
-    after = problem_after(problem, found)
-    known = {v.symbol for v in after.initial}
-    places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)
-    return replace(after, initial=(*after.initial, *places))
+    return problem_begun(problem, found)
 
 
 def require_masses(problem: Problem) -> None:

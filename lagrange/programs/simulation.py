@@ -50,6 +50,7 @@ from lagrange.programs.limits import (
     WRONG_SIGN,
 )
 from lagrange.programs.numerical_system import NumericalSystem
+from lagrange.programs.special.poles import REASON, pole
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
 from lagrange.programs.sticking import at_rest, beginning, beginning_in_plane, growth
@@ -184,12 +185,30 @@ def simulated(
     if 0 < run.ended < until:
         run = _Run(states, start, until, questions, samples, tolerance, shown=run.ended)
         run.go()
-    made = run.result()
+    made = _until_pole(run.result())
     if made.drift or not len(made.times):
         return made
     again = _Run(states, start, until, (), samples, REPEATED * tolerance, shown=run.ended)
     again.go()
     return replace(made, repeated=_distance(made.states, again.result().states))
+
+
+def _until_pole(made: Simulation) -> Simulation:
+    """The motion as far as a pole of the coordinates, if what is conserved changes there."""
+    name = max(made.drift, key=lambda n: made.drift[n], default=None)
+    if name is None or not made.drift[name] > LARGEST_DRIFT:
+        return made
+    import numpy
+
+    values = made.system.along(made.equations.conserved[name], made.times, made.states)
+    share = made.drift[name] / float(numpy.abs(values - values[0]).max())
+    k = pole(made.system, made.times, made.states, share * numpy.abs(values - values[0]), LARGEST_DRIFT)
+    if k is None:
+        return made
+    end = float(made.times[k])
+    stop = Event(EventKind.STOPPED, REASON, end, tuple(made.states[:, k].tolist()))
+    events = (*(e for e in made.events if e.time <= end), stop)
+    return _judged(replace(made, times=made.times[: k + 1], states=made.states[:, : k + 1], events=events))
 
 
 class _Run:

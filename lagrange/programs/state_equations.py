@@ -56,6 +56,9 @@ class StateEquations:
     signs       each open sign of a reaction, with the expression whose sign it is
     branches    the signs of square roots that the coordinates leave open
     given       expressions that have taken the place of undefined functions and prescribed motions, by name
+    before      the equations before these took their place
+    idle        of the reactions that are always zero, by name: the force, its multiplier, and the rate of the
+                constraint, whose product with the multiplier is a power
     """
 
     problem: Problem
@@ -73,6 +76,13 @@ class StateEquations:
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
     given: Mapping[str, sp.Expr] = field(default_factory=dict)
+    before: StateEquations | None = None
+    idle: Mapping[str, tuple[sp.Expr, sp.Symbol, sp.Expr]] = field(default_factory=dict)
+
+    @property
+    def open(self) -> StateEquations:
+        """The equations with the undefined functions and prescribed motions of the file."""
+        return self if self.before is None else self.before
 
     @property
     def name(self) -> str:
@@ -149,6 +159,7 @@ class StateEquations:
             masses={n: put(x) for n, x in self.masses.items()},
             signs={s: put(x) for s, x in self.signs.items()},
             given={**self.given, **given},
+            before=self.open,
         )
 
 
@@ -221,6 +232,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     def here(e: sp.Expr) -> sp.Expr:
         return e.xreplace(rates)
 
+    reactions = {n: (r, here(e)) for n, r, e in _reactions(dynamics, law, equations)}
     watched = contacts(dynamics, law.newton.reactions, equations.multipliers)
     states = StateEquations(
         problem=problem,
@@ -229,7 +241,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         equations=equations,
         energy=_energy(found, here),
         conserved={name: here(e) for name, e in _named(found)},
-        reactions={n: here(e) for n, e in _reactions(dynamics, law, equations)},
+        reactions={n: e for n, (_, e) in reactions.items()},
         contacts=tuple(replace(c, value=here(c.value)) for c in watched),
         slips=tuple(map(here, dynamics.slips)),
         plane_slips=tuple(
@@ -239,6 +251,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         masses={m.name: here(m.mass) for m in dynamics.shown.variable_masses},
         signs={s: here(e) for s, e in dynamics.signs.items()},
         branches=view.signs,
+        idle={n: _idle(n, r, law) for n, (r, e) in reactions.items() if e == 0},
     )
     _refuse_accelerations(states)
     return states
@@ -275,7 +288,7 @@ def _named(found: Conserved) -> Iterator[tuple[str, sp.Expr]]:
         yield name, integral.expression
 
 
-def _reactions(dynamics: Motion, law: NewtonLaw, equations: FirstOrder) -> Iterator[tuple[str, sp.Expr]]:
+def _reactions(dynamics: Motion, law: NewtonLaw, equations: FirstOrder) -> Iterator[tuple[str, Reaction, sp.Expr]]:
     """The reactions in state and multipliers, under the names that the page has; those too long to write are solved."""
     known = dynamics.reactions
     for r in law.newton.reactions:
@@ -283,14 +296,20 @@ def _reactions(dynamics: Motion, law: NewtonLaw, equations: FirstOrder) -> Itera
         value = size if size is not None else (known.multipliers.get(r.name) if known is not None else None)
         name = _name_of(r, size is not None)
         if r.multiplier in equations.multipliers and (value is None or value.has(r.multiplier)):
-            yield r.force.name if not r.named else r.multiplier.name, r.multiplier
+            yield r.force.name if not r.named else r.multiplier.name, r, r.multiplier
         elif value is not None:
-            yield name, value
+            yield name, r, value
 
 
 def _name_of(reaction: Reaction, is_size: bool) -> str:
     symbol = (reaction.symbol or reaction.multiplier) if is_size else reaction.multiplier
     return str(symbol.name)
+
+
+def _idle(name: str, reaction: Reaction, law: NewtonLaw) -> tuple[sp.Expr, sp.Symbol, sp.Expr]:
+    is_force = name != reaction.multiplier.name and reaction.single is not None
+    factor = reaction.single.factor if is_force and reaction.single is not None else sp.S.One
+    return factor * reaction.multiplier, reaction.multiplier, reaction.row.velocity_form(law.configuration.slots)
 
 
 def _refuse_accelerations(states: StateEquations) -> None:

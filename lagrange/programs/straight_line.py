@@ -12,13 +12,15 @@ else needs a solver with pivoting, which each language has or gets (`languages.p
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, count
 
 import sympy as sp
 
+from lagrange.core.operations import count_distinct, distinct_parts
 from lagrange.core.records import record
-from lagrange.programs.limits import LARGEST_ELIMINATED
+from lagrange.programs.limits import LARGEST_ELIMINATED, LONGEST_SEARCHED
 
 Assignment = tuple[sp.Symbol, sp.Expr]
 
@@ -39,8 +41,38 @@ def temporaries() -> Iterator[sp.Symbol]:
 def straight_line(outputs: Sequence[sp.Expr], symbols: Iterator[sp.Symbol] | None = None) -> StraightLine:
     """The outputs without repeated parts."""
     names = temporaries() if symbols is None else symbols
+    if count_distinct(outputs) > LONGEST_SEARCHED:
+        return _shared(outputs, names)
     assignments, reduced = sp.cse(list(outputs), symbols=names, optimizations=None, order="none", list=True)
     return StraightLine(tuple(assignments), tuple(reduced))
+
+
+def _shared(outputs: Sequence[sp.Expr], names: Iterator[sp.Symbol]) -> StraightLine:
+    """The same for long expressions: parts that occur more than once as they stand, without a search in sums and
+    products for others, which takes ten times as long and finds little in expressions that are built of common parts.
+    """
+    written: dict[sp.Basic, sp.Basic] = {}
+    assignments: list[Assignment] = []
+    uses = Counter(a for e in distinct_parts(outputs) for a in e.args if a.args)
+    uses.update(e for e in outputs if e.args)
+    waiting: list[tuple[sp.Basic, bool]] = [(e, False) for e in reversed(outputs)]
+    while waiting:
+        e, ready = waiting.pop()
+        if e in written:
+            continue
+        if not e.args or e.is_number:
+            written[e] = e
+        elif not ready:
+            waiting.append((e, True))
+            waiting += [(a, False) for a in e.args if a not in written]
+        else:
+            args = [written[a] for a in e.args]
+            made = type(e)._from_args(args, is_commutative=True) if isinstance(e, sp.Add | sp.Mul) else e.func(*args)
+            written[e] = made
+            if uses[e] > 1:
+                written[e] = next(names)
+                assignments.append((written[e], made))
+    return StraightLine(tuple(assignments), tuple(written[e] for e in outputs))
 
 
 def can_be_eliminated(size: int, constraints: int) -> bool:

@@ -24,7 +24,7 @@ def columns(simulation: Simulation) -> Iterator[tuple[str, str, Any]]:
             values = simulation.system.along(expression, simulation.times, simulation.states)
         except NotCoveredError:
             continue
-        yield name, units.of(expression), values
+        yield name, units.of_column(name, expression), values
 
 
 def csv_text(simulation: Simulation) -> str:

@@ -2,51 +2,98 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from fractions import Fraction
 
 import sympy as sp
 
 from lagrange.core.symbols import base
-from lagrange.core.units import NO_DIMENSION, Dimension, unit_called, unit_of
+from lagrange.core.units import BASE, NO_DIMENSION, Dimension, unit_called, unit_of
+from lagrange.problem.model import ENERGY
 from lagrange.problem.values import no_values, values_of
 from lagrange.programs.state_equations import StateEquations
-from lagrange.values.dimensions import dimension, dimensions_needed
+from lagrange.values.dimensions import dimension
+from lagrange.values.homogeneity import Exponents, Homogeneity, product
 
 
 class Units:
     """The units of the expressions of a motion."""
 
     def __init__(self, states: StateEquations) -> None:
-        problem = states.problem
+        states = states.open  # where functions and prescribed motions have dimensions, and no samples with bare numbers
+        problem, configuration = states.problem, states.configuration
         known: dict[sp.Symbol, Dimension] = dict((values_of(problem) or no_values(problem)).units)
-        configuration = states.configuration
+        self._angles = {q.symbol for q in problem.coordinates if (u := unit_of(q.unit)) is not None and u.is_angle}
+        self._known = known | dict.fromkeys(self._angles, NO_DIMENSION)
+        idle = {name: force for name, (force, _, _) in states.idle.items()}
+        self._columns = {**states.reactions, **idle, **states.conserved}
+        self._energies = {e for name, e in states.conserved.items() if name.startswith(ENERGIES)}
+        if states.energy is not None:
+            self._columns["energy"] = states.energy
+            self._energies.add(states.energy)
+        self._homogeneity = Homogeneity(self._known)
         vectors = [p.position for p in configuration.points] + [a for r in configuration.rotations for a in r.axes]
-        places = (c for v in vectors for c in v.fixed().components)
-        waves = (w.args[0] for e in (*states.expressions, *places) for w in e.atoms(sp.sin, sp.cos, sp.tan))
-        angles = {s for w in waves for term in sp.Add.make_args(w) if (s := term.as_coeff_Mul()[1]).is_Symbol}
-        self._angles = {q for q in states.equations.slots.coordinates if q in angles and _is_number(known.get(q))}
-        self._angles |= {q.symbol for q in problem.coordinates if (u := unit_of(q.unit)) is not None and u.is_angle}
-        known |= dict.fromkeys(self._angles, NO_DIMENSION)
+        for e in (c for v in vectors for c in v.fixed().components):
+            self._homogeneity.exponents(e)
         for choice in problem.choices:
-            stated = [(e, known[q]) for q, e in (choice.substitute or {}).items() if q in known]
-            known = {**(dimensions_needed(stated, known) or {}), **known}
+            for q, e in (choice.substitute or {}).items():
+                self._homogeneity.equal(q, e)
         for speed in problem.speeds:
-            found = dimension(speed.definition, known)
+            self._homogeneity.equal(speed.symbol, speed.definition)
+        self._learn(states)
+        places = {*states.equations.slots.coordinates, *(q for c in problem.choices for q in c.coordinates)}
+        places |= {*problem.slots.coordinates}
+        stated = {q.symbol for q in problem.coordinates if q.unit}
+        symbols = {*places, *states.equations.slots.prescribed, *states.equations.speeds, *states.equations.multipliers}
+        for s in sorted(map(base, symbols), key=str):
+            found = self._homogeneity.dimension(s)
             if found is not None:
-                known[speed.symbol] = found
-        self._known: Mapping[sp.Symbol, Dimension] = known
+                self._known[s] = found
+        if any(self._homogeneity.dimension(e) == _ENERGY for e in self._energies):
+            self._known[ENERGY] = _ENERGY
+            self._energies.add(ENERGY)
+        self._angles |= {q for q in places - stated if self._known.get(q) == NO_DIMENSION}
+        self._angles |= {s.symbol for s in problem.speeds if self._known.get(s.symbol) == _RATE}
+
+    def _learn(self, states: StateEquations) -> None:
+        """M s' − Aᵀ λ = f and A s' = b, each row of one dimension, and what belongs to the motion beside them."""
+        e, of = states.equations, self._homogeneity.exponents
+
+        def times(coefficient: sp.Expr, unknown: sp.Symbol) -> Exponents | None:
+            first, second = of(coefficient), of(unknown)
+            return None if first is None or second is None else product((first, 1), (second, 1))
+
+        for v, rate in zip(e.slots.velocities, e.rates, strict=True):
+            self._homogeneity.equal(v, rate)
+        for g in (*e.kept, *([] if states.energy is None else [states.energy]), *states.conserved.values()):
+            of(g)
+        for row, right in zip(e.matrix, e.right, strict=True):
+            terms = [times(c, x) for c, x in zip(row, e.unknowns, strict=True) if c != 0]
+            self._homogeneity.alike([*terms, *map(of, sp.Add.make_args(right))])
+        for reaction in states.reactions.values():
+            of(reaction)
+        for _, multiplier, rate in states.idle.values() if self._known else ():
+            power: Exponents = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
+            self._homogeneity.alike([times(rate, multiplier), power])
 
     def of(self, expression: sp.Expr) -> str:
-        """The unit of an expression; of a number none, of an angle rad."""
-        found = dimension(expression, self._known)
+        """The unit of an expression; of a number none, of an angle rad, of an energy J."""
+        found = self._homogeneity.dimension(expression) or dimension(expression, self._known)
         if found is None:
             return ""
+        if found == _ENERGY and expression in self._energies:
+            return "J"
         turns = bool(expression.is_Symbol) and base(expression) in self._angles
         return unit_called(found, turns)
 
+    def of_column(self, name: str, expression: sp.Expr) -> str:
+        """That of a reaction or a conserved quantity, by its name."""
+        return self.of(self._columns.get(name, expression))
 
-def _is_number(found: Dimension | None) -> bool:
-    return found is None or found == NO_DIMENSION
+
+ENERGIES = ("energy", "jacobi")
+_RATE: Dimension = tuple(sp.Integer(-(unit == "s")) for unit in BASE)
+_POWER: Dimension = tuple(sp.Integer({"kg": 1, "m": 2, "s": -3}.get(unit, 0)) for unit in BASE)
+_ENERGY: Dimension = tuple(sp.Integer({"kg": 1, "m": 2, "s": -2}.get(unit, 0)) for unit in BASE)
 
 
 def with_unit(name: str, unit: str) -> str:

@@ -262,11 +262,6 @@ class _Controls:
             )
         if figure.pushed:
             parts.append("It would stay at rest in this position, and begins a little beside it.")
-        if figure.long:
-            parts.append(
-                "The equations of motion are too long for this page: <code>lagsolve simulate</code> integrates them, "
-                "and with <code>-o motion.html</code> writes a page that plays the motion."
-            )
         if figure.orbits:
             parts.append("There is an attraction: it begins in a nearly circular orbit.")
         if figure.data["motion"]:

@@ -56,7 +56,7 @@ ROOMS = {
     "numpy": {
         *("lagrange.api.numerical", "lagrange.api.motion", "lagrange.programs.compiled"),
         *("lagrange.programs.numerical_system", "lagrange.programs.simulation", "lagrange.programs.sticking"),
-        "lagrange.programs.special.orbits",
+        *("lagrange.programs.special.orbits", "lagrange.programs.special.poles"),
     },
     "scipy": {"lagrange.mechanics.questions.numerical", "lagrange.programs.integrator"},
     "matplotlib": {"lagrange.programs.plots"},

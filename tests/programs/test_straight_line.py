@@ -26,6 +26,17 @@ def test_repeated_parts_are_computed_once() -> None:
     assert carried_out(program, values) == pytest.approx([float(e.subs(values)) for e in (part**2, part + 1)])
 
 
+def test_long_expressions_share_the_parts_that_occur_more_than_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lagrange.programs.straight_line.LONGEST_SEARCHED", 1)
+    part = sp.sin(x * y) + 2 * x
+    outputs = [part**2 - part / y, x * part * y, part, sp.Integer(3), x]
+    program = straight_line(outputs)
+    assert [e for _, e in program.assignments if e.has(sp.sin)] == [sp.sin(x * y) + 2 * x]
+    assert symbols_of(program) == {x, y}
+    values = {x: 0.7, y: 1.9}
+    assert carried_out(program, values) == pytest.approx([float(e.subs(values)) for e in outputs])
+
+
 def test_a_linear_system_is_eliminated() -> None:
     matrix, right = [[sp.Integer(2), x], [x, y]], [x * y, sp.Integer(1)]
     values = {x: 0.5, y: 2.0}

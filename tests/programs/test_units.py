@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
+import pytest
+import sympy as sp
+
+from lagrange.programs.state_equations import StateEquations, state_equations
 from lagrange.programs.units import Units, with_unit
-from tests.support.shared import in_numbers
+from tests.support.shared import asking, in_numbers, solved
+
+
+def header(states: StateEquations) -> dict[str, str]:
+    """The names and units of the columns of a table."""
+    units = Units(states)
+    energy = {} if states.energy is None else {"energy": states.energy}
+    more = {**states.reactions, **energy, **states.conserved}
+    return {s.name: units.of(s) for s in states.state} | {n: units.of_column(n, e) for n, e in more.items()}
 
 
 def test_an_angle_is_in_radians() -> None:
@@ -13,3 +25,26 @@ def test_an_angle_is_in_radians() -> None:
     assert (units.of(theta), units.of(rate)) == ("rad", "rad/s")
     assert with_unit("theta", "rad") == "theta (rad)"
     assert with_unit("n", "") == "n"
+
+
+@pytest.mark.parametrize("name", asking("motion"))
+def test_every_column_of_a_shipped_problem_that_states_units_has_one(name: str) -> None:
+    solution = solved(name)
+    problem = solution.problem
+    if not any(p.unit for p in (*problem.parameters, *problem.coordinates)) or solution.law is None:
+        return
+    found = header(state_equations(solution))
+    assert [n for n, unit in found.items() if not unit] == []
+    assert all(unit == "J" for n, unit in found.items() if n.startswith(("energy", "jacobi")))
+
+
+def test_functions_of_which_nothing_is_known_and_samples_of_them() -> None:
+    states = in_numbers("shortening-pendulum").states
+    named = states.with_functions({"l": 2 - sp.Symbol("t", real=True) / 10})
+    assert header(named) == header(states)
+    assert header(named)["T"] == "N"
+
+
+def test_an_angle_needs_no_unit_of_the_file() -> None:
+    found = header(in_numbers("beads-on-hoop").states)
+    assert (found["theta"], found["theta'"], found["energy"]) == ("rad", "rad/s", "")

@@ -73,6 +73,7 @@ class Sampler:
         self._points: dict[int, FieldPoint | None] = {}
         self._real_points: dict[int, RealPoint | None] = {}
         self._squares: frozenset[int] = frozenset()
+        self._ranks_of_roots: dict[tuple[int, ...], int] = {}
 
     @cached_property
     def order(self) -> SolutionOrder | None:

@@ -113,7 +113,15 @@ class Branches:
     walls      nodes that change their sign where one of the signs changes
     """
 
-    def __init__(self, graph: Nodes, nodes: Sequence[int], draw: Callable[[], FieldPoint]) -> None:
+    def __init__(
+        self,
+        graph: Nodes,
+        nodes: Sequence[int],
+        draw: Callable[[], FieldPoint],
+        ranks: dict[tuple[int, ...], int] | None = None,
+    ) -> None:
+        """The signs on which some nodes depend; `ranks` has those of radicands that were looked at before."""
+        ranks = {} if ranks is None else ranks
         needed = [n for n in graph.needed(nodes) if n in graph.branching]
         self._graph = graph
         self._readable = [n for n in needed if graph.operations[n] != Op.ROOT]
@@ -124,7 +132,9 @@ class Branches:
         radicands = {graph.data[n][0] for n in needed if graph.operations[n] == Op.ROOT}
         # The criterion is about radicands that are rational at the point; a root within a root stays ambiguous.
         plain = sorted(n for n in radicands if not graph.branching.intersection(graph.order(n)))
-        self.ambiguous = len(radicands) - _independent(plain, draw)
+        if (place := tuple(plain)) not in ranks:
+            ranks[place] = _independent(plain, draw)
+        self.ambiguous = len(radicands) - ranks[place]
         changing = [graph.data[n][0] for n in self._readable]
         self.walls = [*changing, *(sorted(radicands) if self.ambiguous else ())]
         self._patterns: dict[int, None] = {}

@@ -203,7 +203,7 @@ class Surface(Sampler):
         Raises DivisionByZeroError, NoPointError, UnsupportedError.
         """
         # Square roots put points on one of several components of the surface: two points are too few to meet them.
-        branches = Branches(self.graph, nodes, self._new_point)
+        branches = Branches(self.graph, nodes, self._new_point, self._ranks_of_roots)
         least = ZERO_POINTS_AFTER_ROOTS if self.has_roots else ZERO_POINTS
 
         def met(point: Point) -> T:

@@ -9,6 +9,8 @@ import pytest
 import sympy as sp
 
 import lagrange
+from lagrange.animation.figure import MovingFigure
+from lagrange.animation.moving import moving_figure
 from lagrange.core.operations import count_distinct
 from lagrange.mechanics.nearby.long_equations import long_equations
 from lagrange.programs.languages import Target
@@ -42,6 +44,9 @@ def test_equations_too_long_to_print_are_the_same_motion() -> None:
         d * NumericalSystem(long, made.start.values).function(e)(0.0, *y) for d, e in zip(flow, change, strict=True)
     ]
     assert sum(powers) == pytest.approx(0, abs=1e-9 * max(map(abs, powers)))
+    figure = moving_figure(replace(solution, long_equations=found))
+    assert isinstance(figure, MovingFigure)
+    assert figure.moves
     assert "lambda" not in source_file(long, made.start, Target.C).split("#include")[1]
 
 
