@@ -189,13 +189,21 @@ def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]
 
 def _senses(asked: Asked) -> Block:
     """`At first ẏ > 0, and as long as this holds the modulus of ẏ is ẏ.`"""
-    signs = listed(math(v, sp.S.Zero, relation=">" if s > 0 else "<") for v, s in asked.senses.items())
-    one = len(asked.senses) == 1
+    senses = dict(_as_modulus(v, s) for v, s in asked.senses.items())
+    signs = listed(math(v, sp.S.Zero, relation=">" if s > 0 else "<") for v, s in senses.items())
+    one = len(senses) == 1
     what = "its modulus is it, or its opposite" if not one else ""
-    [v, *_] = asked.senses
-    same: tuple[Part, ...] = (math(sp.Abs(v), v if asked.senses[v] > 0 else -v),) if one else (what,)
+    [v, *_] = senses
+    same: tuple[Part, ...] = (math(sp.Abs(v), v if senses[v] > 0 else -v),) if one else (what,)
     begins = "The motion begins with " if asked.turning is None else "It goes back with "
     return prose(begins, *signs, ", and as long as this holds, ", *same, ".")
+
+
+def _as_modulus(v: sp.Expr, sign: int) -> tuple[sp.Expr, int]:
+    """A velocity with the sign that it has in its modulus: |b − a| is written for |a − b| too."""
+    modulus = sp.Abs(v)
+    inside = modulus.args[0] if isinstance(modulus, sp.Abs) else v
+    return (v, sign) if inside == v else (-v, -sign)
 
 
 def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]) -> Iterator[Block]:

@@ -18,7 +18,7 @@ from concurrent.futures import Executor, Future
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from lagrange import __version__
+import lagrange
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
 from lagsolve.grading.worker import CallFailedError, Limits, LostError, Worker
@@ -166,17 +166,17 @@ def _threads(client: Any, address: str) -> int:
         versions = set(client.run(_version).values())
     except Exception as error:
         message = f"the workers at {address} cannot grade: {_one_line(error)}"
-        help_ = f"they need lagsolve {__version__} and what it needs"
+        help_ = f"they need lagsolve {lagrange.__version__} and what it needs"
         raise ProblemError(Diagnostic("no-cluster", message, help=help_)) from None
-    if versions != {__version__}:
-        message = f"the workers at {address} have lagsolve {', '.join(sorted(versions))}, not {__version__}"
+    if versions != {lagrange.__version__}:
+        message = f"the workers at {address} have lagsolve {', '.join(sorted(versions))}, not {lagrange.__version__}"
         raise ProblemError(Diagnostic("no-cluster", message, help="install the same version everywhere"))
     threads: int = sum(client.nthreads().values())
     return max(1, threads)
 
 
 def _version() -> str:
-    return __version__
+    return lagrange.__version__
 
 
 def _one_line(error: Exception) -> str:

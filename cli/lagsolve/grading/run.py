@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from lagrange import __version__
+import lagrange
 from lagrange.answers.submissions import Graded, Submission
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
@@ -161,7 +161,7 @@ class Batch:
     def __init__(self, run: GradingRun, asked: Sequence[Asked], unread: Sequence[UnreadSubmission]) -> None:
         self._run, self._asked, self._entries = run, asked, unread
         self._pages = page_names(self._called((e.name, n)) for e in unread for n in range(len(asked)))
-        self._version = __version__
+        self._version = lagrange.__version__
         self._keys: dict[Key, str] = {}  # of submissions that are being graded
         self.rows: dict[Key, TableRow] = {}
         self.outcomes: list[Outcome] = []

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import click
 
-from lagrange import __version__
+import lagrange
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagsolve.command_group import write_stderr
 from lagsolve.written_files import unwritable, write_file
@@ -139,7 +139,7 @@ _NEXT = {
 
 
 def _gradescope() -> dict[str, str]:
-    return {"setup.sh": _SETUP.format(version=__version__), "run_autograder": _RUN.format(problem=_PROBLEM)}
+    return {"setup.sh": _SETUP.format(version=lagrange.__version__), "run_autograder": _RUN.format(problem=_PROBLEM)}
 
 
 def _prairielearn(source: Source) -> dict[str, str]:

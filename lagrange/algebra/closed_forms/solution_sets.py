@@ -22,6 +22,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, dif
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
@@ -253,8 +254,8 @@ def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) ->
 
     def value(e: sp.Expr) -> sp.Expr:
         given = resolved(e, known)
-        given = given if given == e else factored_quotient(given)  # what was divided by may cancel
-        return without_leading_minus(shortest_form(letters.write(given)))
+        forms = [given] if given == e else [given, factored_quotient(given)]  # what was divided by may cancel
+        return without_leading_minus(min((shortest_form(letters.write(f)) for f in forms), key=count_operations))
 
     relations = [Relation(letters.write(r.lhs), value(r.rhs)) for r in sorted(b.relations, key=place)]
     conditions = [

@@ -187,7 +187,7 @@ class ParameterPolynomials:
         candidates = {shared(a, b) for a, b in combinations(several, 2)} - {0}
         if not candidates:
             return None
-        return min(candidates, key=lambda f: (-self._saving(f, polynomial), not self._is_positive(f), self._name(f)))
+        return min(candidates, key=lambda f: (-self._saving(f, polynomial), not self.is_positive(f), self._name(f)))
 
     def _saving(self, factor: int, polynomial: Polynomial) -> int:
         numbers = [c for m, c in polynomial.items() if divides(factor, m)]
@@ -196,9 +196,9 @@ class ParameterPolynomials:
     def _is_coordinate(self, monomial: int) -> bool:
         """Whether it is one symbol that may have either sign."""
         places = unpack(monomial)
-        return len(places) == 1 and places[0][1] == 1 and not self._is_positive(monomial)
+        return len(places) == 1 and places[0][1] == 1 and not self.is_positive(monomial)
 
-    def _is_positive(self, monomial: int) -> bool:
+    def is_positive(self, monomial: int) -> bool:
         """Whether it is a product of positive parameters."""
         return all(self._basis.generators[i].expression.is_positive for i, _ in unpack(monomial))
 
@@ -339,7 +339,8 @@ class Textbook:
             numerator, denominator = as_fraction(piece) if len(piece) < len(coefficient) else (piece, 0)
             waves = self._waves(numerator)
             for powers, p in waves.items():
-                terms = [self._parameters.factored(p)] if powers and len(waves) == 1 else self._parameters.terms(p)
+                is_coefficient = powers and len(waves) == 1 and all(map(self._parameters.is_positive, p))
+                terms = [self._parameters.factored(p)] if is_coefficient else self._parameters.terms(p)
                 parts += [self._over(self._part(t, powers), denominator) for t in terms]
         return merged_products(parts)
 
