@@ -75,9 +75,9 @@ def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Pro
     from lagrange.mechanics.through_impact import problem_after
 
     blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
-    found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
-    assert found is not None
-    after = problem_after(problem, found)
+    motion = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
+    assert motion is not None
+    after = problem_after(problem, motion)
     known = {v.symbol for v in after.initial}
     places = (v for v in problem.initial if v.symbol in problem.slots.coordinates and v.symbol not in known)
     return replace(after, initial=(*after.initial, *places))

@@ -31,22 +31,22 @@ class Units:
             stated = [(e, known[q]) for q, e in (choice.substitute or {}).items() if q in known]
             known = {**(dimensions_needed(stated, known) or {}), **known}
         for speed in problem.speeds:
-            found = dimension(speed.definition, known)
-            if found is not None:
-                known[speed.symbol] = found
+            unit = dimension(speed.definition, known)
+            if unit is not None:
+                known[speed.symbol] = unit
         self._known: Mapping[sp.Symbol, Dimension] = known
 
     def of(self, expression: sp.Expr) -> str:
         """The unit of an expression; of a number none, of an angle rad."""
-        found = dimension(expression, self._known)
-        if found is None:
+        unit = dimension(expression, self._known)
+        if unit is None:
             return ""
         turns = bool(expression.is_Symbol) and base(expression) in self._angles
-        return unit_called(found, turns)
+        return unit_called(unit, turns)
 
 
-def _is_number(found: Dimension | None) -> bool:
-    return found is None or found == NO_DIMENSION
+def _is_number(unit: Dimension | None) -> bool:
+    return unit is None or unit == NO_DIMENSION
 
 
 def with_unit(name: str, unit: str) -> str:
