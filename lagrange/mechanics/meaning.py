@@ -95,7 +95,7 @@ class Meaning:
 
 def meaning(solution: Solution) -> Meaning | None:
     """What the result says in the first choice of coordinates, or the file's own; None without equations of motion."""
-    view = solution.choices[0] if solution.choices else solution.own
+    view = solution.chosen
     if view.motion is None or view.dynamics is None or not view.motion.final:
         return None
     reactions = _reactions(solution, view)

@@ -23,6 +23,7 @@ from lagrange.algebra.fourier.limits import (
     LONGEST_CANCELLED,
     MOST_HALF_ANGLE_TERMS,
     MOST_QUOTIENT_OPERATIONS,
+    MULTIPLIED_IN_A_UNIT,
 )
 from lagrange.algebra.fourier.polynomials import lowest, pack, unpack
 from lagrange.algebra.fourier.ring import FourierRing
@@ -30,9 +31,6 @@ from lagrange.algebra.fourier.terms import PowerProduct, common_factor
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.effort import spend
 from lagrange.core.operations import count_operations
-
-MULTIPLIED_IN_A_UNIT = 5
-"""Terms of a polynomial of half angles, each of which takes several products, in the time of one unit of work."""
 
 
 def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Element] | None:

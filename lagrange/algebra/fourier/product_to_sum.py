@@ -20,13 +20,10 @@ import sympy as sp
 
 from lagrange.algebra.fourier.division import Complex, over_wave
 from lagrange.algebra.fourier.elements import UNIT, Basis, Element
-from lagrange.algebra.fourier.limits import HIGHEST_SEPARATED, LONGEST_SEARCHED, MOST_SEPARATED_ANGLES
+from lagrange.algebra.fourier.limits import HIGHEST_SEPARATED, LONGEST_SEARCHED, MOST_SEPARATED_ANGLES, TRIED_IN_A_UNIT
 from lagrange.algebra.fourier.polynomials import WIDTH, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
-
-TRIED_IN_A_UNIT = 5
-"""Terms that are divided by a cosine and by a sine in the time of one unit of work."""
 
 Part = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
 Powers = tuple[tuple[int, int], ...]  # (exponent of cos, exponent of sin) of each angle

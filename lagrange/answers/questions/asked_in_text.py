@@ -62,17 +62,17 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     for fragment in answer:
         if _is_condition(fragment, questions, reference):
             continue
-        verdicts = [*_verdicts(fragment, questions, solution, reference)]
-        verdicts = verdicts or [*_verdicts(fragment, questions, solution, wider)]
-        right = [(name, v) for name, v in verdicts if v.verdict is Verdict.EQUIVALENT]
+        compared = [*_verdicts(fragment, questions, solution, reference)]
+        compared = compared or [*_verdicts(fragment, questions, solution, wider)]
+        right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
         named = [
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
         named = [] if is_used_beside(fragment, answer, reference) else named
-        about = {name for name, _ in verdicts}  # y = f(x) is about the path, and not about the greatest height
+        about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
         named = _of_function(named, fragment, questions, reference)
-        judged = [(name, v) for name, v in verdicts if v.verdict not in _NOT_JUDGED and name in named]
+        judged = [(name, v) for name, v in compared if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
         elif right:

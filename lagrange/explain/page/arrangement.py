@@ -424,7 +424,7 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         return
     if _needs_no_force(view, newton):
         normal = reaction_along_normal(solution)
-        last = view is (solution.choices or (solution.own,))[0]
+        last = view is solution.chosen
         yield from [] if normal is None or not last else [normal]
         return
     first = solution.choices[0] if solution.choices else None

@@ -94,7 +94,7 @@ def explain_result(
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     """Constant accelerations instead of equations for them; what is asked for is stated once."""
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
-    view = (*solution.choices, solution.own)[0]
+    view = solution.chosen
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]

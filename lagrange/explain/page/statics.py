@@ -109,7 +109,7 @@ def _reactions(solution: Solution, first: InCoordinates) -> Step | None:
 def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps, with the forces of two supports of a rod where the coordinates leave them out."""
     forces = None
-    if (*solution.choices, solution.own)[0].equilibrium is not None:
+    if solution.chosen.equilibrium is not None:
         from lagrange.mechanics.supports import supports
 
         forces = supports(solution)

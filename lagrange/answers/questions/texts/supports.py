@@ -56,7 +56,7 @@ def supports_of(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerV
 def _judged(line: GivenEquation, forces: dict[sp.Symbol, sp.Expr], solution: Solution) -> EquationVerdict:
     """The verdict on one line: whether it holds at every equilibrium."""
     text = line.reading.text
-    chosen = (*solution.choices, solution.own)[0]
+    chosen = solution.chosen
     rest = chosen.equilibrium
     assert rest is not None
     holds: set[bool | None] = set()
