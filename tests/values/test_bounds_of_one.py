@@ -37,6 +37,7 @@ def test_sine_and_cosine_of_an_acute_angle_leave_the_tangent() -> None:
     assert ends is not None
     assert ends.wanted == sp.tan(theta)
     assert ends.high is None
+    assert ends.low is not None
     assert math.isclose(float(ends.low), 2 / 3)
 
 

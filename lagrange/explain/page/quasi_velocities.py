@@ -182,7 +182,8 @@ def _across(solution: Solution, reaction: VectorSymbol) -> Iterator[Block]:
         return
     [n] = along
     unit = Vector.zero().triad.units[n]
-    value = reaction_along(unit, solution.own.configuration)
+    x, y, z = (sp.Integer(k == n) for k in range(3))
+    value = reaction_along(Vector((x, y, z)), solution.own.configuration)
     yield prose("Its vertical component is")
     yield display(Equation((DotProduct(reaction, unit), sp.factor_terms(value)), label="vertical-reaction"))
 
