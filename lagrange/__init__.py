@@ -64,9 +64,9 @@ def __getattr__(name: str) -> Any:
         return globals()[name]
     for home, names in _HOMES.items():
         if name in names:
-            found = getattr(import_module(f"lagrange.{home}"), name)
-            globals()[name] = found
-            return found
+            value = getattr(import_module(f"lagrange.{home}"), name)
+            globals()[name] = value
+            return value
     raise AttributeError(f"module 'lagrange' has no attribute {name!r}")
 
 

@@ -93,10 +93,10 @@ def write_page(folder: Path, entry: shipped.Entry) -> Card:
 
     try:
         problem = load(path_of(entry.name))
-        found = report(problem, complete=False)
+        explained = report(problem, complete=False)
     except ProblemError as error:
         return Card(entry, "", "", " ".join(error.show().split()))
-    derivation, notation = found.derivation, found.notation
+    derivation, notation = explained.derivation, explained.notation
     page = html.render([(derivation, notation)])
     back = '<main>\n<nav><a href="../index.html">All problems</a></nav>'
     path = folder / f"{entry.name}.html"

@@ -340,11 +340,11 @@ class _Maker:
         rates at which mass joins or leaves, where the equations hold only as long as it does (their kind is 3), and
         masses that vary, which are positive (4).
         """
-        found = [*slip_speeds(self.view.dynamics)]
+        slips = [*slip_speeds(self.view.dynamics)]
         varying = self.view.configuration.variable_masses
         rates = [m.exchanged for m in varying if m.has_one_sense]
-        self.slips = [*(int(kind) for kind, _ in found), *(3 for _ in rates), *(4 for _ in varying)]
-        return [self.put(e) for e in (*(e for _, e in found), *rates, *(m.mass for m in varying))]
+        self.slips = [*(int(kind) for kind, _ in slips), *(3 for _ in rates), *(4 for _ in varying)]
+        return [self.put(e) for e in (*(e for _, e in slips), *rates, *(m.mass for m in varying))]
 
     def _static(self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]) -> list[tuple[int, float]]:
         """Of each coefficient of friction that is a parameter: its place, and the number of the static coefficient."""
@@ -495,10 +495,10 @@ class _Maker:
         """The computed motion of a simulation: rows q, q', t."""
         if self.simulation is None:
             return []
-        found, e = self.simulation, self.simulation.equations.equations
-        places = [*found.states[: len(e.rates)], *(found.along(rate) for rate in e.rates)]
-        every = -(-len(found.times) // MOST_ROWS)
-        rows = zip(*(x.tolist()[::every] for x in (*places, found.times)), strict=True)
+        simulation, e = self.simulation, self.simulation.equations.equations
+        places = [*simulation.states[: len(e.rates)], *(simulation.along(rate) for rate in e.rates)]
+        every = -(-len(simulation.times) // MOST_ROWS)
+        rows = zip(*(x.tolist()[::every] for x in (*places, simulation.times)), strict=True)
         return [[float(f"{x:.9g}") for x in row] for row in rows]
 
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:

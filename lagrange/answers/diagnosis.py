@@ -203,8 +203,8 @@ class _Search:
         total = [reduce(sum(column)) for column in zip(*rows, strict=True)]
         if state.vanishes(total):
             return None
-        found = self._first(rows, total, only=self._direct) if self._direct else None
-        return found if found is not None or direct else self._first(rows, total)
+        change = self._first(rows, total, only=self._direct) if self._direct else None
+        return change if change is not None or direct else self._first(rows, total)
 
     def _first(
         self, rows: Sequence[list[Any]], total: list[Any], *, only: Set[Change] | None = None
@@ -438,13 +438,13 @@ class _Search:
             # wanted = number · factor for a usual number: so the factor has one of these values.
             usual = ((arithmetic.reduce(wanted * self.states[0].point.number(n.q, n.p)), n) for n in _USUAL)
             return sorted((m, n) for value, n in usual for m in self._by_value.get(value, ()))
-        found = []
+        matching = []
         for n, value in enumerate(self._values):
             if value is not None and not self._simple_factors[n].is_number:
                 number = self._as_number(arithmetic.reduce(wanted * arithmetic.inverse(value)))
                 if number is not None and (odd or number in _USUAL):
-                    found.append((n, number))
-        return found
+                    matching.append((n, number))
+        return matching
 
     @cached_property
     def _by_value(self) -> dict[Any, list[int]]:

@@ -241,13 +241,13 @@ def _rounded(
     candidate: ReferenceCandidate,
 ) -> dict[int, Values]:
     """The numbers that the decimals of wrong equations stand for, where these make them right."""
-    found = {}
+    rounded = {}
     for n, r in enumerate(readings):
         if components[n] and Standing.CONTRADICTS in standings[n] and r.with_decimals:
             values = rounded_in_motion(_compared_parts(r.with_decimals, candidate), candidate.system)
             if values is not None:
-                found[n] = values
-    return found
+                rounded[n] = values
+    return rounded
 
 
 def _with_rounded(
@@ -465,8 +465,8 @@ def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
         return _NONE
     from lagrange.answers.models.search import explained
 
-    found = explained([e for _, e in components], bad, attempt.candidate.models)
-    return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
+    explanations = explained([e for _, e in components], bad, attempt.candidate.models)
+    return {components[m][0]: e for m, e in reversed(list(zip(bad, explanations, strict=True))) if e is not None}
 
 
 def _two_mistakes(attempt: _Attempt) -> Explanation | None:

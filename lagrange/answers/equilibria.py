@@ -506,7 +506,7 @@ def _right_decimals(equations: Sequence[sp.Expr], comparison: EquilibriumCompari
     """The value of one decimal of an equation at an equilibrium, exactly, the others rounded; none if none is close."""
     (e,) = equations
     decimals = decimals_in([e])
-    found = []
+    right = []
     for d in decimals:
         others = {x: x.written for x in decimals if x != d}
         slope = e.diff(d)
@@ -519,8 +519,8 @@ def _right_decimals(equations: Sequence[sp.Expr], comparison: EquilibriumCompari
                 ratios = [abs(e.diff(x) / slope) * x.half_width for x in decimals]
                 leeway = as_written(sp.Add(*ratios).xreplace({d: d.written}))
                 if number.is_real and not leeway.free_symbols and abs(number - d.written) <= leeway:
-                    found.append((abs(number - d.written), d, value))
-    nearest = min(found, key=lambda x: x[0], default=None)
+                    right.append((abs(number - d.written), d, value))
+    nearest = min(right, key=lambda x: x[0], default=None)
     return {nearest[1]: nearest[2]} if nearest else {}
 
 

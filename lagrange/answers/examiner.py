@@ -225,8 +225,8 @@ class Examiner:
             nonlocal last  # a wrong answer is asked about twice, the second time with a diagnosis
             if last is None or [*map(id, equations)] != [*map(id, last[0])]:
                 last = [*equations], compared_answer(equations, reference)
-            found = last[1].verdict(diagnosing=diagnosing)
-            return found if self.solution is None else at_release(equations, found, self.solution, reference)
+            verdict = last[1].verdict(diagnosing=diagnosing)
+            return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
         return verdict_on(working, reference, check)
 
@@ -282,8 +282,8 @@ class Examiner:
             if e.verdict is Verdict.WRONG and len(verdict.equations) == len(working.judged)
         ]
         tried = (alternatives_of(working.judged), wrong if len(wrong) < len(working.judged) else [])
-        found = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
-        why = next(filter(None, found), "")
+        explanations = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
+        why = next(filter(None, explanations), "")
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
         if not why or others:
             return verdict

@@ -41,9 +41,9 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
     ProblemError if it cannot be read.
     """
-    found = _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
-    if found is None or found.verdict is not Verdict.WRONG:
-        return found
+    stated = _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+    if stated is None or stated.verdict is not Verdict.WRONG:
+        return stated
     claims = [zero for zero, _ in _claims(fragment, reaction, reference)]
     if "=" in fragment.text and reaction.given is not None:
         claims = [
@@ -56,13 +56,13 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
 
                 why = explained_reaction(candidate.read(as_written(zero)), candidate.models)
                 if why:
-                    return replace(found, diagnosis=why, cause=why)
+                    return replace(stated, diagnosis=why, cause=why)
     from lagrange.answers.results.units import wrong_dimension
 
     forces = {reaction.multiplier, reaction.force, reaction.symbol}
     values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]
     why = next(filter(None, (wrong_dimension(v, reference.units) for v in values)), "")
-    return replace(found, diagnosis=why, cause=why) if why else found
+    return replace(stated, diagnosis=why, cause=why) if why else stated
 
 
 def _stated(
@@ -196,15 +196,17 @@ class AtRest:
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
         """The verdict on the stated value of one reaction, as `check_reaction` gives it for a moving system."""
-        found = _stated(fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1]))
-        if found is None or found.verdict is not Verdict.WRONG:
-            return found
+        stated = _stated(
+            fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1])
+        )
+        if stated is None or stated.verdict is not Verdict.WRONG:
+            return stated
         claims = _claims(fragment, reaction, self.reference)
         try:
             why = next(filter(None, (self._explained(zero) for zero, _ in claims)), "")
         except (DivisionByZeroError, NotAlgebraicError, NoPointError, UnsupportedError):
             why = ""
-        return replace(found, diagnosis=why, cause=why) if why else found
+        return replace(stated, diagnosis=why, cause=why) if why else stated
 
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""

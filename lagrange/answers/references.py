@@ -105,10 +105,12 @@ class ReferenceCandidate:
 
     def parts(self) -> Mechanics | None:
         """The parts of the system; None if they are not known."""
-        found = self.mechanics() if self.mechanics is not None else None
-        if found is None or not self.positive:
-            return found
-        return found.force(lambda f: replace(f, shares=tuple(with_positive_radii(e, self.positive) for e in f.shares)))
+        mechanics = self.mechanics() if self.mechanics is not None else None
+        if mechanics is None or not self.positive:
+            return mechanics
+        return mechanics.force(
+            lambda f: replace(f, shares=tuple(with_positive_radii(e, self.positive) for e in f.shares))
+        )
 
     @cached_property
     def system(self) -> System:
@@ -399,11 +401,11 @@ def _energies(solution: Solution) -> dict[str, sp.Expr]:
     for dynamics in (v.dynamics for v in reversed(solution.views)):
         if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
             energies |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
-    for found in (v.hamiltonian for v in reversed(solution.views)):
-        if found is not None:
-            energies |= {s.name: e for s, e in named.meanings(found.energies).items()}
-            by_momenta = dict(zip(found.momenta, found.energies.momenta, strict=True))
-            functions = {named.hamiltonian: found.function, named.routhian: found.routhian}
+    for hamiltonian in (v.hamiltonian for v in reversed(solution.views)):
+        if hamiltonian is not None:
+            energies |= {s.name: e for s, e in named.meanings(hamiltonian.energies).items()}
+            by_momenta = dict(zip(hamiltonian.momenta, hamiltonian.energies.momenta, strict=True))
+            functions = {named.hamiltonian: hamiltonian.function, named.routhian: hamiltonian.routhian}
             energies |= {s.name: e.xreplace(by_momenta) for s, e in functions.items() if e is not None}
     return energies
 
@@ -420,18 +422,18 @@ def _given(solution: Solution) -> dict[str, sp.Expr]:
 
 def _of_response(solution: Solution) -> dict[str, sp.Expr]:
     """The letters of amplitudes and lags."""
-    found = [v.response for v in solution.views if v.response is not None]
-    return {s.name: s for r in found for s in (*r.letters, *r.lags)}
+    responses = [v.response for v in solution.views if v.response is not None]
+    return {s.name: s for r in responses for s in (*r.letters, *r.lags)}
 
 
 def _of_impact(solution: Solution) -> dict[str, sp.Expr]:
     """The velocities just before an impact, the impulses of its reactions, the kinetic energies before and after."""
-    found = solution.impact
-    if found is None:
+    motion = solution.impact
+    if motion is None:
         return {}
-    symbols = [*(i.symbol for i in found.impulses), *map(velocity_before, found.slots.coordinates)]
+    symbols = [*(i.symbol for i in motion.impulses), *map(velocity_before, motion.slots.coordinates)]
     kinetic = energy_symbols(solution).kinetic.name
-    return {s.name: s for s in symbols} | {f"{kinetic}_0": found.kinetic[0], kinetic: found.kinetic[1]}
+    return {s.name: s for s in symbols} | {f"{kinetic}_0": motion.kinetic[0], kinetic: motion.kinetic[1]}
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

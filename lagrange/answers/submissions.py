@@ -115,11 +115,11 @@ def answer_in_file(
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
     source = replace(source, text=with_bracketed_arrays(source.text))
-    found = equations_in_file(source, ending, conditions=conditions)
-    in_words = not found and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
-    if in_words or (not found and is_expressions(source.text)):
+    equations = equations_in_file(source, ending, conditions=conditions)
+    in_words = not equations and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
+    if in_words or (not equations and is_expressions(source.text)):
         return (Fragment(source.text, Span(source, 0, len(source.text)), 0),)
-    return found
+    return equations
 
 
 def answer_to(examiner: Examiner, source: Source, ending: str) -> tuple[Fragment, ...]:

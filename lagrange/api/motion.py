@@ -108,8 +108,8 @@ class SimulatedMotion:
             shape = states.shape[1:]
             flat = states.reshape(len(states), -1)
             times = numpy.broadcast_to(numpy.asarray(time, dtype=float), shape).reshape(-1)
-            found = system.along(e, times, flat).reshape(shape)
-            return found if shape else float(found)
+            values = system.along(e, times, flat).reshape(shape)
+            return values if shape else float(values)
 
         return value
 

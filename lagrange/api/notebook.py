@@ -130,13 +130,13 @@ def problem_in_html(problem: Problem) -> str:
 
 def figure_of(derivation: Derivation, choice: str) -> Picture | None:
     """The picture of the system in a choice of coordinates; in the file's own, where it has none of its own."""
-    found: dict[str, Picture] = {}
+    pictures: dict[str, Picture] = {}
     for step in derivation.steps:
         if step.rule in (Rule.STATEMENT, Rule.GENERALIZED_COORDINATES):
             for block in step.body:
                 if isinstance(block, Picture) and block.draw() is not None:
-                    found.setdefault(step.choice, block)
-    return found.get(choice, found.get(""))
+                    pictures.setdefault(step.choice, block)
+    return pictures.get(choice, pictures.get(""))
 
 
 def coordinates_in_html(

@@ -56,8 +56,8 @@ class _WhenFirstAsked:
                 except BaseException:  # no memory left, or no time: the next one asks again
                     made.__init__, made.__dataclass_fields__ = first, self
                     raise
-        found: dict[str, Any] = made.__dataclass_fields__
-        return found
+        fields: dict[str, Any] = made.__dataclass_fields__
+        return fields
 
 
 _ONE_AT_A_TIME = RLock()
@@ -110,8 +110,8 @@ class _SignatureWhenAsked:
     """The arguments of a class, for `help`."""
 
     def __get__(self, _: object, cls: Any) -> Signature:
-        found = signature(_compiled(cls).__init__)
-        return found.replace(parameters=list(found.parameters.values())[1:])
+        signature_of_init = signature(_compiled(cls).__init__)
+        return signature_of_init.replace(parameters=list(signature_of_init.parameters.values())[1:])
 
 
 def _compared(instance: Any) -> list[Any]:

@@ -182,7 +182,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
             prose(f"The {link_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
                   f". Its length{either} and the force with which it pulls its ends together are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
-                    Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
+                    Equation((d.pull_at(prime(length)), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
     return blocks
 
@@ -293,8 +293,7 @@ def terms_of_bodies(configuration: Configuration) -> list[sp.Expr]:
 
 def terms_of_dampers(configuration: Configuration) -> list[sp.Expr]:
     """c d' δd of each damper."""
-    lengths = [(d.coefficient, d.length_symbol) for d in configuration.dampers]
-    return [c * prime(length) * variation(length) for c, length in lengths]
+    return [d.pull_at(prime(d.length_symbol)) * variation(d.length_symbol) for d in configuration.dampers]
 
 
 def law_times_displacement(configuration: Configuration, insertion: str) -> str:

@@ -62,13 +62,13 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
 def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Block]:
     """Which displacement, forbidden at every step, several steps add up to."""
     [row] = classification.constrained.rows
-    found = manoeuvre(row.coefficients, slots.coordinates) if row.drift == 0 and row.nonlinear is None else None
-    if found is None or t in {s for a in row.coefficients for s in a.free_symbols}:
+    steps = manoeuvre(row.coefficients, slots.coordinates) if row.drift == 0 and row.nonlinear is None else None
+    if steps is None or t in {s for a in row.coefficients for s in a.free_symbols}:
         return []
     epsilon = sp.Symbol("epsilon", positive=True)
     first, second, left = (
         listed(math(variation(q), size * a) for q, a in zip(slots.coordinates, direction, strict=True) if a != 0)
-        for direction, size in ((found.first, epsilon), (found.second, epsilon), (found.left_over, epsilon**2))
+        for direction, size in ((steps.first, epsilon), (steps.second, epsilon), (steps.left_over, epsilon**2))
     )
     return [prose("Yet the system can get where no single step leads: with a small ", math(epsilon), ", the steps ",
                   *first, ", then ", *second, ", then both back in the same order add up, to second order, to ", *left,

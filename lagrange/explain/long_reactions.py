@@ -19,22 +19,24 @@ LONGEST = 250
 """The most operations of all reactions in terms of accelerations that a page shows without --detail full."""
 
 
-def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
+def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
     """What is too long, where it is, what it is in terms of accelerations, and the numbers at one state."""
-    names = [r.name for r in found.lost]
+    names = [r.name for r in reactions.lost]
     words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
     words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
-    values = [found.by_accelerations.get(name) for name in names]
+    values = [reactions.by_accelerations.get(name) for name in names]
     if all(e is not None and not any(s.name.endswith("''") for s in e.free_symbols) for e in values):
         yield prose("Newton's equations alone give")
         yield display(
-            *(Equation((r.force, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
-              for r in found.lost),
+            *(Equation((r.force, reactions.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+              for r in reactions.lost),
             boxed=True,
         )  # fmt: skip
-    elif found.by_accelerations:
+    elif reactions.by_accelerations:
         detail = (
-            Detail.FULL if sum(count_operations(e) for e in found.by_accelerations.values()) > LONGEST else Detail.STEPS
+            Detail.FULL
+            if sum(count_operations(e) for e in reactions.by_accelerations.values()) > LONGEST
+            else Detail.STEPS
         )
         if detail is Detail.FULL:
             yield prose(f"{words} In terms of the accelerations, Newton's equations give them in fewer: "
@@ -44,21 +46,25 @@ def explain_long_reactions(found: LongReactions) -> Iterator[Block]:
             yield prose(f"{words} In terms of the accelerations, Newton's equations give")
         yield display(
             *(
-                Equation((r.force, found.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
-                for r in found.lost
-                if r.name in found.by_accelerations
+                Equation((r.force, reactions.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+                for r in reactions.lost
+                if r.name in reactions.by_accelerations
             ),
             boxed=True,
             detail=detail,
         )
     else:
         yield prose(words)
-    if found.at is not None:
+    if reactions.at is not None:
         state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in SI units,")
-        if not found.from_initial:
-            shown = [math(s, rounded_in(e)) for s, e in found.at.state.items()]
+        if not reactions.from_initial:
+            shown = [math(s, rounded_in(e)) for s, e in reactions.at.state.items()]
             state = ("In the position and with the velocities ", *listed(shown), " they are, in SI units,")
         yield prose(*state)
         yield display(
-            *(Equation((r.force, rounded_in(found.numbers[r.name]))) for r in found.lost if r.name in found.numbers)
+            *(
+                Equation((r.force, rounded_in(reactions.numbers[r.name])))
+                for r in reactions.lost
+                if r.name in reactions.numbers
+            )
         )

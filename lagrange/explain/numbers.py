@@ -83,11 +83,11 @@ def _given(values: Values, digits: int) -> Iterator[Block]:
 
 def _at_positions_found(step: Step, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
     """The reactions at rest where the equilibria were found in numbers, and the reactions depend on the position."""
-    found = solution.own.in_numbers
-    if found is None or found.numerical is None or solution.own.dynamics is not None:
+    in_numbers = solution.own.in_numbers
+    if in_numbers is None or in_numbers.numerical is None or solution.own.dynamics is not None:
         return
     lines = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations if e.relation == "="]
-    for n, p in enumerate(found.positions, start=1):
+    for n, p in enumerate(in_numbers.positions, start=1):
         place = {q: x.formula for q, x in p.coordinates.items()}
         shown = []
         for e in lines:
@@ -99,7 +99,7 @@ def _at_positions_found(step: Step, solution: Solution, values: Values, digits: 
                 size = replace(quantity, unit=values.unit_of(value) or values.unit_of(name))
                 shown.append(Equation((name, size.shown(digits)), relation="≈"))
         if shown:
-            which = "the position" if len(found.positions) == 1 else f"position {n}"
+            which = "the position" if len(in_numbers.positions) == 1 else f"position {n}"
             yield prose(f"In {which} found in numbers:", detail=Detail.BRIEF)
             yield display(*shown, detail=Detail.BRIEF)
 
@@ -121,11 +121,11 @@ def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
 
 def _critical(view: InCoordinates, values: Values, digits: int) -> Iterator[Block]:
     """`With the given values, k l > P is P < 100 N.`"""
-    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    critical = critical_values(view.equilibrium, view.stability, view.linearization, values)
     clauses = [
         (math(v.condition.lhs, v.condition.rhs, relation=v.condition.relation), " is ",
          math(v.parameter, v.bound.shown(digits), relation=v.relation))
-        for v in found
+        for v in critical
     ]  # fmt: skip
     if clauses:
         yield prose("With the given values, ", *series(clauses), ".", detail=Detail.BRIEF)
@@ -186,13 +186,13 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
         said = (math(*bound.sides, relation=bound.relation), ", " if more else "", *more)
         before = (*equation.condition, ", " if equation.condition else "", "that is ")
         return equation if same else replace(equation, condition=(*before, *said))
-    found = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
-    if found is None or found.sides[0] != equation.sides[0] or not isinstance(found.sides[0], sp.Expr):
+    measured = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
+    if measured is None or measured.sides[0] != equation.sides[0] or not isinstance(measured.sides[0], sp.Expr):
         return equation
-    right = found.sides[-1]
+    right = measured.sides[-1]
     if not isinstance(right, sp.Expr) or not all(isinstance(s, UnitSymbol) for s in right.free_symbols):
         return equation  # with coordinates in it: the step has it
-    number: tuple[Part, ...] = ("that is ", math(*found.sides, relation=found.relation))
+    number: tuple[Part, ...] = ("that is ", math(*measured.sides, relation=measured.relation))
     number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
@@ -234,21 +234,21 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
     left, right = equation.sides
     assert isinstance(left, sp.Expr)
     assert isinstance(right, sp.Expr)
-    found = bound_with(left, right, values)
-    if found is None:
+    bound = bound_with(left, right, values)
+    if bound is None:
         return None
     try:
-        shown = found.left.shown(digits) if isinstance(found.left, Quantity) else found.left
+        shown = bound.left.shown(digits) if isinstance(bound.left, Quantity) else bound.left
         words: tuple[Part, ...] = ()
-        if found.angle is not None:
-            ends = [e for e in (found.angle.low, found.angle.value) if e is not None]
+        if bound.angle is not None:
+            ends = [e for e in (bound.angle.low, bound.angle.value) if e is not None]
             degrees = [with_unit(rounded(e * 180 / sp.pi, digits), "°") for e in ends]
-            sides = (*degrees[:-1], found.angle.symbol, degrees[-1])
-            words = ("that is ", math(*sides, relation=found.angle.relation), " for an acute angle")
-        elif found.holds is not None:
-            words = ("which holds" if found.holds else "which does not hold",)
-        low = () if found.low is None else (found.low.shown(digits),)
-        return Equation((*low, shown, found.bound.shown(digits)), relation=found.relation, condition=words)
+            sides = (*degrees[:-1], bound.angle.symbol, degrees[-1])
+            words = ("that is ", math(*sides, relation=bound.angle.relation), " for an acute angle")
+        elif bound.holds is not None:
+            words = ("which holds" if bound.holds else "which does not hold",)
+        low = () if bound.low is None else (bound.low.shown(digits),)
+        return Equation((*low, shown, bound.bound.shown(digits)), relation=bound.relation, condition=words)
     except NotRealError:
         return None
 
@@ -274,7 +274,7 @@ def measured(quantity: Quantity, digits: int) -> Math:
     return math(shown, with_unit(degrees, "°"))
 
 
-def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, start: str) -> Iterator[Block]:
+def _equilibria(view: InCoordinates, in_numbers: EquilibriaInNumbers, digits: int, start: str) -> Iterator[Block]:
     """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
     suffix = suffix_of(view.name)
     kind = "at-rest" if view.linearization is not None else "equilibrium"
@@ -282,15 +282,15 @@ def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, st
     def called(n: int) -> Ref:
         return Ref(f"{kind}{suffix}-{n + 1}")
 
-    if found.positions:
+    if in_numbers.positions:
         yield prose(start, detail=Detail.BRIEF)
-        yield _table(view, found, called, digits)
-        yield from _decays(view, found, called, digits)
-    if found.numerical is not None:
-        yield _searched(found.numerical, digits)
-    if found.absent:
-        one = plural(len(found.absent), " has no real position", " have no real positions")
-        yield prose(*listed(called(n) for n in found.absent), f"{one} with these values.", detail=Detail.BRIEF)
+        yield _table(view, in_numbers, called, digits)
+        yield from _decays(view, in_numbers, called, digits)
+    if in_numbers.numerical is not None:
+        yield _searched(in_numbers.numerical, digits)
+    if in_numbers.absent:
+        one = plural(len(in_numbers.absent), " has no real position", " have no real positions")
+        yield prose(*listed(called(n) for n in in_numbers.absent), f"{one} with these values.", detail=Detail.BRIEF)
 
 
 def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
@@ -314,17 +314,17 @@ def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
     return prose(start, *listed(places), words, detail=Detail.BRIEF)
 
 
-def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:
-    unknowns = [u for u in found.unknowns if any(u in p.coordinates for p in found.positions)]
-    judged = any(p.stability is not None for p in found.positions)
-    most = max((len(p.oscillations) for p in found.positions), default=0)
+def _table(view: InCoordinates, in_numbers: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:
+    unknowns = [u for u in in_numbers.unknowns if any(u in p.coordinates for p in in_numbers.positions)]
+    judged = any(p.stability is not None for p in in_numbers.positions)
+    most = max((len(p.oscillations) for p in in_numbers.positions), default=0)
     omega = view.linearization.omega if view.linearization is not None else sp.Symbol("omega", real=True)
     header: list[Part] = ["equilibrium", *(math(u) for u in unknowns)]
     for k in range(most):
         header += [math(omega if most == 1 else sp.Symbol(f"{omega.name}_{k + 1}", real=True)), "period"]
     header += ["stability"] if judged else []
     rows = []
-    for p in found.positions:
+    for p in in_numbers.positions:
         row: list[Part] = [called(p.branch) if p.branch is not None else "numerical"]
         row += [measured(p.coordinates[u], digits) if u in p.coordinates else "any" for u in unknowns]
         for k in range(most):
@@ -338,10 +338,12 @@ def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[in
     return Table(tuple(header), tuple(rows), Detail.BRIEF)
 
 
-def _decays(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> list[Block]:
+def _decays(
+    view: InCoordinates, in_numbers: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int
+) -> list[Block]:
     """The damped modes: σ, ω, and for few coordinates amplitude and phase of each."""
     linear = view.linearization
-    listed_ = [(p, d) for p in found.positions for d in p.decays]
+    listed_ = [(p, d) for p in in_numbers.positions for d in p.decays]
     if linear is None or not listed_:
         return []
     free = next(s.free for s in linear.at if s is not None)

@@ -115,10 +115,10 @@ def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
 
 def _linearizations(solution: Solution) -> list[Linearization]:
     """Those about equilibria, and about steady motions."""
-    found = [v.linearization for v in solution.views]
-    found += [f.about for v in solution.views if v.steady is not None for f in v.steady.families]
-    found += [v.forced.linearization for v in solution.views if v.forced is not None]
-    return [f for f in found if f is not None]
+    linearizations = [v.linearization for v in solution.views]
+    linearizations += [f.about for v in solution.views if v.steady is not None for f in v.steady.families]
+    linearizations += [v.forced.linearization for v in solution.views if v.forced is not None]
+    return [f for f in linearizations if f is not None]
 
 
 def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:

@@ -43,11 +43,11 @@ def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) ->
     from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
 
     on_stage("equations of motion")
-    found = long_equations(solution.problem, solution.own.configuration)
-    checks = check_long_equations(found, solution.own.configuration)
+    equations = long_equations(solution.problem, solution.own.configuration)
+    checks = check_long_equations(equations, solution.own.configuration)
     start = at_start(solution.problem, solution.own.configuration)
     checks += [check_state(start, "accelerations")] if start is not None else []
-    return replace(solution, long_equations=found, at_start=start, checks=(*solution.checks, *checks))
+    return replace(solution, long_equations=equations, at_start=start, checks=(*solution.checks, *checks))
 
 
 def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
@@ -57,9 +57,9 @@ def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> 
 
     on_stage("linear equations")
     problem, configuration = solution.problem, solution.own.configuration
-    found = linear_motion(problem, configuration)
-    checks = check_linear_motion(problem, configuration, found)
-    return replace(solution, linear_motion=found, checks=(*solution.checks, *checks))
+    motion = linear_motion(problem, configuration)
+    checks = check_linear_motion(problem, configuration, motion)
+    return replace(solution, linear_motion=motion, checks=(*solution.checks, *checks))
 
 
 def with_long_reactions(solution: Solution) -> Solution:
@@ -70,7 +70,7 @@ def with_long_reactions(solution: Solution) -> Solution:
     solved = [v.dynamics.reactions for v in solution.views if v.dynamics and v.dynamics.reactions]
     if law is None:
         return solution
-    found = long_reactions(law, own.configuration, own.elimination.independent, solved, own.spot)
-    if found is None:
+    reactions = long_reactions(law, own.configuration, own.elimination.independent, solved, own.spot)
+    if reactions is None:
         return solution
-    return replace(solution, long_reactions=found, checks=(*solution.checks, *check_long_reactions(found)))
+    return replace(solution, long_reactions=reactions, checks=(*solution.checks, *check_long_reactions(reactions)))

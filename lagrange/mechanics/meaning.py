@@ -95,7 +95,7 @@ class Meaning:
 
 def meaning(solution: Solution) -> Meaning | None:
     """What the result says in the first choice of coordinates, or the file's own; None without equations of motion."""
-    view = solution.choices[0] if solution.choices else solution.own
+    view = solution.chosen
     if view.motion is None or view.dynamics is None or not view.motion.final:
         return None
     reactions = _reactions(solution, view)
@@ -137,14 +137,14 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     problem = solution.problem
     taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
     try:
-        found = linearization(motion, taken)
+        small = linearization(motion, taken)
     except NotCoveredError:
         return None
-    if not found.complete:
+    if not small.complete:
         return None
-    here = [k for k, b in enumerate(found.branches) if not _is_let_go(solution, view, b)]
-    found = replace(found, branches=tuple(found.branches[k] for k in here), at=tuple(found.at[k] for k in here))
-    return found if found.branches else None
+    here = [k for k, b in enumerate(small.branches) if not _is_let_go(solution, view, b)]
+    small = replace(small, branches=tuple(small.branches[k] for k in here), at=tuple(small.at[k] for k in here))
+    return small if small.branches else None
 
 
 def _is_let_go(solution: Solution, view: InCoordinates, place: Branch) -> bool:
@@ -179,7 +179,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
     free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}
     symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
-    found: list[tuple[sp.Expr, ...]] = []
+    limits: list[tuple[sp.Expr, ...]] = []
     by_unit = {u: [p.symbol for p in solution.problem.parameters if p.unit == u] for u in ("m", "kg", "m/s")}
     # A pendulum of no length is none, and nothing moves without mass; a velocity as of light is large, not small.
     kept = {*by_unit["m"], *by_unit["m/s"], *(by_unit["kg"] if len(by_unit["kg"]) == 1 else ())}
@@ -189,7 +189,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if to == 0 and parameter in kept:
             continue
         limit = _limit(equations, parameter, to, view)
-        if limit is None or limit in found:
+        if limit is None or limit in limits:
             continue
         if to == sp.oo and not any(e.free_symbols & constants for e in limit):
             continue  # of what the problem is about nothing is left
@@ -203,8 +203,8 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
             continue  # nor that without forces there is no acceleration
         yield Limit(parameter, to, limit, shown if whole else {})
-        found.append(limit)
-        if len(found) == MOST_LIMITS:
+        limits.append(limit)
+        if len(limits) == MOST_LIMITS:
             return
 
 
@@ -340,10 +340,10 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
         return {}
     rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
     right = [-e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in equations]
-    found = solved_linear(rows, right, Surface())
-    if found is None or any(x is None for x in found):
+    accelerations = solved_linear(rows, right, Surface())
+    if accelerations is None or any(x is None for x in accelerations):
         return {}
-    pairs = zip(slots.accelerations, found, strict=True)
+    pairs = zip(slots.accelerations, accelerations, strict=True)
     solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
     return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
 
@@ -390,10 +390,10 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     terms = sp.Add.make_args(_expanded(equation))
     angles = {q for q in view.configuration.slots.coordinates if q not in known and _is_angle(q, terms)}
     known |= dict.fromkeys(angles, NO_DIMENSION)
-    found = {dimension(term, known) for term in terms}
-    if len(terms) < 2 or len(found) != 1 or None in found:
+    dimensions = {dimension(term, known) for term in terms}
+    if len(terms) < 2 or len(dimensions) != 1 or None in dimensions:
         return None
-    [one] = found
+    [one] = dimensions
     first, *others = sorted(
         terms, key=lambda e: (not e.free_symbols & {*view.configuration.slots.accelerations}, str(e))
     )

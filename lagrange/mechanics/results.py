@@ -168,6 +168,11 @@ class Solution:
         return (self.own, *self.choices)
 
     @property
+    def chosen(self) -> InCoordinates:
+        """The system in the coordinates that are chosen first; in the file's own where none are."""
+        return self.choices[0] if self.choices else self.own
+
+    @property
     def views_by_page(self) -> tuple[InCoordinates, ...]:
         """The same in the order in which a page takes its numbers from one of them: a choice without signs first."""
         choices = sorted(self.choices, key=lambda c: bool(c.signs))

@@ -244,13 +244,13 @@ def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: O
 
 def _with_spots(solution: Solution, every: bool) -> Solution:
     """The solution with spot values: in every set of coordinates, or in that of the page only."""
-    found: dict[str, InCoordinates] = {}
+    with_spot: dict[str, InCoordinates] = {}
     for view in solution.views_by_page:
         if view.dynamics is not None:
-            found[view.name] = view = replace(view, spot=spot_of_motion(view.dynamics, solution.problem))
+            with_spot[view.name] = view = replace(view, spot=spot_of_motion(view.dynamics, solution.problem))
         if view.spot is not None and not every:
             break
-    own, *choices = (found.get(v.name, v) for v in solution.views)
+    own, *choices = (with_spot.get(v.name, v) for v in solution.views)
     return replace(solution, own=own, choices=tuple(choices))
 
 
@@ -497,12 +497,12 @@ def _with_numbers(solution: Solution) -> Solution:
     from lagrange.mechanics.equilibrium.in_numbers import equilibria_in_numbers, oscillations_in_numbers
 
     def in_numbers(view: InCoordinates) -> InCoordinates:
-        found = None
+        numbers = None
         if view.linearization is not None:
-            found = oscillations_in_numbers(view.linearization, values)
+            numbers = oscillations_in_numbers(view.linearization, values)
         elif view.equilibrium is not None:
-            found = equilibria_in_numbers(view.equilibrium, view.stability, values)
-        return view if found is None else replace(view, in_numbers=found)
+            numbers = equilibria_in_numbers(view.equilibrium, view.stability, values)
+        return view if numbers is None else replace(view, in_numbers=numbers)
 
     return replace(solution, own=in_numbers(solution.own), choices=tuple(map(in_numbers, solution.choices)))
 

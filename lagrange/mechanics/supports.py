@@ -55,7 +55,7 @@ class Supports:
 
 def supports(solution: Solution) -> Supports | None:
     """The forces at two supports of a rigid rod; None of any other system."""
-    own, chosen = solution.own, (*solution.choices, solution.own)[0]
+    own, chosen = solution.own, solution.chosen
     configuration = own.configuration
     if chosen.equilibrium is None or own.dynamics is not None or not _is_rod(configuration, chosen.configuration):
         return None

@@ -29,26 +29,26 @@ def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable
     """
     problem = solution.problem
     choices = [c.coordinates for c in solution.choices]
-    found = impulsive_motion(problem, choices, solution.own.coordinates, taken)
-    checks = (*solution.checks, *check_impact(found, problem))
-    solution = replace(solution, impact=found, checks=checks)
+    motion = impulsive_motion(problem, choices, solution.own.coordinates, taken)
+    checks = (*solution.checks, *check_impact(motion, problem))
+    solution = replace(solution, impact=motion, checks=checks)
     if not problem.questions:
         return solution
     if problem.initial:
         message = "the motion after the impact begins with the state that the impact leaves, and not with `initial`"
         help_ = "move what holds just before the impact to `before` under `impact`, and leave `initial` out"
         raise ProblemError(Diagnostic("two-starts", message, problem.initial[0].span, help=help_))
-    after = solve_after(problem_after(problem, found))
+    after = solve_after(problem_after(problem, motion))
     known = {(c.name, c.choice) for c in checks}
     checks += tuple(c for c in after.checks if (c.name, c.choice) not in known)
     return replace(solution, after=after, asked=after.asked, checks=checks, given_up=after.given_up)
 
 
-def problem_after(problem: Problem, found: ImpulsiveMotion) -> Problem:
+def problem_after(problem: Problem, motion: ImpulsiveMotion) -> Problem:
     """The motion after an impact as a problem: its constraints, and its state at t = 0."""
     impact = problem.impact
     assert impact is not None
-    names = {i.name for i in found.impulses if i.is_new and i.restitution == 0}
+    names = {i.name for i in motion.impulses if i.is_new and i.restitution == 0}
     persistent = tuple(c for c in impact.constraints if c.name in names)
     choices = tuple(c for c in (_within(c, persistent) for c in problem.choices) if c is not None)
     known = {*problem.slots.coordinates, *(q for c in choices for q in c.coordinates)}
@@ -62,7 +62,10 @@ def problem_after(problem: Problem, found: ImpulsiveMotion) -> Problem:
         if gone := sorted(s.name for s in over & asked):
             what = f"a question about `{gone[0]}` after the impact, whose constraint has ended,"
             raise NotCoveredError(what, question.span)
-    state = {**found.position, **{prime(q): v for q, v in zip(found.slots.coordinates, found.velocities, strict=True)}}
+    state = {
+        **motion.position,
+        **{prime(q): v for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)},
+    }
     return replace(
         problem,
         constraints=(*problem.constraints, *persistent),

@@ -66,9 +66,9 @@ def turning(view: InCoordinates) -> Turning | None:
     if solved is None:
         return None
     for m, n in combinations(range(len(slots.coordinates)), 2):
-        found = _pair(view, m, n, solved[m], solved[n])
-        if found is not None:
-            return found
+        pair = _pair(view, m, n, solved[m], solved[n])
+        if pair is not None:
+            return pair
     return None
 
 
@@ -89,14 +89,14 @@ def _pair(view: InCoordinates, m: int, n: int, a: sp.Expr | None, b: sp.Expr | N
         return Turning(x, y, (a, b), textbook_form(-c))
     rate = textbook_form(-c / 2)
     if is_zero(k - other) is True:
-        found = Turning(x, y, (a, b), rate, textbook_form(k + c**2 / 4))
+        pair = Turning(x, y, (a, b), rate, textbook_form(k + c**2 / 4))
     else:
         small = next((s for s in sorted(c.free_symbols, key=str) if _of_second_order(c, k, other, s)), None)
         if small is None:
             return None
-        found = Turning(x, y, (a, b), rate, textbook_form(k.xreplace({small: sp.S.Zero})), small)
-    assert found.stiffness is not None
-    return found if max(count_operations(rate), count_operations(found.stiffness)) <= LONGEST_RATE else None
+        pair = Turning(x, y, (a, b), rate, textbook_form(k.xreplace({small: sp.S.Zero})), small)
+    assert pair.stiffness is not None
+    return pair if max(count_operations(rate), count_operations(pair.stiffness)) <= LONGEST_RATE else None
 
 
 def _of_second_order(c: sp.Expr, k: sp.Expr, other: sp.Expr, small: sp.Symbol) -> bool:

@@ -118,9 +118,9 @@ class CoordinateDrawings:
 
     def angle(self, q: sp.Symbol) -> bool:
         """Mark a coordinate if it is an angle at a point; return whether it is one."""
-        found = [(p, m) for p in self.system.marked_points if (m := angle_mark(self.pose, q, p.position)) is not None]
-        if found:  # of two points on opposite sides of a centre, the one that is counted from the axis itself
-            p, mark = max(found, key=lambda f: round(sum(f[1].reference) / math.hypot(*f[1].reference), 6))
+        angles = [(p, m) for p in self.system.marked_points if (m := angle_mark(self.pose, q, p.position)) is not None]
+        if angles:  # of two points on opposite sides of a centre, the one that is counted from the axis itself
+            p, mark = max(angles, key=lambda f: round(sum(f[1].reference) / math.hypot(*f[1].reference), 6))
             self.angle_at(mark)
             self.turning_points.append(((q, p), mark.centre))
             return True

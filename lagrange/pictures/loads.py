@@ -180,7 +180,7 @@ def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
 def _pull(link: StretchedSpring | DamperForce, pose: Pose) -> sp.Expr:
     """The force with which it pulls its ends together; on a line the distance may have the other sign."""
     if isinstance(link, DamperForce) and pose.number(link.distance) < 0:
-        return link.coefficient * sp.expand(-link.rate)
+        return link.pull_at(sp.expand(-link.rate))
     return link.pull
 
 

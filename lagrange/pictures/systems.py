@@ -369,9 +369,9 @@ def _pose_in_file(solution: Solution) -> tuple[Pose | None, Newton | None]:
         chosen = choice.coordinates.configuration
         if chosen.expressed and not chosen.finite_constraints and not is_undefined(chosen, figure):
             pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
-            found = None if pose is None else _in_file(pose, original)
-            if found is not None:
-                return found, newton
+            in_file = None if pose is None else _in_file(pose, original)
+            if in_file is not None:
+                return in_file, newton
     return general_pose(solution.problem, original, centres), newton
 
 

@@ -258,11 +258,11 @@ class _FigureBeingRead:
             items = _several(node, what, number, f"{key.text}: {_MARKS[kind]}")
             return FigureMark(kind, label, tuple(self.place(i, points) for i in items))
 
-        found = (
+        marks = (
             self.context.diagnostics.attempt(lambda k=key, n=node: one(k, n))  # type: ignore[misc]
             for key, node in self.entries(kind, f"{kind}: {{R: {_MARKS[kind]}}}")
         )
-        return [m for m in found if m is not None]
+        return [m for m in marks if m is not None]
 
     def label(self, key: Scalar, what: str) -> sp.Expr:
         """An expression, in which coordinates of the choices may occur too; or the name of a vector."""

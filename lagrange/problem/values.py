@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 import sympy as sp
 
@@ -445,6 +445,8 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
                 yield f.coefficient, "1"
             case Belt():
                 yield from ((f.coefficient, "1"), (f.angle, "1"), (f.tight, "N"), (f.slack, "N"))
+            case unreachable:
+                assert_never(unreachable)
 
 
 def _components(vector: Vector | None, unit: str) -> Iterator[tuple[sp.Expr, str]]:

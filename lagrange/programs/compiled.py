@@ -35,8 +35,8 @@ def _in_arrays() -> dict[str, Any]:
     import numpy
 
     called = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2", "pow": "power"}
-    found = {n: getattr(numpy, called.get(n, n)) for n in (*_NAMES, "abs", "sign")}
-    return {**found, "__builtins__": {}}
+    functions = {n: getattr(numpy, called.get(n, n)) for n in (*_NAMES, "abs", "sign")}
+    return {**functions, "__builtins__": {}}
 
 
 def compiled_text(text: str, name: str, namespace: Mapping[str, Any] | None = None) -> Compiled:

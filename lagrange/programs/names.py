@@ -84,7 +84,7 @@ def _spelled(char: str) -> str:
     if char.isascii():
         return char
     name = unicodedata.name(char, "")
-    found = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)", name)
-    if found is None:
+    match = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)", name)
+    if match is None:
         return "_"
-    return found[2].lower() if found[1] == "SMALL" else found[2].capitalize()
+    return match[2].lower() if match[1] == "SMALL" else match[2].capitalize()

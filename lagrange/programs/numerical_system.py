@@ -134,17 +134,17 @@ class NumericalSystem:
 
         if not self.signs and expression.free_symbols.isdisjoint(self.states.equations.unknowns):
             with numpy.errstate(all="ignore"):
-                found = self._compiled([expression], arrays=True)(times, *states)[0]
-            return numpy.broadcast_to(numpy.asarray(found, dtype=float), numpy.shape(times)).copy()
+                rows = self._compiled([expression], arrays=True)(times, *states)[0]
+            return numpy.broadcast_to(numpy.asarray(rows, dtype=float), numpy.shape(times)).copy()
         values: dict[tuple[int, ...], Callable[..., float]] = {}
-        found = []
+        rows = []
         for time, y in zip(times.tolist(), states.T.tolist(), strict=True):
             signs = self._signs_at(time, y)
             if signs not in values:
                 there = self.with_signs(dict(zip(self.signs, signs, strict=True)))
                 values[signs] = there.function(expression)
-            found.append(_or_nan(values[signs], time, y))
-        return numpy.array(found)
+            rows.append(_or_nan(values[signs], time, y))
+        return numpy.array(rows)
 
     def _signs_at(self, time: float, state: Sequence[float]) -> tuple[int, ...]:
         """The signs that a state has; where an expression is zero, the present one."""
@@ -225,8 +225,8 @@ def _shortest(matrix: Any, right: Any, speeds: int) -> list[float]:
     x = directions[regular].T @ ((left.T @ right)[regular] / sizes[regular])
     if abs(free).max(initial=0.0) > 1e-9 or abs(matrix @ x - right).max() > 1e-9 * (1 + abs(right).max()):
         raise ZeroDivisionError
-    found: list[float] = x.tolist()
-    return found
+    shortest: list[float] = x.tolist()
+    return shortest
 
 
 def _or_nan(value: Callable[..., float], time: float, state: Sequence[float]) -> float:
@@ -241,8 +241,8 @@ def indicators(states: StateEquations) -> tuple[sp.Expr, ...]:
     moving = {t, *states.state}
     more = (*states.reactions.values(), *(c.value for c in states.contacts))
     signs = (s for s in distinct_parts((*states.expressions, *more)) if isinstance(s, sp.sign))
-    found = {s.args[0]: None for s in sorted(signs, key=str) if not s.free_symbols.isdisjoint(moving)}
-    return (*found, *states.signs.values())
+    arguments = {s.args[0]: None for s in sorted(signs, key=str) if not s.free_symbols.isdisjoint(moving)}
+    return (*arguments, *states.signs.values())
 
 
 def solved_near(

@@ -59,16 +59,16 @@ def overview(simulation: Simulation) -> Any:
 def _groups(simulation: Simulation) -> list[tuple[str, list[tuple[str, Any]]]]:
     """What is plotted over time, by units: coordinates first, then reactions."""
     units, states = Units(simulation.equations), simulation.equations
-    found: dict[tuple[int, str], list[tuple[str, Any]]] = {}
+    groups: dict[tuple[int, str], list[tuple[str, Any]]] = {}
     for k, q in enumerate(states.equations.slots.coordinates):
-        found.setdefault((0, units.of(q)), []).append((f"${latex(q)}$", simulation.states[k]))
+        groups.setdefault((0, units.of(q)), []).append((f"${latex(q)}$", simulation.states[k]))
     for name, e in states.reactions.items():
         try:
             values = simulation.system.along(e, simulation.times, simulation.states)
         except NotCoveredError:
             continue
-        found.setdefault((1, units.of_column(name, e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
-    return [(unit, members) for (_, unit), members in sorted(found.items(), key=lambda item: item[0][0])]
+        groups.setdefault((1, units.of_column(name, e)), []).append((f"${latex(sp.Symbol(name, real=True))}$", values))
+    return [(unit, members) for (_, unit), members in sorted(groups.items(), key=lambda item: item[0][0])]
 
 
 def _planes(simulation: Simulation) -> list[tuple[Any, Any, str, str]]:
@@ -143,7 +143,7 @@ class Stage:
 
     def lines(self, law: Any) -> list[tuple[tuple[Any, Any], tuple[Any, Any], str]]:
         """Rods and strings, springs and dampers, each from end to end."""
-        found = []
+        lines = []
         for r in law.newton.reactions if law is not None else ():
             if r.rod is not None:
                 first, second = r.rod.ends
@@ -151,12 +151,12 @@ class Stage:
                 if end is None and r.rod.centre is not None:
                     end = self._place(r.rod.centre)
                 if end is not None and first in self.points:
-                    found.append((self.points[first], end, "-"))
+                    lines.append((self.points[first], end, "-"))
         for link in self._configuration.links:
             ends = [self.points.get(e) if isinstance(e, str) else self._place(e) for e in link.ends]
             if ends[0] is not None and ends[1] is not None:
-                found.append((ends[0], ends[1], "--"))
-        return found
+                lines.append((ends[0], ends[1], "--"))
+        return lines
 
 
 def _axes(simulation: Simulation) -> tuple[Sequence[sp.Expr], Sequence[sp.Expr]]:

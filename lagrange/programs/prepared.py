@@ -75,9 +75,9 @@ def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Pro
     from lagrange.mechanics.through_impact import problem_begun
 
     blow = replace(problem, find=(Find.IMPACT,), questions=(), initial=(), answers=None)
-    found = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
-    assert found is not None
-    return problem_begun(problem, found)
+    motion = solve(blow, choice or None, complete=False, on_stage=on_stage).impact
+    assert motion is not None
+    return problem_begun(problem, motion)
 
 
 def require_masses(problem: Problem) -> None:

@@ -345,15 +345,15 @@ class _Run:
                 ended.append(_Watch(EventKind.CONTACT, c.name, function(side * c.value), falling=True))
             elif c.guard is Guard.TWO_SIDED and all(e.name != c.force for e in self.events):
                 reversed_.append(_Watch(EventKind.REVERSED, c.force, function(c.value)))
-        found = [*ended, *(_Watch(EventKind.SLIP, str(e), function(e), falling=True) for e in states.slips)]
+        watches = [*ended, *(_Watch(EventKind.SLIP, str(e), function(e), falling=True) for e in states.slips)]
         for slip in states.plane_slips:
             least = (ENDED_SLIP * self._reference(slip)) ** 2
             square = function(sp.Add(*(c**2 for c in slip)) - least)
-            found.append(_Watch(EventKind.AT_REST, str(slip), square, falling=True, slip=slip))
-        found += [_Watch(EventKind.EXCHANGE, n, function(e), falling=True) for n, e in states.exchanges.items()]
-        found += [_Watch(EventKind.EMPTY, n, function(e), falling=True) for n, e in states.masses.items()]
-        found += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
-        return [*found, *reversed_, *(w for q in self.asked for w in self._watch_of(q))]
+            watches.append(_Watch(EventKind.AT_REST, str(slip), square, falling=True, slip=slip))
+        watches += [_Watch(EventKind.EXCHANGE, n, function(e), falling=True) for n, e in states.exchanges.items()]
+        watches += [_Watch(EventKind.EMPTY, n, function(e), falling=True) for n, e in states.masses.items()]
+        watches += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
+        return [*watches, *reversed_, *(w for q in self.asked for w in self._watch_of(q))]
 
     def _watch_of(self, question: Question) -> list[_Watch]:
         try:

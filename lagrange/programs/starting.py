@@ -238,10 +238,10 @@ def _state(
     guessed = [*guess[:count], *(0.5 for _ in others.coordinates)]
     start = [_value(direct[q].value, values) if q in direct else g for q, g in zip(unknown, guessed, strict=True)]
     start = others.placed(start, unknown, values)
-    found, error = solved_near([*e.finite, *others.places, *(c for c, _ in places)], unknown, start, numbers)
-    _refuse(error, found, wanted, [v for _, v in places])
-    at = {**numbers, **dict(zip(unknown, found, strict=True))}
-    positions = found[:count]
+    solved, error = solved_near([*e.finite, *others.places, *(c for c, _ in places)], unknown, start, numbers)
+    _refuse(error, solved, wanted, [v for _, v in places])
+    at = {**numbers, **dict(zip(unknown, solved, strict=True))}
+    positions = solved[:count]
     forms = [*e.velocity_forms, *others.speeds, *(c for c, _ in speeds)]
     velocities = {*e.speeds}
     nonlinear = any(not a.free_symbols.isdisjoint(velocities) for row in e.constraint_matrix for a in row)
@@ -250,8 +250,8 @@ def _state(
     different = [1 + 0.1 * k for k in range(len(moving))]
     # A constraint that is not linear in the velocities gives no direction at rest, and leads there from others.
     for first in (different,) if nonlinear else (usual, different):
-        found, error = solved_near(forms, moving, first, at)
-        rates = found[: len(e.speeds)]
+        solved, error = solved_near(forms, moving, first, at)
+        rates = solved[: len(e.speeds)]
         if error < LARGEST_CONTRADICTION and _has_rate(system, [*positions, *rates]):
             break
     _refuse(error, rates, wanted, [v for _, v in speeds])

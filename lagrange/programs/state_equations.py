@@ -116,10 +116,10 @@ class StateEquations:
     def functions(self) -> tuple[str, ...]:
         """The names of undefined functions f(X, Y) and prescribed motions u(t) that occur."""
         occurring = {f.name for f in distinct_parts(self.expressions) if isinstance(f, Unspecified)}
-        found = [f.name for f in self.problem.functions if f.name in occurring]
+        names = [f.name for f in self.problem.functions if f.name in occurring]
         prescribed = {*self.equations.slots.prescribed}
         moved = {base(s).name: None for s in sorted(_symbols(self.expressions), key=str) if base(s) in prescribed}
-        return (*found, *moved)
+        return (*names, *moved)
 
     def in_state(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file (its coordinates, velocities and named reactions) in the present state."""
@@ -226,7 +226,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         dynamics = motion(law, view.coordinates.configuration, view.elimination)
     quasi = view.in_speeds.equations if view.in_speeds is not None else None
     equations = in_coordinates(dynamics) if quasi is None else in_speeds(quasi)
-    found = view.conserved or conserved(dynamics, law.newton.multipliers_by_name, {f.name for f in law.frictions})
+    integrals = view.conserved or conserved(dynamics, law.newton.multipliers_by_name, {f.name for f in law.frictions})
     rates = dict(zip(equations.slots.velocities, equations.rates, strict=True)) if quasi is not None else {}
 
     def here(e: sp.Expr) -> sp.Expr:
@@ -239,8 +239,8 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         view=view,
         configuration=dynamics.equations.configuration,
         equations=equations,
-        energy=_energy(found, here),
-        conserved={name: here(e) for name, e in _named(found)},
+        energy=_energy(integrals, here),
+        conserved={name: here(e) for name, e in _named(integrals)},
         reactions={n: e for n, (_, e) in reactions.items()},
         contacts=tuple(replace(c, value=here(c.value)) for c in watched),
         slips=tuple(map(here, dynamics.slips)),
@@ -270,18 +270,18 @@ def _of_long(solution: Solution) -> StateEquations:
     )
 
 
-def _energy(found: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:
-    kept: Iterator[sp.Expr] = (i.expression for i in found.integrals if i.quantity == "energy")
+def _energy(conserved: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:
+    kept: Iterator[sp.Expr] = (i.expression for i in conserved.integrals if i.quantity == "energy")
     total = next(kept, None)
-    if total is None and found.energy is not None and not found.energy.hidden:
-        total = found.energy.expression
+    if total is None and conserved.energy is not None and not conserved.energy.hidden:
+        total = conserved.energy.expression
     return None if total is None else here(total)
 
 
-def _named(found: Conserved) -> Iterator[tuple[str, sp.Expr]]:
+def _named(conserved: Conserved) -> Iterator[tuple[str, sp.Expr]]:
     """The conserved quantities under names: energy, p_theta, and numbers for the rest."""
     names: set[str] = set()
-    for n, integral in enumerate(found.integrals, start=1):
+    for n, integral in enumerate(conserved.integrals, start=1):
         name = f"p_{integral.coordinate.name}" if integral.coordinate is not None else str(integral.quantity)
         name = name if name not in names else f"{name}_{n}"
         names.add(name)

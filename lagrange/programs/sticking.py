@@ -100,8 +100,8 @@ def beginning_in_plane(
         way = numpy.array([math.cos(angle), math.sin(angle)][: plane.shape[1]])
         slow = with_slip(SLOW * (plane @ way))
         rates = numpy.array([*still.rate(time, *slow), 1.0])
-        found = plane.T @ numpy.array(gradient(time, *slow)).reshape(len(slip), -1) @ rates
-        return float(way @ found), float(way[0] * found[1] - way[1] * found[0]) if len(way) > 1 else 0.0
+        rate = plane.T @ numpy.array(gradient(time, *slow)).reshape(len(slip), -1) @ rates
+        return float(way @ rate), float(way[0] * rate[1] - way[1] * rate[0]) if len(way) > 1 else 0.0
 
     try:
         if plane.shape[1] < 2:

@@ -45,9 +45,9 @@ class Units:
         stated = {q.symbol for q in problem.coordinates if q.unit}
         symbols = {*places, *states.equations.slots.prescribed, *states.equations.speeds, *states.equations.multipliers}
         for s in sorted(map(base, symbols), key=str):
-            found = self._homogeneity.dimension(s)
-            if found is not None:
-                self._known[s] = found
+            unit = self._homogeneity.dimension(s)
+            if unit is not None:
+                self._known[s] = unit
         if any(self._homogeneity.dimension(e) == _ENERGY for e in self._energies):
             self._known[ENERGY] = _ENERGY
             self._energies.add(ENERGY)
@@ -77,13 +77,13 @@ class Units:
 
     def of(self, expression: sp.Expr) -> str:
         """The unit of an expression; of a number none, of an angle rad, of an energy J."""
-        found = self._homogeneity.dimension(expression) or dimension(expression, self._known)
-        if found is None:
+        unit = self._homogeneity.dimension(expression) or dimension(expression, self._known)
+        if unit is None:
             return ""
-        if found == _ENERGY and expression in self._energies:
+        if unit == _ENERGY and expression in self._energies:
             return "J"
         turns = bool(expression.is_Symbol) and base(expression) in self._angles
-        return unit_called(found, turns)
+        return unit_called(unit, turns)
 
     def of_column(self, name: str, expression: sp.Expr) -> str:
         """That of a reaction or a conserved quantity, by its name."""

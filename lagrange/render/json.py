@@ -69,7 +69,7 @@ def as_object(report: Report) -> dict[str, Any]:
     solution, notation = report.solution, report.notation
     problem, classification, own = solution.problem, solution.classification, solution.own
     write = Writer(TEXT, notation).plain
-    found: dict[str, Any] = {
+    entries: dict[str, Any] = {
         "version": VERSION,
         "problem": {"title": problem.title, "source": problem.source},
         "coordinates": [q.name for q in problem.slots.coordinates],
@@ -92,40 +92,40 @@ def as_object(report: Report) -> dict[str, Any]:
         "choices": [_choice(c, report.values, write) for c in solution.choices],
     }
     if own.equilibrium is not None:
-        found |= _statics(own.equilibrium, own.stability, own.in_numbers, write)
+        entries |= _statics(own.equilibrium, own.stability, own.in_numbers, write)
     if solution.law is not None:
-        found |= _newton(solution.law.newton, write, counted=own.motion is not None or not problem.unknowns)
+        entries |= _newton(solution.law.newton, write, counted=own.motion is not None or not problem.unknowns)
     if own.dynamics is not None and isinstance(own.dynamics.written, LagrangeMotion):
-        found["method"] = "lagrange"
-    found |= _motion(own, report.values, write)
+        entries["method"] = "lagrange"
+    entries |= _motion(own, report.values, write)
     if own.dynamics is not None and own.dynamics.reactions is not None:
-        found |= _reactions(solution, own.dynamics.reactions, report.values, write)
+        entries |= _reactions(solution, own.dynamics.reactions, report.values, write)
     if own.conserved is not None:
-        found["conserved"] = integrals(own.conserved, write)
-    found |= beside_motion(solution, write)
+        entries["conserved"] = integrals(own.conserved, write)
+    entries |= beside_motion(solution, write)
     if own.reactions_at_rest is not None:
-        moving = found.get("reactions", {})
-        found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
+        moving = entries.get("reactions", {})
+        entries |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     if solution.asked:
-        found["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
+        entries["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
     if solution.from_start is not None:
-        found["from_start"] = [
+        entries["from_start"] = [
             {
                 "solutions": {q.name: write(e) for q, e in m.solutions.items()},
                 "conditions": [condition(c, write) for c in m.conditions],
             }
             for m in solution.from_start.motions
         ]
-    found |= _with_friction(solution, report.values, write)
-    found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
+    entries |= _with_friction(solution, report.values, write)
+    entries["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
     if first is not None:
-        found["spot"] = _spot(first, write)
+        entries["spot"] = _spot(first, write)
     if solution.given_up:
-        found["given_up"] = solution.given_up
-    found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
-    found["steps"] = [
+        entries["given_up"] = solution.given_up
+    entries["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
+    entries["steps"] = [
         {
             "rule": s.rule.value,
             "title": s.title,
@@ -133,7 +133,7 @@ def as_object(report: Report) -> dict[str, Any]:
         }
         for s in report.derivation.steps
     ]
-    return found
+    return entries
 
 
 def _with_friction(solution: Solution, values: Values | None, write: Write) -> dict[str, Any]:
@@ -141,12 +141,12 @@ def _with_friction(solution: Solution, values: Values | None, write: Write) -> d
     rests = [v.at_rest for v in reversed(solution.views)] + [v.rolling for v in reversed(solution.views)]
     resting = next((r for r in rests if r is not None), None)
     motions = next((v.impending for v in reversed(solution.views) if v.impending is not None), None)
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     if resting is not None:
-        found["rest"] = _rest(resting, write) | rest_in_numbers(resting.cases, values, write)
+        entries["rest"] = _rest(resting, write) | rest_in_numbers(resting.cases, values, write)
     if motions is not None:
-        found["equilibrium"] = [_relations(b, write) for m in motions for b in m.equilibrium.branches]
-        found["impending"] = [
+        entries["equilibrium"] = [_relations(b, write) for m in motions for b in m.equilibrium.branches]
+        entries["impending"] = [
             {
                 "slip": {c.name: write(shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
@@ -155,7 +155,7 @@ def _with_friction(solution: Solution, values: Values | None, write: Write) -> d
             } | impending_in_numbers(m, values, write)
             for m in motions
         ]  # fmt: skip
-    return found
+    return entries
 
 
 def _relations(branch: Branch, write: Write) -> list[str]:
@@ -221,53 +221,53 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
 
 def _choice(c: InCoordinates, values: Values | None, write: Write) -> dict[str, Any]:
     coordinates = c.coordinates
-    found: dict[str, Any] = {
+    entries: dict[str, Any] = {
         "name": c.name,
         "coordinates": [q.name for q in coordinates.choice.coordinates],
         "independent": True,  # otherwise it would have been refused
         "branches": coordinates.branches,
     }
     if c.equilibrium is not None:
-        found |= _statics(c.equilibrium, c.stability, c.in_numbers, write)
+        entries |= _statics(c.equilibrium, c.stability, c.in_numbers, write)
     if c.dynamics is not None:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
-        found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-    found |= _motion(c, values, write)
+        entries["generalized_forces"] = {q.name: write(f) for q, f in forces}
+    entries |= _motion(c, values, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         reactions = c.dynamics.reactions
-        found["reactions"] = {
+        entries["reactions"] = {
             name: {"multiplier": None if value is None else write(value)} | _single(name, reactions, values, write)
             for name, value in reactions.multipliers.items()
         }
     if c.conserved is not None:
-        found["conserved"] = integrals(c.conserved, write)
+        entries["conserved"] = integrals(c.conserved, write)
     if c.hamiltonian is not None:
-        found["hamiltonian"] = hamiltonian(c.hamiltonian, write)
+        entries["hamiltonian"] = hamiltonian(c.hamiltonian, write)
     if c.reactions_at_rest is not None:
-        found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), values, write)
+        entries |= _reactions_at_rest(c.reactions_at_rest, (), entries.get("reactions", {}), values, write)
     if c.spot is not None:
-        found["spot"] = _spot(c.spot, write)
-    return found
+        entries["spot"] = _spot(c.spot, write)
+    return entries
 
 
 def _motion(view: InCoordinates, values: Values | None, write: Write) -> dict[str, Any]:
     """The equations of motion in one set of coordinates, in every form in which they were found."""
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     if view.dynamics is not None:
-        found |= motion(view.dynamics, write)
-        found |= equations_in_numbers(view.dynamics.written, values, write)
-        found |= by_lagrange(view.dynamics.written, write)
-        found |= matrices(view.dynamics, write)
+        entries |= motion(view.dynamics, write)
+        entries |= equations_in_numbers(view.dynamics.written, values, write)
+        entries |= by_lagrange(view.dynamics.written, write)
+        entries |= matrices(view.dynamics, write)
     if view.in_speeds is not None:
-        found["speeds"] = speeds(view.in_speeds, write)
+        entries["speeds"] = speeds(view.in_speeds, write)
     if view.linearization is not None:
-        found["linearization"] = linearized(view.linearization, write)
+        entries["linearization"] = linearized(view.linearization, write)
         if view.in_numbers is not None:
-            add_oscillations(found["linearization"], view.in_numbers)
+            add_oscillations(entries["linearization"], view.in_numbers)
     if view.equilibrium is not None or view.linearization is not None:
-        found |= critical(view, values)
-    return found
+        entries |= critical(view, values)
+    return entries
 
 
 def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
@@ -285,32 +285,32 @@ def _reactions(solution: Solution, reactions: Reactions, values: Values | None, 
 
     A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
     """
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     if solution.works:
         there = [("", reactions)]
         there += [(c.name, c.dynamics.reactions) for c in solution.choices if c.dynamics and c.dynamics.reactions]
-        found["reactions"] = {w.reaction.name: _reaction(w, there, values, write) for w in solution.works}
-    return found
+        entries["reactions"] = {w.reaction.name: _reaction(w, there, values, write) for w in solution.works}
+    return entries
 
 
 def _reaction(
     work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], values: Values | None, write: Write
 ) -> dict[str, Any]:
     name = work.reaction.name
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     choice, reactions = next(((c, r) for c, r in there if r.multipliers.get(name) is not None), there[0])
     value = reactions.multipliers.get(name)
     if value is not None:
-        found["multiplier"] = write(value)
-    found |= _single(name, reactions, values, write)
+        entries["multiplier"] = write(value)
+    entries |= _single(name, reactions, values, write)
     if name in reactions.forces:
-        found["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
+        entries["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
     if name in reactions.moments:
-        found["moment_on"] = {b: write(shown(moment)) for b, moment in reactions.moments[name].items()}
+        entries["moment_on"] = {b: write(shown(moment)) for b, moment in reactions.moments[name].items()}
     if choice:
-        found["choice"] = choice
+        entries["choice"] = choice
     work_done = "0" if work.vanishes else None
-    return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
+    return entries | {"virtual_work": work_done, "possible_work": write(work.possible)}
 
 
 def _single(name: str, reactions: Reactions, values: Values | None, write: Write) -> dict[str, Any]:
@@ -585,14 +585,14 @@ def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
         for b in asked.branches
     ]
     common = [c for c in each[0] if all(c in other for other in each)] if each else []
-    found: dict[str, Any] = {
+    entries: dict[str, Any] = {
         "name": question.name,
         "quantity": write(question.quantity),
         "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
     }
-    found |= {"by": question.by.name} if question.by is not None else {}
-    found |= {"value": " or ".join(stated) or None, **asked_number(asked, values, write)}
-    found |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
+    entries |= {"by": question.by.name} if question.by is not None else {}
+    entries |= {"value": " or ".join(stated) or None, **asked_number(asked, values, write)}
+    entries |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
     if len(stated) > 1:
-        found["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]
-    return found | ({"choice": asked.choice} if asked.choice else {})
+        entries["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]
+    return entries | ({"choice": asked.choice} if asked.choice else {})

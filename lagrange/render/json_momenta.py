@@ -31,34 +31,34 @@ Write = Callable[[Any], str]
 
 def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
     """`variable_masses` where there are any; `steady`, `hamiltonian`, `response` and `impact` if they are asked for."""
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     views = solution.views
     configuration = solution.own.configuration
     if configuration.variable_masses:
-        found["variable_masses"] = {
+        entries["variable_masses"] = {
             m.name: variable_mass(m, configuration, write) for m in configuration.variable_masses
         }
     steady = next((v for v in reversed(views) if v.steady is not None), None)
     if steady is not None and steady.steady is not None:
-        found["steady"] = steady_motions(steady.steady, write)
+        entries["steady"] = steady_motions(steady.steady, write)
     in_momenta = next((v for v in views if v.hamiltonian is not None), None)
     if in_momenta is not None and in_momenta.hamiltonian is not None:
-        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | _named(in_momenta)
+        entries["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | _named(in_momenta)
     forced = next((v for v in reversed(views) if v.forced is not None), None)
     if forced is not None and forced.forced is not None:
-        found["response"] = response(forced.forced, forced.response, write) | _named(forced)
+        entries["response"] = response(forced.forced, forced.response, write) | _named(forced)
     if solution.long_equations is not None:
-        found |= long_equations(solution.long_equations, write)
+        entries |= long_equations(solution.long_equations, write)
     if solution.at_start is not None:
         multipliers = {name: float(x) for name, x in solution.at_start.multipliers.items()}
-        found["at_start"] = at_state(solution.at_start) | {"multipliers": multipliers}
+        entries["at_start"] = at_state(solution.at_start) | {"multipliers": multipliers}
     if solution.linear_motion is not None:
-        found["linear_motion"] = linear_motion(solution.linear_motion, write)
+        entries["linear_motion"] = linear_motion(solution.linear_motion, write)
     if solution.long_reactions is not None:
-        found["long_reactions"] = long_reactions(solution.long_reactions, write)
+        entries["long_reactions"] = long_reactions(solution.long_reactions, write)
     if solution.impact is not None:
-        found["impact"] = impact(solution.impact, write)
-    return found
+        entries["impact"] = impact(solution.impact, write)
+    return entries
 
 
 def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -> dict[str, Any]:
@@ -80,27 +80,27 @@ def variable_mass(m: VariableMass, configuration: Configuration, write: Write) -
     return result
 
 
-def long_reactions(found: LongReactions, write: Write) -> dict[str, Any]:
+def long_reactions(reactions: LongReactions, write: Write) -> dict[str, Any]:
     """Forces with a name, or multipliers, `by_accelerations`; with values as `numbers` at a `state`."""
-    result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in found.by_accelerations.items()}}
-    if found.at is not None:
-        result |= at_state(found.at)
-        result["numbers"] = {name: float(x) for name, x in found.numbers.items()}
+    result: dict[str, Any] = {"by_accelerations": {name: write(e) for name, e in reactions.by_accelerations.items()}}
+    if reactions.at is not None:
+        result |= at_state(reactions.at)
+        result["numbers"] = {name: float(x) for name, x in reactions.numbers.items()}
     return result
 
 
-def at_state(found: StateInNumbers) -> dict[str, Any]:
+def at_state(state: StateInNumbers) -> dict[str, Any]:
     """`state` and `accelerations`, numbers by name."""
     return {
-        "state": {s.name: float(e) for s, e in found.state.items()},
-        "accelerations": {s.name.rstrip("'"): float(e) for s, e in found.accelerations.items()},
+        "state": {s.name: float(e) for s, e in state.state.items()},
+        "accelerations": {s.name.rstrip("'"): float(e) for s, e in state.accelerations.items()},
     }
 
 
-def long_equations(found: LongEquations, write: Write) -> dict[str, Any]:
+def long_equations(equations: LongEquations, write: Write) -> dict[str, Any]:
     """`definitions` of abbreviations, in their order, and the `equations` with multipliers, which use them."""
-    lines = [f"{write(a)} = {write(b)}" for a, b in zip(found.left, found.right, strict=True)]
-    return {"definitions": {z.name: write(e) for z, e in found.definitions.items()}, "equations": lines}
+    lines = [f"{write(a)} = {write(b)}" for a, b in zip(equations.left, equations.right, strict=True)]
+    return {"definitions": {z.name: write(e) for z, e in equations.definitions.items()}, "equations": lines}
 
 
 def _range(r: StableRange) -> dict[str, Any]:
@@ -108,14 +108,14 @@ def _range(r: StableRange) -> dict[str, Any]:
     return {"letter": r.letter.name, "low": float(r.low), "high": None if r.high is sp.oo else float(r.high)}
 
 
-def linear_motion(found: LinearMotion, write: Write) -> dict[str, Any]:
+def linear_motion(motion: LinearMotion, write: Write) -> dict[str, Any]:
     """`about`: the steady motion; `blocks` of coordinates that are coupled, with the tables of ξ'', ξ', ξ."""
 
     def table(rows: Sequence[Sequence[Any]]) -> list[list[str]]:
         return [[write(e) for e in row] for row in rows]
 
     return {
-        "about": {s.name: write(e) for s, e in found.state.items()},
+        "about": {s.name: write(e) for s, e in motion.state.items()},
         "blocks": [
             {
                 "coordinates": [q.name for q in b.coordinates],
@@ -126,9 +126,9 @@ def linear_motion(found: LinearMotion, write: Write) -> dict[str, Any]:
             }
             | ({"exponents": [str(p) for p in b.exponents]} if b.exponents else {})
             | ({"stable_for": [_range(r) for r in b.stable_ranges]} if b.stable_ranges is not None else {})
-            for b in found.blocks
+            for b in motion.blocks
         ],
-        "ignorable": [q.name for q in found.ignorable],
+        "ignorable": [q.name for q in motion.ignorable],
     }
 
 
@@ -136,77 +136,77 @@ def _named(view: InCoordinates) -> dict[str, str]:
     return {"choice": view.name} if view.name else {}
 
 
-def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
+def hamiltonian(hamiltonian: Hamiltonian, write: Write) -> dict[str, Any]:
     """`momenta` by coordinate; `velocities` in terms of them; `H`; `equations`; `cyclic` coordinates and `routhian`."""
-    coordinates = found.coordinates
-    pairs = [(prime(q), v) for q, v in zip(coordinates, found.velocities, strict=True)]
-    pairs += [(prime(p), rate) for p, rate in zip(found.momenta, found.rates, strict=True)]
+    coordinates = hamiltonian.coordinates
+    pairs = [(prime(q), v) for q, v in zip(coordinates, hamiltonian.velocities, strict=True)]
+    pairs += [(prime(p), rate) for p, rate in zip(hamiltonian.momenta, hamiltonian.rates, strict=True)]
     result: dict[str, Any] = {
-        "momenta": {q.name: write(p) for q, p in zip(coordinates, found.energies.momenta, strict=True)},
-        "symbols": {q.name: p.name for q, p in zip(coordinates, found.momenta, strict=True)},
-        "H": write(found.function),
+        "momenta": {q.name: write(p) for q, p in zip(coordinates, hamiltonian.energies.momenta, strict=True)},
+        "symbols": {q.name: p.name for q, p in zip(coordinates, hamiltonian.momenta, strict=True)},
+        "H": write(hamiltonian.function),
         "equations": [f"{write(left)} = {write(right)}" for left, right in pairs],
-        "is_energy": found.is_energy,
-        "cyclic": [coordinates[c].name for c in found.cyclic],
+        "is_energy": hamiltonian.is_energy,
+        "cyclic": [coordinates[c].name for c in hamiltonian.cyclic],
     }
-    if found.routhian is not None:
-        result["routhian"] = write(found.routhian)
+    if hamiltonian.routhian is not None:
+        result["routhian"] = write(hamiltonian.routhian)
     return result
 
 
-def response(forced: ForcedEquations, found: Response | None, write: Write) -> dict[str, Any]:
+def response(forced: ForcedEquations, response: Response | None, write: Write) -> dict[str, Any]:
     """`linear`: the forced equations; `amplitudes`, `phases` (the lag behind the drive) and `motions` by coordinate."""
     coordinates = forced.configuration.slots.coordinates
     result: dict[str, Any] = {
         "about": [f"{write(r.lhs)} = {write(r.rhs)}" for r in forced.branch.equations],
         "linear": [f"{write(left)} = {write(right)}" for left, right in forced.sides],
     }
-    if found is None:
+    if response is None:
         return result
     names = [q.name for q in coordinates]
     result |= {
-        "amplitudes": {q: write(e) for q, e in zip(names, found.amplitudes, strict=True)},
-        "phases": {q: None if e is None else write(e) for q, e in zip(names, found.phases, strict=True)},
-        "motions": {q: write(e) for q, e in zip(names, found.motions, strict=True)},
-        "drive": write(found.drive.law),
-        "frequency": write(found.drive.frequency),
-        "resonances": [write(e) for e in found.resonances],
-        "at_rest": {q: [write(e) for e in places] for q, places in zip(names, found.rests, strict=True) if places},
+        "amplitudes": {q: write(e) for q, e in zip(names, response.amplitudes, strict=True)},
+        "phases": {q: None if e is None else write(e) for q, e in zip(names, response.phases, strict=True)},
+        "motions": {q: write(e) for q, e in zip(names, response.motions, strict=True)},
+        "drive": write(response.drive.law),
+        "frequency": write(response.drive.frequency),
+        "resonances": [write(e) for e in response.resonances],
+        "at_rest": {q: [write(e) for e in places] for q, places in zip(names, response.rests, strict=True) if places},
     }
     return result
 
 
-def impact(found: ImpulsiveMotion, write: Write) -> dict[str, Any]:
+def impact(motion: ImpulsiveMotion, write: Write) -> dict[str, Any]:
     """`velocities` just after, by coordinate; `impulses` by constraint, `null` where they are not determined, with the
     `directions` of those that are single forces; `energy_lost`, and where; `conditions` of contact.
     """
-    single = {i.name: i.reaction.single for i in found.impulses if i.reaction.single is not None}
+    single = {i.name: i.reaction.single for i in motion.impulses if i.reaction.single is not None}
     result: dict[str, Any] = {
-        "velocities": {q.name: write(v) for q, v in found.all_velocities.items()},
-        "before": {q.name: write(v) for q, v in zip(found.slots.coordinates, found.before, strict=True)},
-        "position": {q.name: write(v) for q, v in found.position.items()},
-        "impulses": {i.name: None if i.value is None else write(i.value) for i in found.impulses},
+        "velocities": {q.name: write(v) for q, v in motion.all_velocities.items()},
+        "before": {q.name: write(v) for q, v in zip(motion.slots.coordinates, motion.before, strict=True)},
+        "position": {q.name: write(v) for q, v in motion.position.items()},
+        "impulses": {i.name: None if i.value is None else write(i.value) for i in motion.impulses},
         "directions": {
-            name: {"on": s.on, "direction": write(s.direction.map(found.at))}
+            name: {"on": s.on, "direction": write(s.direction.map(motion.at))}
             for name, s in single.items()
             if s.direction is not None
         },
-        "energy_lost": write(found.energy_lost),
-        "lost_at": {i.name: write(i.lost) for i in found.impulses if i.lost is not None},
-        "kinetic_energy": {"before": write(found.kinetic[0]), "after": write(found.kinetic[1])},
-        "work_of_impulses": write(found.work),
-        "conditions": [f"{write(c.quantity)} {'>=' if c.is_impulse else '>'} 0" for c in found.conditions],
+        "energy_lost": write(motion.energy_lost),
+        "lost_at": {i.name: write(i.lost) for i in motion.impulses if i.lost is not None},
+        "kinetic_energy": {"before": write(motion.kinetic[0]), "after": write(motion.kinetic[1])},
+        "work_of_impulses": write(motion.work),
+        "conditions": [f"{write(c.quantity)} {'>=' if c.is_impulse else '>'} 0" for c in motion.conditions],
     }
-    return result | ({"choice": found.configuration.name} if found.configuration.name else {})
+    return result | ({"choice": motion.configuration.name} if motion.configuration.name else {})
 
 
-def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
+def steady_motions(steady: SteadyMotions, write: Write) -> list[dict[str, Any]]:
     """One entry for each solution of the conditions, with the linear equations about it at constant momenta."""
     entries = []
-    branches = [(f, *pair) for f in found.families for pair in zip(f.about.branches, f.about.at, strict=True)]
+    branches = [(f, *pair) for f in steady.families for pair in zip(f.about.branches, f.about.at, strict=True)]
     for family, b, s in branches:
         entry: dict[str, Any] = {
-            "cyclic": [q.name for q in found.cyclic],
+            "cyclic": [q.name for q in steady.cyclic],
             "conditions": [f"{write(r.lhs)} = {write(r.rhs)}" for r in family.relations(b)],
             "exists_where": [condition(c, write) for c in b.conditions],
         }

@@ -30,15 +30,15 @@ JSON_DIGITS = 10
 
 def position(p: Position) -> dict[str, Any]:
     """An equilibrium in numbers; `branch` is the place of its equations in `equilibrium`, counted from 0."""
-    found: dict[str, Any] = {"how": "numerical"} if p.branch is None else {"branch": p.branch, "how": "exact"}
-    found["coordinates"] = {u.name: _measured(q) for u, q in p.coordinates.items()}
+    entries: dict[str, Any] = {"how": "numerical"} if p.branch is None else {"branch": p.branch, "how": "exact"}
+    entries["coordinates"] = {u.name: _measured(q) for u, q in p.coordinates.items()}
     if p.stability is not None:
-        found["stability"] = p.stability.value
+        entries["stability"] = p.stability.value
     if p.oscillations:
-        found["frequencies"] = [_oscillation(o) for o in p.oscillations]
+        entries["frequencies"] = [_oscillation(o) for o in p.oscillations]
     if p.decays:
-        found["damped_modes"] = [_decay(d) for d in p.decays]
-    return found
+        entries["damped_modes"] = [_decay(d) for d in p.decays]
+    return entries
 
 
 def critical(view: InCoordinates, values: Values | None) -> dict[str, Any]:
@@ -47,8 +47,8 @@ def critical(view: InCoordinates, values: Values | None) -> dict[str, Any]:
         return {}
     from lagrange.mechanics.equilibrium.critical_values import critical_values
 
-    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
-    entries = [{"name": v.parameter.name, "relation": v.relation} | _measured(v.bound) for v in found]
+    bounds = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    entries = [{"name": v.parameter.name, "relation": v.relation} | _measured(v.bound) for v in bounds]
     return {"critical": entries} if entries else {}
 
 
@@ -62,10 +62,10 @@ def _oscillation(o: Oscillation) -> dict[str, Any]:
     return _measured(o.frequency) | {"period": _measured(o.period)}
 
 
-def damped_modes(found: DampedModes, write: Write) -> list[dict[str, Any]]:
+def damped_modes(damped: DampedModes, write: Write) -> list[dict[str, Any]]:
     """The damped modes: decay rates, ω², where it oscillates; `equation` of what has no closed form."""
     entries = []
-    for m in found.modes:
+    for m in damped.modes:
         entry: dict[str, Any] = {"decay": [write(r) for r in m.decays]}
         if m.square is not None:
             entry |= {"squared": write(m.square), "oscillates": m.oscillates}
@@ -74,16 +74,16 @@ def damped_modes(found: DampedModes, write: Write) -> list[dict[str, Any]]:
         if m.shape:
             entry["mode"] = [write(a) for a in m.shape]
         entries.append(entry | {"multiplicity": m.multiplicity})
-    left = ({"equation": f"{write(f)} = 0", "multiplicity": n} for f, n in found.left)
+    left = ({"equation": f"{write(f)} = 0", "multiplicity": n} for f, n in damped.left)
     return [*entries, *left]
 
 
 def _decay(d: Decay) -> dict[str, Any]:
     """A damped mode: `decay`, `frequency` if it oscillates, amplitudes and phases of the free coordinates."""
-    found: dict[str, Any] = {"decay": _measured(d.rate)}
+    entries: dict[str, Any] = {"decay": _measured(d.rate)}
     if d.frequency is not None:
-        found["frequency"] = _measured(d.frequency)
-    return found | {"amplitudes": list(d.amplitudes), "phases": list(d.phases)}
+        entries["frequency"] = _measured(d.frequency)
+    return entries | {"amplitudes": list(d.amplitudes), "phases": list(d.phases)}
 
 
 def _measured(quantity: Quantity) -> dict[str, Any]:
@@ -157,17 +157,17 @@ def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | N
     signs = {"≤": "<=", "≥": ">="}
 
     def entry(c: RestCondition) -> dict[str, Any]:
-        found = bound_with(c.left, c.right, values)
-        if found is None:
+        bound = bound_with(c.left, c.right, values)
+        if bound is None:
             return {"condition": f"{write(c.left)} <= {write(c.right)}"}
-        left = found.left.formula_shown(JSON_DIGITS) if isinstance(found.left, Quantity) else found.left
-        right = found.bound.formula_shown(JSON_DIGITS)
-        low = "" if found.low is None else f"{write(found.low.formula_shown(JSON_DIGITS))} <= "
-        said: dict[str, Any] = {"condition": f"{low}{write(left)} {signs[found.relation]} {write(right)}"}
-        if found.holds is not None:
-            return said | {"holds": found.holds}
-        least = {} if found.low is None else {"low": float(found.low.number)}
-        return said | least | (_measured(found.bound) if found.bound.is_number else {})
+        left = bound.left.formula_shown(JSON_DIGITS) if isinstance(bound.left, Quantity) else bound.left
+        right = bound.bound.formula_shown(JSON_DIGITS)
+        low = "" if bound.low is None else f"{write(bound.low.formula_shown(JSON_DIGITS))} <= "
+        said: dict[str, Any] = {"condition": f"{low}{write(left)} {signs[bound.relation]} {write(right)}"}
+        if bound.holds is not None:
+            return said | {"holds": bound.holds}
+        least = {} if bound.low is None else {"low": float(bound.low.number)}
+        return said | least | (_measured(bound.bound) if bound.bound.is_number else {})
 
     rows = [[entry(c) for c in case] for case in cases]
     return {"in_numbers": rows[0] if len(rows) == 1 else rows}
@@ -175,12 +175,12 @@ def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | N
 
 def impending_in_numbers(motion: ImpendingMotion, values: Values | None, write: Write) -> dict[str, Any]:
     """`in_numbers`: of each equilibrium the quantities that have a number, and `reactions_in_numbers`."""
-    found = [
+    limits = [
         {write(r.lhs): number for r in b.equations if (number := quantity(r.rhs, values, write))}
         for b in motion.equilibrium.branches
     ]
     pressed = {name: number for name, force in motion.pressed.items() if (number := quantity(force, values, write))}
-    numbers: dict[str, Any] = {"in_numbers": found} if any(found) else {}
+    numbers: dict[str, Any] = {"in_numbers": limits} if any(limits) else {}
     return numbers | ({"reactions_in_numbers": pressed} if pressed else {})
 
 
@@ -190,9 +190,9 @@ def add_oscillations(entries: list[dict[str, Any]], in_numbers: EquilibriaInNumb
         there = [p for p in in_numbers.positions if p.branch == n]
         entry["in_numbers"] = [position(p) for p in there]
         for k, frequency in enumerate(entry.get("frequencies", ())):
-            found = {_text(_oscillation(o)) for p in there for o in p.oscillations if o.root == k}
-            if len(found) == 1:
-                frequency |= json.loads(found.pop())
+            written = {_text(_oscillation(o)) for p in there for o in p.oscillations if o.root == k}
+            if len(written) == 1:
+                frequency |= json.loads(written.pop())
 
 
 def _text(value: dict[str, Any]) -> str:

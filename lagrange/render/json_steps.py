@@ -55,10 +55,10 @@ def stability_conditions(s: Stability, write: Write) -> dict[str, Any]:
             unstable = (s.presupposed,) if s.presupposed else ()
         case _:
             unstable = tuple((c,) for c in s.unstable)
-    found: dict[str, Any] = {"stable_where": [condition(c, write) for c in stable]} if stable else {}
+    entries: dict[str, Any] = {"stable_where": [condition(c, write) for c in stable]} if stable else {}
     if unstable:
-        found["unstable_where"] = [[condition(c, write) for c in alternative] for alternative in unstable]
-    return found
+        entries["unstable_where"] = [[condition(c, write) for c in alternative] for alternative in unstable]
+    return entries
 
 
 def block(block: Block, write: Write) -> dict[str, Any]:

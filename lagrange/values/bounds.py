@@ -84,10 +84,10 @@ def _without_magnitude(difference: sp.Expr, values: Values) -> Bound | None:
     inside = sizes[0].args[0]
     cases = [difference.xreplace({sizes[0]: side * inside}) for side in (1, -1)]
     cases = [e for e in cases if not _always_holds(values.put_in(e))]
-    found = [_solved(e, values.put_in(e), values) for e in cases]
+    solved = [_solved(e, values.put_in(e), values) for e in cases]
     if len(cases) == 1:
-        return found[0]
-    below, above = ([b for b in found if b is not None and b.relation == r] for r in "≥≤")
+        return solved[0]
+    below, above = ([b for b in solved if b is not None and b.relation == r] for r in "≥≤")
     if len(below) != 1 or len(above) != 1 or below[0].left != above[0].left:
         return None
     if real_value(below[0].bound.formula) > real_value(above[0].bound.formula):
@@ -144,25 +144,25 @@ def _always_holds(e: sp.Expr) -> bool:
     """Whether e ≥ 0 for every positive value of the one quantity that is left."""
     if len(e.free_symbols) != 1:
         return False
-    found = ends_of_one(e, *e.free_symbols)
-    return found is not None and found.low is None and found.high is None
+    ends = ends_of_one(e, *e.free_symbols)
+    return ends is not None and ends.low is None and ends.high is None
 
 
 def _solved_for_power(symbol: sp.Symbol, e: sp.Expr, values: Values) -> Bound | None:
     """e ≥ 0 that is not linear in the one quantity: 48 m/s for m v²/R, an angle for tan θ or sines with cosines."""
-    found = ends_of_one(e, symbol)
-    if found is None or (found.low is None and found.high is None):
+    limits = ends_of_one(e, symbol)
+    if limits is None or (limits.low is None and limits.high is None):
         return None
-    unit = values.unit_of(symbol) if found.wanted == symbol else ""
-    low, high = (None if end is None else Quantity(end, unit) for end in (found.low, found.high))
+    unit = values.unit_of(symbol) if limits.wanted == symbol else ""
+    low, high = (None if end is None else Quantity(end, unit) for end in (limits.low, limits.high))
     bound, relation = (low, "≥") if high is None else (high, "≤")
     assert bound is not None
-    angle = _angle(found.wanted, relation, bound.formula)
+    angle = _angle(limits.wanted, relation, bound.formula)
     if angle is not None and low is not None and high is not None:
-        other = _angle(found.wanted, "≥", low.formula)
+        other = _angle(limits.wanted, "≥", low.formula)
         ends = sorted((angle, other), key=lambda a: a.relation != "≥") if other is not None else []
         angle = replace(ends[1], low=ends[0].value) if ends else None
-    return Bound(found.wanted, relation, bound, angle, low=low if high is not None else None)
+    return Bound(limits.wanted, relation, bound, angle, low=low if high is not None else None)
 
 
 def _growth(symbol: sp.Symbol, e: sp.Expr) -> sp.Expr | None:

@@ -71,17 +71,17 @@ def real_roots(
     jacobian = [[e.diff(u) for u in unknowns] for e in equations]
     waiting: list[Box] = [[iv.mpf(list(ends)) for ends in search]]
     widths = [float(high) - float(low) for low, high in search]
-    found: list[Root] = []
+    roots: list[Root] = []
     undecided: list[Box] = []
     operations = sum(count_operations(e) + 1 for row in (equations, *jacobian) for e in row)
     most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
     several = len(unknowns) > 2
     if several:
-        found += _from_starts(equations, jacobian, unknowns, search)
+        roots += _from_starts(equations, jacobian, unknowns, search)
     while waiting and boxes < most:
         boxes += 1
         box = waiting.pop()
-        if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in found):
+        if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in roots):
             continue
         larger = [_inflated(x) for x in box]
         mapped = _krawczyk(equations, jacobian, unknowns, larger)
@@ -93,8 +93,8 @@ def real_roots(
                 box = smaller
         root = _confirmed(equations, jacobian, unknowns, larger, mapped)
         if root is not None:
-            if not any(_same(root, other) for other in found):
-                found.append(root)
+            if not any(_same(root, other) for other in roots):
+                roots.append(root)
             if _contains(root.box, box):
                 continue
         if all(_width(x) < SMALLEST_BOX * w for x, w in zip(box, widths, strict=True)):
@@ -103,8 +103,8 @@ def real_roots(
                 break
             continue
         waiting += _halves(box, widths)
-    inside = [r for r in found if all(lo <= v <= hi for v, (lo, hi) in zip(r.values, search, strict=True))]
-    left = [b for b in (*waiting, *undecided) if not any(_contains(r.box, b) for r in found)]
+    inside = [r for r in roots if all(lo <= v <= hi for v, (lo, hi) in zip(r.values, search, strict=True))]
+    left = [b for b in (*waiting, *undecided) if not any(_contains(r.box, b) for r in roots)]
     return Roots(tuple(sorted(inside, key=lambda r: [float(v) for v in r.values])), not left)
 
 
@@ -256,7 +256,7 @@ def _from_starts(
 
     With three unknowns and more the boxes of the search are many, and these roots are known whether it ends or not.
     """
-    found: list[Root] = []
+    roots: list[Root] = []
     size = len(unknowns)
     program = _Program([*equations, *(d for row in jacobian for d in row)], unknowns)
     grid = [[low + (high - low) * part for part in STARTS] for low, high in search]
@@ -264,16 +264,16 @@ def _from_starts(
         place = _iterated(program, size, start)
         if place is None or not all(low <= x <= high for x, (low, high) in zip(place, search, strict=True)):
             continue
-        if any(all(low <= x <= high for x, (low, high) in zip(place, r.box, strict=True)) for r in found):
+        if any(all(low <= x <= high for x, (low, high) in zip(place, r.box, strict=True)) for r in roots):
             continue
         for part in (1e-2, 1e-4, 1e-6):
             near = [iv.mpf([x - part * (high - low), x + part * (high - low)])
                     for x, (low, high) in zip(place, search, strict=True)]  # fmt: skip
             root = _confirmed(equations, jacobian, unknowns, near, _krawczyk(equations, jacobian, unknowns, near))
             if root is not None:
-                found += [root] if not any(_same(root, other) for other in found) else []
+                roots += [root] if not any(_same(root, other) for other in roots) else []
                 break
-    return found
+    return roots
 
 
 def _iterated(program: _Program, size: int, start: Sequence[float]) -> list[float] | None:

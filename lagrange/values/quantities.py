@@ -107,8 +107,8 @@ class Values:
         """The unit of an expression; empty where the units given do not determine it."""
         if not self.units or not {base(s) for s in expression.free_symbols} & {t, *self.units}:
             return unit_called(NO_DIMENSION, is_angle) if is_angle and expression.is_number else ""
-        found = dimension(expression, self.units)
-        return "" if found is None else unit_called(found, is_angle or self._is_angle(expression))
+        unit = dimension(expression, self.units)
+        return "" if unit is None else unit_called(unit, is_angle or self._is_angle(expression))
 
     def _is_angle(self, expression: sp.Expr) -> bool:
         """Whether it is a sum of coordinates that are angles, or of their velocities, with numbers before them."""

@@ -49,7 +49,9 @@ def test_mutations_are_wrong(name: str) -> None:
 def holds(equation: sp.Expr, system: System) -> bool:
     """Whether an equation holds for the accelerations of the system, at a state that satisfies the constraints."""
     slots, rows = system.configuration.slots, system.configuration.rows
-    values = {s: mpmath.mpf(v) for s, v in system.configuration.surface.real_values((*slots.coordinates,)).items()}
+    [values] = system.configuration.surface.sampled(
+        lambda point: {q: mpmath.mpf(point.input(q)) for q in slots.coordinates}, 1, real=True
+    )
     expressions = (equation, *system.equations, *system.accelerated_constraints)
     unknowns = (*system.multipliers, *slots.accelerations)
     for k, s in enumerate(sorted({s for e in expressions for s in e.free_symbols} - {*unknowns}, key=str)):

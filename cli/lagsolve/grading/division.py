@@ -173,9 +173,9 @@ def _bare_heading(line: str, asked: Sequence[Asked]) -> tuple[int, int] | None:
 def _named(text: str, asked: Sequence[Asked]) -> int | None:
     """The problem that a text is a name of: label, file, title, or `problem2`."""
     letters = _letters(text)
-    found = [n for n, a in enumerate(asked) if letters in a.names]
-    if found or not letters:
-        return found[0] if found else None
+    numbers = [n for n, a in enumerate(asked) if letters in a.names]
+    if numbers or not letters:
+        return numbers[0] if numbers else None
     joined = _JOINED.fullmatch(letters)
     worded = joined is not None and len(letters) > len(joined["which"])
     return _placed(joined["which"], asked) if joined is not None and worded else None

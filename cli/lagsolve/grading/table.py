@@ -63,8 +63,8 @@ class TableRow:
         remark = visible(" ".join(graded.at_hint_level(hint).remark.split()))
         if len(remark) > LONGEST_REMARK:
             remark = f"{remark[:LONGEST_REMARK]}..."
-        found = [e.cause for e in graded.equations] + [cause for a in graded.others for cause in a.causes]
-        causes = dict.fromkeys(visible(cause).replace("; ", ", ") for cause in found if cause)
+        all_causes = [e.cause for e in graded.equations] + [cause for a in graded.others for cause in a.causes]
+        causes = dict.fromkeys(visible(cause).replace("; ", ", ") for cause in all_causes if cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
         common = visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes
         return cls(*common, graded.points, graded.possible, visible(problem))

@@ -25,7 +25,7 @@ def result(problem: str, answer: str, hint: int = 1, seed: str = "") -> str:
 
 
 def _printed(fraction: float, feedback: str, for_instructors: str) -> str:
-    found: dict[str, object] = {"fraction": fraction, "epiloguehtml": f"<pre>{escape(feedback)}</pre>"}
+    fields: dict[str, object] = {"fraction": fraction, "epiloguehtml": f"<pre>{escape(feedback)}</pre>"}
     if for_instructors:
-        found["instructorhtml"] = f"<pre>{escape(for_instructors)}</pre>"
-    return json.dumps(found)
+        fields["instructorhtml"] = f"<pre>{escape(for_instructors)}</pre>"
+    return json.dumps(fields)

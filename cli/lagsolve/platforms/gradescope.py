@@ -46,7 +46,7 @@ def results(
     if attempts is Attempts.BEST and roster.previous is not None and roster.previous > score:
         said.append(f"An earlier submission has {number(roster.previous)} points, which count.")
         score = roster.previous
-    found: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "score": score,
         "execution_time": round(sum(p.graded.seconds for p in parts), 3),
         "visibility": "visible",
@@ -57,4 +57,4 @@ def results(
             "late": late,
         },
     }
-    return found | ({"output": "\n".join(said)} if said else {})
+    return fields | ({"output": "\n".join(said)} if said else {})

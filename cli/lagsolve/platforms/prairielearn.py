@@ -29,7 +29,7 @@ def results(parts: Sequence[Part], late: str = "") -> dict[str, Any]:
     out_of = sum(p.graded.possible or 1.0 for p in parts)
     unread = [p for p in parts if p.graded.verdict in NOT_GRADABLE]
     message = "\n".join(filter(None, (p.graded.headline if len(parts) == 1 else "" for p in parts)))
-    found: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "gradable": not unread,
         "score": min(1.0, sum(p.graded.points or 0.0 for p in parts) / out_of),
         "message": "\n".join(filter(None, (message, f"Handed in {late} after it was due." if late else ""))),
@@ -45,8 +45,8 @@ def results(parts: Sequence[Part], late: str = "") -> dict[str, Any]:
         ],
     }
     if unread:
-        found["format_errors"] = [escape(feedback_text(p.graded)) for p in unread]
-    return found
+        fields["format_errors"] = [escape(feedback_text(p.graded)) for p in unread]
+    return fields
 
 
 def grade_element(

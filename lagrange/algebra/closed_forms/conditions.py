@@ -333,14 +333,14 @@ def _least(p: sp.Expr, known: Sequence[_Bound]) -> int:
     if not symbols:
         return 2 if p.is_positive else 1 if p == 0 else 0
     rows = [(_terms(k.polynomial, symbols), k.relation == ">") for k in given]
-    found = 0
+    least = 0
     for factor in (sp.S.One, *symbols):
         if factor not in (1, *p.free_symbols) and not any(factor in k.polynomial.free_symbols for k in given):
             continue
-        found = max(found, _combined(_terms(p * factor, symbols), rows, MOST_COMBINED))
-        if found == 2:
+        least = max(least, _combined(_terms(p * factor, symbols), rows, MOST_COMBINED))
+        if least == 2:
             break
-    return found
+    return least
 
 
 _Terms = dict[tuple[int, ...], sp.Rational]
@@ -356,7 +356,7 @@ def _combined(p: _Terms, known: Sequence[tuple[_Terms, bool]], steps: int, stric
     negative = next((m for m in sorted(p) if p[m].could_extract_minus_sign()), None)
     if negative is None:
         return 2 if strict or p else 1
-    found = 0
+    least = 0
     for terms, is_strict in known if steps else ():
         for m, c in terms.items():
             powers = tuple(x - y for x, y in zip(negative, m, strict=True))
@@ -366,10 +366,10 @@ def _combined(p: _Terms, known: Sequence[tuple[_Terms, bool]], steps: int, stric
             for n, d in terms.items():
                 place = tuple(x + y for x, y in zip(n, powers, strict=True))
                 rest[place] = rest.get(place, sp.S.Zero) - d * p[negative] / c
-            found = max(found, _combined(rest, known, steps - 1, strict or is_strict))
-            if found == 2:
+            least = max(least, _combined(rest, known, steps - 1, strict or is_strict))
+            if least == 2:
                 return 2
-    return found
+    return least
 
 
 def _split(asked: Sequence[_Bound], given: Sequence[_Bound]) -> list[_Bound] | None:

@@ -385,11 +385,11 @@ def _excluded(equations: Sequence[sp.Expr], letters: TrigLetters) -> bool:
 
 def _roots_used(used: Iterable[sp.Symbol], letters: TrigLetters) -> list[sp.Symbol]:
     """The root letters that occur, those under others first."""
-    found: list[sp.Symbol] = []
+    roots: list[sp.Symbol] = []
     for r in sorted({*used} & letters.roots.keys(), key=str):
         for inner in [*_roots_used(letters.roots[r].free_symbols, letters), r]:
-            found += [inner] if inner not in found else []
-    return found
+            roots += [inner] if inner not in roots else []
+    return roots
 
 
 def _in_chart(

@@ -50,18 +50,18 @@ def _since_start(e: sp.Expr) -> sp.Expr | None:
         e = sp.apart(e, t)
     else:
         e = sp.expand(e, log=False, power_exp=False)
-    found = antiderivative(e, t)
-    if found is None:
+    integral = antiderivative(e, t)
+    if integral is None:
         return None
-    found = found.replace(sp.Abs, lambda x: x)
+    integral = integral.replace(sp.Abs, lambda x: x)
     rule = {}
-    for x in found.atoms(sp.log):
+    for x in integral.atoms(sp.log):
         sign = sign_of(x.args[0].xreplace({t: sp.S.Zero}))
         if t in x.free_symbols and sign not in (1, -1):
             return None
         rule[x] = sp.log(sp.expand(-x.args[0])) if sign == -1 else x
-    found = found.xreplace(rule)
-    return found - found.xreplace({t: sp.S.Zero})
+    integral = integral.xreplace(rule)
+    return integral - integral.xreplace({t: sp.S.Zero})
 
 
 def _with_ratios(e: sp.Expr) -> sp.Expr:

@@ -110,19 +110,6 @@ class Surface(Sampler):
         except (UnsupportedError, NoPointError):
             return None
 
-    def real_values(self, expressions: Sequence[sp.Expr]) -> dict[sp.Symbol, sp.Float]:
-        """Random real values of all symbols of some expressions, at which these exist, on the surface.
-
-        Positive symbols have positive values. Raises NoPointError, DivisionByZeroError, UnsupportedError.
-        """
-        symbols = sorted({s for e in expressions for s in e.free_symbols}, key=str)
-
-        def values(point: Point) -> dict[sp.Symbol, sp.Float]:
-            point.values(expressions)
-            return {s: sp.Float(point.input(s), 50) for s in symbols}
-
-        return self.sampled(values, 1, real=True)[0]
-
     def _rank(self, nodes: list[int], width: int) -> int | None:
         def at(point: Point) -> int:
             values = [point.at(n) for n in nodes]

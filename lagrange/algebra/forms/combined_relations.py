@@ -28,8 +28,8 @@ class CombinedRelation:
 
 def combined_relations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> tuple[CombinedRelation, ...]:
     """The combinations of two functions that have fewer coordinates than either of them, the shortest first."""
-    found = sorted(_combinations(functions, coordinates), key=lambda c: len(c.function.free_symbols))
-    return tuple({c.function: c for c in reversed(found)}.values())[::-1]
+    relations = sorted(_combinations(functions, coordinates), key=lambda c: len(c.function.free_symbols))
+    return tuple({c.function: c for c in reversed(relations)}.values())[::-1]
 
 
 def _combinations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[CombinedRelation]:

@@ -53,7 +53,7 @@ def in_configuration(function: sp.Expr, slots: Slots) -> Alternatives:
     """The alternatives of f(q, t) = 0, by the same rules with q for q'. Raises DivisionByZeroError."""
     rates = dict(zip(slots.coordinates, slots.velocities, strict=True))
     back = {v: q for q, v in rates.items()}
-    found = alternatives(function.xreplace(rates), slots)
+    in_rates = alternatives(function.xreplace(rates), slots)
     members = tuple(
         Alternative(
             tuple(f.xreplace(back) for f in a.forms),
@@ -61,9 +61,9 @@ def in_configuration(function: sp.Expr, slots: Slots) -> Alternatives:
                 Reduction(s.function.xreplace(back), s.why, tuple(f.xreplace(back) for f in s.forms)) for s in a.steps
             ),
         )
-        for a in found.members
+        for a in in_rates.members
     )
-    return Alternatives(members, found.endless)
+    return Alternatives(members, in_rates.endless)
 
 
 def without_implied(candidates: Iterable[Alternative], slots: Slots) -> tuple[Alternative, ...]:

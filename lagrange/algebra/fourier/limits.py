@@ -71,3 +71,8 @@ MOST_CLEANED_WAVES = 40
 
 # Generators of a ring that many expressions share: a monomial is one number of as many digits.
 MOST_SHARED_GENERATORS = 40
+
+# Work of which `core/effort` counts units: terms that are divided by a cosine and by a sine in the time of one unit,
+# and terms of a polynomial of half angles, each of which takes several products (commit 75e8803a).
+TRIED_IN_A_UNIT = 5
+MULTIPLIED_IN_A_UNIT = 5

@@ -58,10 +58,10 @@ def forces_put_in(
     used = set().union(*(_used(r) for _, r in about)) & names
     tried: ForcesPutIn | None = None
     for rule in _meanings(used, motion, newton):
-        found = _put_in(about, positions, rule, motion, reference)
-        if found.holds:
-            return found
-        tried = tried if tried is not None and (tried.holds is None or found.holds is False) else found
+        put_in = _put_in(about, positions, rule, motion, reference)
+        if put_in.holds:
+            return put_in
+        tried = tried if tried is not None and (tried.holds is None or put_in.holds is False) else put_in
     assert tried is not None
     return tried
 

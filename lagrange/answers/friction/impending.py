@@ -66,28 +66,28 @@ def check_impending(
     return AnswerVerdict(Verdict.WRONG, diagnosis=_explained(wrong, motions, reference, solution))
 
 
-def _positions(found: ForcesPutIn, motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
+def _positions(forces: ForcesPutIn, motion: ImpendingMotion, reference: Reference) -> list[Fragment]:
     """The equations of one alternative about positions; those about forces where they are right together with these."""
-    stated = [*found.positions, *found.balance]
+    stated = [*forces.positions, *forces.balance]
     if not stated:
         return []
-    if found.balance:
+    if forces.balance:
         verdict = check_equilibria([stated], [motion.equilibrium], reference).verdict
         if verdict is Verdict.WRONG:  # they hold at the equilibrium, and elsewhere
-            stated = [*found.positions]
+            stated = [*forces.positions]
     return [*stated, *_forces_beside(stated, motion)] if stated else []
 
 
 def _judged(
-    found: ForcesPutIn, stated: Sequence[Fragment], motion: ImpendingMotion, reference: Reference
+    forces: ForcesPutIn, stated: Sequence[Fragment], motion: ImpendingMotion, reference: Reference
 ) -> AnswerVerdict:
     """The verdict on one alternative for one direction of slip; without positions it is incomplete."""
-    if found.holds is False:
+    if forces.holds is False:
         return AnswerVerdict(Verdict.WRONG)
     verdict = (
         check_equilibria([stated], [motion.equilibrium], reference) if stated else AnswerVerdict(Verdict.INCOMPLETE)
     )
-    if found.holds is None and verdict.verdict in _RIGHT:
+    if forces.holds is None and verdict.verdict in _RIGHT:
         return AnswerVerdict(Verdict.UNDECIDED)
     return verdict
 
@@ -99,11 +99,11 @@ def _explained(
     solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
-    from lagrange.answers.results.conditions import Stated, explained_limits
+    from lagrange.answers.results.conditions import StatedCondition, explained_limits
     from lagrange.answers.results.contacts import explained_by_contacts
 
     stated = [
-        Stated(f.text, c, True)
+        StatedCondition(f.text, c, True)
         for a in wrong
         for f in a
         for c in read_answer(f, reference.scope).components
@@ -112,18 +112,20 @@ def _explained(
     relations = [r for m in motions for b in m.equilibrium.branches for r in b.relations]
     coefficients = {c.coefficient for m in motions for c in m.contacts}
     derived = [r.lhs - r.rhs for r in relations]
-    found = explained_limits(stated, derived, coefficients)
-    if not found and len(stated) > 1:  # the two limits of a range, each with the same mistake
+    reason = explained_limits(stated, derived, coefficients)
+    if not reason and len(stated) > 1:  # the two limits of a range, each with the same mistake
         each = [explained_limits([s], derived, coefficients) for s in stated]
-        found = "; ".join(dict.fromkeys(f"`{s.text}`: {why}" for s, why in zip(stated, each, strict=True) if why))
-    return found or explained_by_contacts(stated, solution)
+        reason = "; ".join(dict.fromkeys(f"`{s.text}`: {why}" for s, why in zip(stated, each, strict=True) if why))
+    return reason or explained_by_contacts(stated, solution)
 
 
 def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> bool:
     """Whether an answer contains a parameter on which nothing depends here, the kinetic friction for the static one."""
     stated = {s for f in alternative for e in read_answer(f, reference.scope).components for s in e.free_symbols}
-    found = motion.equilibrium
-    used = {s for e in found.expressions for s in e.free_symbols} | {s for b in found.branches for s in _symbols(b)}
+    equilibrium = motion.equilibrium
+    used = {s for e in equilibrium.expressions for s in e.free_symbols} | {
+        s for b in equilibrium.branches for s in _symbols(b)
+    }
     return not stated & {*reference.parameters.values()} <= used
 
 
@@ -142,10 +144,12 @@ def _forces_beside(alternative: Sequence[Fragment], motion: ImpendingMotion) -> 
     words = {w for f in alternative for w in re.findall(r"[^\W\d]\w*", f.text)}
     # P_min is another name of P
     words |= {s.name for f in alternative if isinstance(f, GivenEquation) for e in f.reading.components for s in _of(e)}
-    found = motion.equilibrium
-    if len(found.branches) != 1 or not (words & {s.name for b in found.branches for s in _symbols(b)}):
+    equilibrium = motion.equilibrium
+    if len(equilibrium.branches) != 1 or not (words & {s.name for b in equilibrium.branches for s in _symbols(b)}):
         return []
-    relations = [r for r in found.branches[0].relations if r.lhs in found.forces and r.lhs.name not in words]
+    relations = [
+        r for r in equilibrium.branches[0].relations if r.lhs in equilibrium.forces and r.lhs.name not in words
+    ]
     return [Fragment.of(f"{text(r.lhs)} = {text(r.rhs)}") for r in relations]
 
 

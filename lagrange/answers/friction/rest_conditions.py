@@ -105,11 +105,11 @@ def _explained(
     laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
     laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
     if verdict is Verdict.WRONG:
-        if isinstance(rest, Rolling) and (found := _of_another_body(wrong, solution)):
-            return found
-        parts = [conditions.Stated(s.text, s.slack, s.equation) for s in wrong]
-        if found := conditions.explained_conditions(parts, missing, laws):
-            return found
+        if isinstance(rest, Rolling) and (reason := _of_another_body(wrong, solution)):
+            return reason
+        parts = [conditions.StatedCondition(s.text, s.slack, s.equation) for s in wrong]
+        if reason := conditions.explained_conditions(parts, missing, laws):
+            return reason
         from lagrange.answers.results.contacts import explained_by_contacts
 
         return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
@@ -201,17 +201,19 @@ def _without_extremes(condition: Fragment) -> list[Fragment]:
         return [condition]
     less = sign[0] in ("<", "<=", "≤", "⩽") or sign[0].startswith("\\l")
     for start, end, bound in ((0, sign.start(), not less), (sign.end(), len(condition.text), less)):
-        found = _EXTREME.search(condition.text, start, end)
-        if found is None or (found["which"].lower() == "min") is not bound:
+        extreme = _EXTREME.search(condition.text, start, end)
+        if extreme is None or (extreme["which"].lower() == "min") is not bound:
             continue
-        close = closings(condition.text).get(found.end() - 1)
+        close = closings(condition.text).get(extreme.end() - 1)
         if close is None or close >= end:
             continue
-        inside = [(found.end() + a, found.end() + b) for a, b in cuts(condition.text[found.end() : close], _COMMA)]
+        inside = [
+            (extreme.end() + a, extreme.end() + b) for a, b in cuts(condition.text[extreme.end() : close], _COMMA)
+        ]
         drafts = []
         for a, b in inside:
             draft = Draft(condition)
-            draft.apply([(found.start(), close + 1, f" ({condition.text[a:b]})")])
+            draft.apply([(extreme.start(), close + 1, f" ({condition.text[a:b]})")])
             drafts.append(draft.finished(latex=is_latex(condition)))
         return drafts
     return [condition]
@@ -281,8 +283,8 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
         same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c) or _rounds_to(s, c)} for s in given]
-        found = set().union(*same) if same else set()
-        if all(same) and len(found) == len(cases[0]):
+        matched = set().union(*same) if same else set()
+        if all(same) and len(matched) == len(cases[0]):
             return Verdict.EQUIVALENT
     weaker = stronger = False
     seen = set()

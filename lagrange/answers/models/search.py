@@ -124,10 +124,10 @@ class Models:
             numbers = {s: moving.value(v) for s, v in self.values.items()}
             if numbers:
                 moving = moving.with_values(numbers)
-            found = ModelState(moving, self.system)
+            drawn = ModelState(moving, self.system)
             for e in equations:
-                moving.affine([e], found.unknowns)
-            return found
+                moving.affine([e], drawn.unknowns)
+            return drawn
 
         surface = configuration.states
         if not any(surface.graph.marks[surface.graph.node(e)] for e in (*equations, *self.system.equations)):
@@ -333,10 +333,10 @@ class _Search:
         group = self._group(n)
         if group is not None:
             return group
-        found = self.variation([n], combined=False)
-        if found is None:
+        own = self.variation([n], combined=False)
+        if own is None:
             return self._foreign(n)
-        name, variation = found
+        name, variation = own
         return Explanation(name, variation.clause, f"this is an equation {variation.clause}", variation.place, False)
 
     def _foreign(self, n: int) -> Explanation | None:

@@ -62,17 +62,17 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     for fragment in answer:
         if _is_condition(fragment, questions, reference):
             continue
-        found = [*_verdicts(fragment, questions, solution, reference)]
-        found = found or [*_verdicts(fragment, questions, solution, wider)]
-        right = [(name, v) for name, v in found if v.verdict is Verdict.EQUIVALENT]
+        compared = [*_verdicts(fragment, questions, solution, reference)]
+        compared = compared or [*_verdicts(fragment, questions, solution, wider)]
+        right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
         named = [
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
         named = [] if is_used_beside(fragment, answer, reference) else named
-        about = {name for name, _ in found}  # y = f(x) is about the path, and not about the greatest height
+        about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
         named = _of_function(named, fragment, questions, reference)
-        judged = [(name, v) for name, v in found if v.verdict not in _NOT_JUDGED and name in named]
+        judged = [(name, v) for name, v in compared if v.verdict not in _NOT_JUDGED and name in named]
         if right and sides_agree(fragment, reference) is False:
             parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
         elif right:
@@ -136,10 +136,10 @@ def _holds_at_a_limit(
     """Whether a line is right for the value of a parameter that is asked for: v = sqrt(g R) at the least height."""
     names = {name for name, _ in judged}
     for asked in questions:
-        quantity, found = asked.question.quantity, [v for b in asked.branches for v in b.values]
-        if quantity not in reference.parameters.values() or len(found) != 1 or asked.question.name in names:
+        quantity, values = asked.question.quantity, [v for b in asked.branches for v in b.values]
+        if quantity not in reference.parameters.values() or len(values) != 1 or asked.question.name in names:
             continue
-        special = replace(reference, values={**reference.values, quantity: found[0]})
+        special = replace(reference, values={**reference.values, quantity: values[0]})
         others = [a for a in questions if a.question.name in names]
         if any(v.verdict is Verdict.EQUIVALENT for _, v in _verdicts(fragment, others, solution, special)):
             return True
@@ -176,10 +176,10 @@ def _verdicts(
             asked_for = {*asked.question.quantity.free_symbols, asked.question.by}
             if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
                 continue
-            found = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
+            best = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
         except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
             continue
-        yield asked.question.name, EquationVerdict.of(fragment.text, *found)
+        yield asked.question.name, EquationVerdict.of(fragment.text, *best)
 
 
 def _is_named(fragment: Fragment, asked: Asked) -> bool:

@@ -68,9 +68,9 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
         if name not in asked:
             return Verdict.UNDECIDED, _NOT_ANSWERED
         claims = claims_of(fragment, asked[name], solution, reference)
-        found = [(claim.verdict(), claim) for claim in claims]
-        (verdict, remark), claim = max(found, key=lambda v: WORST_TO_BEST.index(v[0][0]))
-        if verdict is Verdict.EQUIVALENT and any(v[0] is not Verdict.EQUIVALENT for v, _ in found):
+        judged = [(claim.verdict(), claim) for claim in claims]
+        (verdict, remark), claim = max(judged, key=lambda v: WORST_TO_BEST.index(v[0][0]))
+        if verdict is Verdict.EQUIVALENT and any(v[0] is not Verdict.EQUIVALENT for v, _ in judged):
             moves = any(base(s) != s for s in asked[name].question.quantity.free_symbols)
             return (verdict, remark) if moves else (Verdict.UNDECIDED, _ONE_SIGN)
         if claim.meaning is not None and taken.setdefault(claim.quantity, claim.meaning) != claim.meaning:
@@ -349,12 +349,12 @@ class Claim:
         """The verdict on an equation that holds: whether it has other solutions for the quantity."""
         if not self.quantity.is_Symbol:
             return Verdict.EQUIVALENT, ""
-        found = eliminated([claim], self.quantity, [self.quantity], [], self.quantity)
-        if not found.solved or found.free:
+        solved = eliminated([claim], self.quantity, [self.quantity], [], self.quantity)
+        if not solved.solved or solved.free:
             return Verdict.EQUIVALENT, ""
         derived = self._derived()
         stated_alike = {(b.lhs, b.rhs) for b in self.asked.branches if b.lhs != self.quantity}
-        for value in (v for b in found.branches if (b.lhs, b.rhs) not in stated_alike for v in b.values):
+        for value in (v for b in solved.branches if (b.lhs, b.rhs) not in stated_alike for v in b.values):
             same = [self._same(value, d) for d in derived]
             if True in same:
                 continue

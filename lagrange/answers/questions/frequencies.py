@@ -143,11 +143,11 @@ def check_oscillations(answers: Answers, solution: Solution) -> Iterator[AnswerV
 
 def _oscillating(solution: Solution) -> list[tuple[Linearization, Values]]:
     """The linear equations about equilibria, and about steady motions with the rates that these determine."""
-    found: list[tuple[Linearization, Values]] = [
+    oscillating: list[tuple[Linearization, Values]] = [
         (v.linearization, {}) for v in solution.views if v.linearization is not None
     ]
     families = (f for v in solution.views if v.steady is not None for f in v.steady.families)
-    return [*found, *((f.about, f.rates) for f in families)]
+    return [*oscillating, *((f.about, f.rates) for f in families)]
 
 
 def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) -> AnswerVerdict:
@@ -221,15 +221,15 @@ _HIGHEST = 2
 
 def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
     """The lines of a text that state frequencies or periods, and do not define what other lines contain."""
-    found = []
+    frequencies = []
     for f in answer:
         match = _LABELLED.match(f.text)
         name = match[0].strip(" $=") if match else ""
         others = [_LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
         if match and not is_natural and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
-            found.append(f)
-    return found
+            frequencies.append(f)
+    return frequencies
 
 
 def _has_name(name: str, text: str) -> bool:
@@ -271,8 +271,8 @@ def _of_models(claims: Sequence[sp.Expr], places: Sequence[Place], reference: Re
             if c.system.configuration.slots.coordinates != own:
                 continue
             try:
-                if found := explained_by_models([as_written(e) for e in claims], c.models, place.at):
-                    return found
+                if reason := explained_by_models([as_written(e) for e in claims], c.models, place.at):
+                    return reason
             except (NotAlgebraicError, DivisionByZeroError):
                 continue
     return ""
@@ -435,19 +435,19 @@ def _damped(f: Linearization, reference: Reference, *, rates: bool) -> Iterator[
     """The modes about the equilibria of damped equations."""
     values = dict(reference.values)
     for s in f.at:
-        found = None if s is None else s.decaying
-        if s is None or found is None:
+        decaying = None if s is None else s.decaying
+        if s is None or decaying is None:
             continue
         exact: list[sp.Expr] = []
-        for m in found.modes:
+        for m in decaying.modes:
             exact += m.decays if rates else [m.square] if m.square is not None and m.oscillates is not False else []
         coordinates = {*f.configuration.slots.coordinates}
         if any(e.free_symbols & coordinates for e in exact):
             continue
-        numbers = None if found.complete else _in_numbers(s, values, rates=rates)
-        own = () if rates else tuple(m.own for m in found.modes if m.own is not None)
+        numbers = None if decaying.complete else _in_numbers(s, values, rates=rates)
+        own = () if rates else tuple(m.own for m in decaying.modes if m.own is not None)
         zero = any(e == 0 for e in exact)
-        yield _Exponents(tuple(_different(exact)) if found.complete else None, own, numbers, values, zero)
+        yield _Exponents(tuple(_different(exact)) if decaying.complete else None, own, numbers, values, zero)
 
 
 def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
@@ -470,10 +470,10 @@ def _in_numbers(
             return None
         read = [mpmath.matrix([[mpmath.mpf(str(e.evalf(60))) for e in row] for row in table]) for table in tables]
         try:
-            found = exponents_in_numbers(*read)
+            exponents = exponents_in_numbers(*read)
         except (ZeroDivisionError, mpmath.NoConvergence):
             return None
-        numbers = (sp.Float(x.rate if rates else x.frequency, 40) for x in found)
+        numbers = (sp.Float(x.rate if rates else x.frequency, 40) for x in exponents)
         kept: list[sp.Float] = []
         for x in numbers:
             if x != 0 and all(abs(x - k) > sp.Float(10) ** -20 * abs(x) for k in kept):
@@ -493,10 +493,10 @@ def _of_exponents(
     verdicts, wrong = [], []
     for fragments, claims in zip(stated, lists, strict=True):
         at = [[p.has(c, squared) for c in claims] for p in places]
-        verdict = min((_of_found(found, p) for found, p in zip(at, places, strict=True)), key=_BEST.index)
+        verdict = min((_of_found(matched, p) for matched, p in zip(at, places, strict=True)), key=_BEST.index)
         verdicts.append(verdict)
         if verdict is Verdict.WRONG:
-            wrong += [f.text.strip() for f, *found in zip(fragments, *at, strict=True) if {*found} == {-1}]
+            wrong += [f.text.strip() for f, *matched in zip(fragments, *at, strict=True) if {*matched} == {-1}]
     worst = max(verdicts, key=_BEST.index)
     if worst is Verdict.WRONG and not all(_is_complete(f) for f in linearizations):
         return AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=_NOT_ALL_KNOWN)
@@ -509,11 +509,11 @@ def _of_exponents(
     return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}" if undamped else why)
 
 
-def _of_found(found: Sequence[int | None], place: _Exponents) -> Verdict:
-    if None in found or -1 in found:
-        return Verdict.WRONG if -1 in found else Verdict.UNDECIDED
+def _of_found(matched: Sequence[int | None], place: _Exponents) -> Verdict:
+    if None in matched or -1 in matched:
+        return Verdict.WRONG if -1 in matched else Verdict.UNDECIDED
     wanted = place.exact if place.exact is not None else place.numbers
-    return Verdict.EQUIVALENT if len({*found} - {_ZERO}) == len(wanted or ()) else Verdict.INCOMPLETE
+    return Verdict.EQUIVALENT if len({*matched} - {_ZERO}) == len(wanted or ()) else Verdict.INCOMPLETE
 
 
 def _read_rate(fragment: Fragment, reference: Reference) -> sp.Expr:

@@ -35,23 +35,23 @@ _ROUNDED = "it is taken as a rounded number"
 
 def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
     """The verdict on all entries together."""
-    found = solution.impact
-    if found is None:
+    motion = solution.impact
+    if motion is None:
         return AnswerVerdict(Verdict.UNDECIDED, name="impact", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
     return check_each(
-        "impact", stated, lambda name, fragment: _judged(name, fragment, found, solution.problem, reference)
+        "impact", stated, lambda name, fragment: _judged(name, fragment, motion, solution.problem, reference)
     )
 
 
-def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Problem, reference: Reference) -> Judged:
+def _judged(name: str, fragment: Fragment, motion: ImpulsiveMotion, problem: Problem, reference: Reference) -> Judged:
     """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
-    values = [*_values(name, fragment, found)]
+    values = [*_values(name, fragment, motion)]
     scope = replace(reference.scope, decimals="")
     expression, equation = read_stated(fragment, scope, name)
     if expression is None:
         assert equation is not None
-        expression = _solved(equation, name, found)
+        expression = _solved(equation, name, motion)
         if expression is None:
             help_ = f"write the expression, or `{name} = ...`"
             message = f"this equation does not give `{name}`"
@@ -60,7 +60,7 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Prob
         return Verdict.UNDECIDED, _OPEN
     undecided = False
     for value, remark in values:
-        same = _same(expression, value, found, reference)
+        same = _same(expression, value, motion, reference)
         if same is None:
             undecided = True
         elif same:
@@ -70,11 +70,11 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Prob
         return Verdict.UNDECIDED, UNDECIDED
     from lagrange.answers.results.impacts import explained_impact
 
-    before = dict(zip(found.slots.velocities, found.velocities, strict=True))
-    claim = found.at(as_written(expression)).xreplace(before)
+    before = dict(zip(motion.slots.velocities, motion.velocities, strict=True))
+    claim = motion.at(as_written(expression)).xreplace(before)
     values_ = dict(reference.values)
     why = explained_impact(
-        name, claim, values[0][0], found, problem, lambda e: found.surface.is_zero(e.xreplace(values_))
+        name, claim, values[0][0], motion, problem, lambda e: motion.surface.is_zero(e.xreplace(values_))
     )
     if not why:
         from lagrange.answers.results.units import wrong_dimension
@@ -83,18 +83,18 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, problem: Prob
     return Verdict.WRONG, why
 
 
-def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:
+def _values(name: str, fragment: Fragment, motion: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:
     """The derived value under a name, and what an impulse may be instead; none where it is not determined.
 
     Raises ProblemError where the name means nothing.
     """
-    velocities = {q.name: v for q, v in found.all_velocities.items()}
+    velocities = {q.name: v for q, v in motion.all_velocities.items()}
     plain = name.strip().replace("′", "'").removesuffix("'")
-    impulses = {n: i for i in found.impulses for n in (i.name, str(i.symbol), str(i.reaction.constraint.reaction))}
+    impulses = {n: i for i in motion.impulses for n in (i.name, str(i.symbol), str(i.reaction.constraint.reaction))}
     if plain in velocities:
         yield velocities[plain], ""
     elif name == ENERGY_LOST:
-        yield found.energy_lost, ""
+        yield motion.energy_lost, ""
     elif name in impulses:
         i = impulses[name]
         if i.value is not None and i.multiplier is not None:
@@ -102,17 +102,17 @@ def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[t
             others = ((-i.value, _OPPOSITE), (i.multiplier, _MULTIPLIER))
             yield from ((value, remark) for value, remark in others if value != i.value)
     else:
-        known = [*(f"{q}'" for q in velocities), *(i.name for i in found.impulses), ENERGY_LOST]
+        known = [*(f"{q}'" for q in velocities), *(i.name for i in motion.impulses), ENERGY_LOST]
         message = f"`{name}` is neither a velocity nor an impulse of this impact"
         help_ = suggestion(name, known, "results")
         raise ProblemError(Diagnostic("unknown-name", message, fragment.whole, help=help_))
 
 
-def _solved(equation: sp.Expr, name: str, found: ImpulsiveMotion) -> sp.Expr | None:
+def _solved(equation: sp.Expr, name: str, motion: ImpulsiveMotion) -> sp.Expr | None:
     """What an equation gives for the named velocity or impulse, if it is linear in it."""
     plain = name.strip().removesuffix("'")
-    coordinate = next((q for q in found.all_velocities if q.name == plain), None)
-    impulse = next((i.symbol for i in found.impulses if name in (i.name, str(i.symbol))), None)
+    coordinate = next((q for q in motion.all_velocities if q.name == plain), None)
+    impulse = next((i.symbol for i in motion.impulses if name in (i.name, str(i.symbol))), None)
     unknown = prime(coordinate) if coordinate is not None else impulse
     if unknown is None:
         return None
@@ -122,11 +122,11 @@ def _solved(equation: sp.Expr, name: str, found: ImpulsiveMotion) -> sp.Expr | N
     return sp.cancel(unknown - equation / slope)
 
 
-def _same(claim: sp.Expr, value: sp.Expr, found: ImpulsiveMotion, reference: Reference) -> bool | None:
+def _same(claim: sp.Expr, value: sp.Expr, motion: ImpulsiveMotion, reference: Reference) -> bool | None:
     """Whether a claim has a value in the position of the impact, its decimals being numbers that round to them."""
-    before = dict(zip(found.slots.velocities, found.velocities, strict=True))
-    difference = (found.at(claim).xreplace(before) - value).xreplace(dict(reference.values))
-    exact = found.surface.is_zero(as_written(difference))
+    before = dict(zip(motion.slots.velocities, motion.velocities, strict=True))
+    difference = (motion.at(claim).xreplace(before) - value).xreplace(dict(reference.values))
+    exact = motion.surface.is_zero(as_written(difference))
     if exact is not False or not decimals_in([difference]):
         return exact
     return rounded([difference]) is not None

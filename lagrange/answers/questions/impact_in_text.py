@@ -44,19 +44,19 @@ _MISSING = "the answer does not determine {}"
 
 
 def check_impact_in_text(
-    working: Working, found: ImpulsiveMotion, reference: Reference, problem: Problem
+    working: Working, motion: ImpulsiveMotion, reference: Reference, problem: Problem
 ) -> AnswerVerdict:
     """The verdict on equations between velocities and impulses."""
     judged = [f for f in working.judged if isinstance(f, GivenEquation)]
     readings = [f.reading for f in judged]
     names = sorted(
-        {s for r in readings for e in r.components for s in e.free_symbols} & _impulses(found).keys(), key=str
+        {s for r in readings for e in r.components for s in e.free_symbols} & _impulses(motion).keys(), key=str
     )
     best: list[EquationVerdict] | None = None
     rows: list[sp.Expr] = []
     for signs in product((1, -1), repeat=min(len(names), MOST_IMPULSES)):
         turned = {s: -s for s, sign in zip(names, signs, strict=False) if sign < 0}
-        each = [_judged(r, found, reference, turned) for r in readings]
+        each = [_judged(r, motion, reference, turned) for r in readings]
         if best is None or _right(each) > _right(best):
             best = each
             rows = [
@@ -65,9 +65,9 @@ def check_impact_in_text(
                 if v.verdict is Verdict.EQUIVALENT
                 for e in r.components
             ]
-    parts = [_explained(r, p, found, reference, problem) for r, p in zip(readings, best or [], strict=bool(best))]
+    parts = [_explained(r, p, motion, reference, problem) for r, p in zip(readings, best or [], strict=bool(best))]
     if all(p.verdict is Verdict.TRIVIAL for p in parts):  # what it calls by names of its own
-        speeds = [_named(name, value, found, reference) for name, value in working.defined.items()]
+        speeds = [_named(name, value, motion, reference) for name, value in working.defined.items()]
         parts += [named[0] for named in speeds if named is not None]
         rows += [named[1] for named in speeds if named is not None]
     parts += [
@@ -77,7 +77,7 @@ def check_impact_in_text(
     ]
     errors = tuple(d for f in working.unreadable if f.reading.error for d in f.reading.error.diagnostics)
     verdict, why = worst([p for p in parts if p.verdict is not Verdict.TRIVIAL] or parts), ""
-    if verdict is Verdict.EQUIVALENT and (missing := _missing(rows, found)):
+    if verdict is Verdict.EQUIVALENT and (missing := _missing(rows, motion)):
         verdict, why = Verdict.INCOMPLETE, _MISSING.format(", ".join(f"{q}'" for q in missing))
     if not parts:
         verdict, why = Verdict.UNDECIDED, "there is nothing in it that could be compared with the impact"
@@ -117,51 +117,51 @@ def check_loss(stated: Fragment, solution: Solution) -> AnswerVerdict:
 
     match = _LOSS.match(stated.text)
     assert match is not None
-    found = []
+    losses = []
     latex, end = is_latex(stated), len(stated.text.rstrip(" $.,;"))
     for sign in ("", "-") if match["change"] else ("",):
         draft = Draft(stated)
         draft.keep(match.end(), end)
         draft.apply([(0, 0, f"{sign}("), (len(draft.text), len(draft.text), ")")])
-        found.append(check_impact_answers({ENERGY_LOST: draft.finished(latex=latex)}, solution))
-    return next((v for v in found if v.verdict is Verdict.EQUIVALENT), found[0])
+        losses.append(check_impact_answers({ENERGY_LOST: draft.finished(latex=latex)}, solution))
+    return next((v for v in losses if v.verdict is Verdict.EQUIVALENT), losses[0])
 
 
 def _right(parts: Sequence[EquationVerdict]) -> int:
     return sum(p.verdict is Verdict.EQUIVALENT for p in parts)
 
 
-def _impulses(found: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
+def _impulses(motion: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
     """The impulses that are determined, under each of their names."""
-    values = {i.symbol: i.value for i in found.impulses if i.value is not None}
-    return values | {i.reaction.multiplier: i.multiplier for i in found.impulses if i.multiplier is not None}
+    values = {i.symbol: i.value for i in motion.impulses if i.value is not None}
+    return values | {i.reaction.multiplier: i.multiplier for i in motion.impulses if i.multiplier is not None}
 
 
-def _state(found: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
+def _state(motion: ImpulsiveMotion) -> dict[sp.Symbol, sp.Expr]:
     """Velocities and impulses, and the velocities just before under their own names."""
-    before = dict(zip(map(velocity_before, found.slots.coordinates), found.before, strict=True))
-    return {**before, **dict(zip(found.slots.velocities, found.velocities, strict=True)), **_impulses(found)}
+    before = dict(zip(map(velocity_before, motion.slots.coordinates), motion.before, strict=True))
+    return {**before, **dict(zip(motion.slots.velocities, motion.velocities, strict=True)), **_impulses(motion)}
 
 
 def _judged(
     reading: Reading,
-    found: ImpulsiveMotion,
+    motion: ImpulsiveMotion,
     reference: Reference,
     turned: Mapping[sp.Symbol, sp.Expr],
 ) -> EquationVerdict:
     """The verdict on one equation."""
     text, components = reading.text, reading.with_decimals or reading.components
-    if any(e.free_symbols & {*found.slots.accelerations, *found.full.slots.accelerations} for e in components):
+    if any(e.free_symbols & {*motion.slots.accelerations, *motion.full.slots.accelerations} for e in components):
         return EquationVerdict.of(text, Verdict.WRONG, _ACCELERATION)
-    if not any(e.free_symbols & {*_state(found), *turned} for e in components):
+    if not any(e.free_symbols & {*_state(motion), *turned} for e in components):
         return EquationVerdict.of(text, Verdict.TRIVIAL, _IDENTITY)  # a case: where a = 2*l/3
     remarks = [_OPPOSITE] if any(e.free_symbols & turned.keys() for e in components) else []
     try:
-        claims = [found.at(e.xreplace(dict(turned))) for e in components]
-        residuals = [e.xreplace(_state(found)).xreplace(dict(reference.values)) for e in claims]
-        if all(found.surface.is_zero(as_written(e)) is True for e in claims):
+        claims = [motion.at(e.xreplace(dict(turned))) for e in components]
+        residuals = [e.xreplace(_state(motion)).xreplace(dict(reference.values)) for e in claims]
+        if all(motion.surface.is_zero(as_written(e)) is True for e in claims):
             return EquationVerdict.of(text, Verdict.TRIVIAL, _IDENTITY)
-        holds = {found.surface.is_zero(as_written(e)) for e in residuals}
+        holds = {motion.surface.is_zero(as_written(e)) for e in residuals}
     except DivisionByZeroError:
         return EquationVerdict.of(text, Verdict.UNREADABLE, DIVIDES_BY_ZERO)
     if False in holds and decimals_in(residuals) and rounded(residuals) is not None:
@@ -174,56 +174,56 @@ def _judged(
 
 
 def _explained(
-    reading: Reading, judged: EquationVerdict, found: ImpulsiveMotion, reference: Reference, problem: Problem
+    reading: Reading, judged: EquationVerdict, motion: ImpulsiveMotion, reference: Reference, problem: Problem
 ) -> EquationVerdict:
     """The verdict on a wrong equation, with what it states instead."""
     if judged.verdict is not Verdict.WRONG or judged.diagnosis != _WRONG or len(reading.components) != 1:
         return judged
     from lagrange.answers.results.impacts import explained_statement
 
-    why = explained_statement(as_written(reading.components[0]), found, problem, reference.values)
+    why = explained_statement(as_written(reading.components[0]), motion, problem, reference.values)
     return replace(judged, diagnosis=why, hints=(_WRONG, _WRONG, why), cause=why) if why else judged
 
 
 def _named(
-    name: str, value: sp.Expr, found: ImpulsiveMotion, reference: Reference
+    name: str, value: sp.Expr, motion: ImpulsiveMotion, reference: Reference
 ) -> tuple[EquationVerdict, sp.Expr] | None:
     """The verdict on a value under a name that the problem does not declare, and the equation that it states.
 
     None if it is none of the results.
     """
-    for symbol, derived in (*found.all_velocities.items(), *_impulses(found).items()):
-        what = f"{symbol}'" if symbol in found.all_velocities else str(symbol)
+    for symbol, derived in (*motion.all_velocities.items(), *_impulses(motion).items()):
+        what = f"{symbol}'" if symbol in motion.all_velocities else str(symbol)
         for sign in (1, -1):
             if (
                 derived != 0
-                and found.surface.is_zero((value - sign * derived).xreplace(dict(reference.values))) is True
+                and motion.surface.is_zero((value - sign * derived).xreplace(dict(reference.values))) is True
             ):
-                unknown = prime(symbol) if symbol in found.all_velocities else symbol
+                unknown = prime(symbol) if symbol in motion.all_velocities else symbol
                 return EquationVerdict.of(name, Verdict.EQUIVALENT, _SPEED.format(what)), unknown - sign * value
     return None
 
 
-def _missing(claims: Sequence[sp.Expr], found: ImpulsiveMotion) -> list[str]:
+def _missing(claims: Sequence[sp.Expr], motion: ImpulsiveMotion) -> list[str]:
     """The coordinates whose velocities just after the impact the equations leave open."""
-    velocities, impulses = found.slots.velocities, list(_impulses(found))
+    velocities, impulses = motion.slots.velocities, list(_impulses(motion))
     columns = [*velocities, *impulses]
-    unchanged = [found.surface.is_zero(a - b) is True for a, b in zip(found.velocities, found.before, strict=True)]
-    rows = [[found.at(e).diff(c).xreplace(_state(found)) for c in columns] for e in claims]
-    rows += [[*row.coefficients, *[0] * len(impulses)] for row in found.rows]
+    unchanged = [motion.surface.is_zero(a - b) is True for a, b in zip(motion.velocities, motion.before, strict=True)]
+    rows = [[motion.at(e).diff(c).xreplace(_state(motion)) for c in columns] for e in claims]
+    rows += [[*row.coefficients, *[0] * len(impulses)] for row in motion.rows]
     rows += [[int(c is v) for c in columns] for v, same in zip(velocities, unchanged, strict=True) if same]
-    rank = found.surface.rank(rows) if rows else 0
+    rank = motion.surface.rank(rows) if rows else 0
     missing = []
-    for q, v in zip(found.slots.coordinates, velocities, strict=True):
-        with_it = found.surface.rank([*rows, [int(c is v) for c in columns]])
+    for q, v in zip(motion.slots.coordinates, velocities, strict=True):
+        with_it = motion.surface.rank([*rows, [int(c is v) for c in columns]])
         if rank is not None and with_it is not None and with_it > rank:
             missing.append(q.name)
     return missing
 
 
-def with_omega(reference: Reference, found: ImpulsiveMotion) -> list[Reference]:
+def with_omega(reference: Reference, motion: ImpulsiveMotion) -> list[Reference]:
     """The names that an answer may use, with ω for the only angular velocity just after the impact, in either sense."""
-    angles = [q for q in found.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
+    angles = [q for q in motion.slots.coordinates if reference.units.get(q, "") in ("", "rad", "deg")]
     if len(angles) != 1 or "omega" in reference.declared:
         return []
     declared = reference.declared | {"omega"}
@@ -237,9 +237,9 @@ def with_omega(reference: Reference, found: ImpulsiveMotion) -> list[Reference]:
     ]
 
 
-def with_impulses(reference: Reference, found: ImpulsiveMotion) -> Reference:
+def with_impulses(reference: Reference, motion: ImpulsiveMotion) -> Reference:
     """The names that an answer may use, with those of the impulses and without those of the kinetic energies."""
-    names = {s.name: s for s in _impulses(found)}
+    names = {s.name: s for s in _impulses(motion)}
     hidden = {n for n in ("T", "T_0", "K", "K_0") if n not in reference.declared}
     scalars = {n: e for n, e in reference.scope.scalars.items() if n not in hidden} | names
     return replace(

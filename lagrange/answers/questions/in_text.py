@@ -92,19 +92,19 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
     )
     from lagrange.answers.written.working import understood
 
-    found = solution.impact
-    assert found is not None
+    motion = solution.impact
+    assert motion is not None
     answer = [without_sign_after(f) for f in answer]
     lines = with_losses(answer)
     if losses := [check_loss(f, solution) for f, is_loss in lines if is_loss]:
         rest = [f for f, is_loss in lines if not is_loss]
         judged = _impact(rest, solution) if rest else None
         return replace(judged, others=(*judged.others, *losses)) if judged else _only(losses[-1], solution)
-    reference = with_impulses(reference_of_solution(solution), found)
-    verdict = check_impact_in_text(understood(answer, reference), found, reference, solution.problem)
+    reference = with_impulses(reference_of_solution(solution), motion)
+    verdict = check_impact_in_text(understood(answer, reference), motion, reference, solution.problem)
     if verdict.verdict is Verdict.UNDECIDED or verdict.unreadable:  # omega may be the name of the rate
-        others = with_omega(reference, found)
-        tried = [check_impact_in_text(understood(answer, r), found, r, solution.problem) for r in others]
+        others = with_omega(reference, motion)
+        tried = [check_impact_in_text(understood(answer, r), motion, r, solution.problem) for r in others]
         verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
     if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
@@ -113,7 +113,7 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         answer,
         solution,
         lambda f: _only(
-            replace(check_impact_in_text(understood(f, reference), found, reference, solution.problem), name="impact"),
+            replace(check_impact_in_text(understood(f, reference), motion, reference, solution.problem), name="impact"),
             solution,
         ),
         _only(verdict, solution),
@@ -129,11 +129,11 @@ def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> J
     )
     from lagrange.answers.written.working import understood
 
-    found = [v.response for v in solution.views if v.response is not None]
+    responses = [v.response for v in solution.views if v.response is not None]
     for lags in (False, True):
-        reference = with_names_of_response(reference_of_solution(solution), found, lags=lags)
+        reference = with_names_of_response(reference_of_solution(solution), responses, lags=lags)
         working = understood([without_hats(f) for f in answer], reference)
-        verdict = check_response_in_text(working, found, reference)
+        verdict = check_response_in_text(working, responses, reference)
         if verdict is not None and not verdict.unreadable:
             break
     return judge(answer) if verdict is None else _only(replace(verdict, name="response"), solution)
@@ -276,13 +276,13 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
             return first
     except ProblemError as error:
         failed = error
-    found = positions_of(answer, solution)
-    if found is None:
+    positions = positions_of(answer, solution)
+    if positions is None:
         if first is None:
             assert failed is not None
             raise failed
         return first
-    verdict, rest = found
+    verdict, rest = positions
     if not rest:
         restated = first is not None and first.verdict is not Verdict.WRONG and verdict.verdict is Verdict.WRONG
         return first if first is not None and restated else _only(verdict, solution)
@@ -294,10 +294,10 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
     """The verdict on values in numbers, each with its unit, and on everything else."""
     answer = [without_place(f) for f in answer]
     valued = values_of(solution.problem) is not None
-    found = [(f, stated_in_numbers(f) if valued else None) for f in answer]
-    if any(n for _, n in found):  # beside these a number alone is one whose unit was left out
-        found = [(f, n or ((f, None) if _NUMBER_ALONE.search(f.text) else None)) for f, n in found]
-    numbers = [n[0] for _, n in found if n]
+    numbered = [(f, stated_in_numbers(f) if valued else None) for f in answer]
+    if any(n for _, n in numbered):  # beside these a number alone is one whose unit was left out
+        numbered = [(f, n or ((f, None) if _NUMBER_ALONE.search(f.text) else None)) for f, n in numbered]
+    numbers = [n[0] for _, n in numbered if n]
     lines = asked_in_text(numbers, solution) if numbers else None
     if lines is None or lines.verdict is None:
         return _asked_in_formulas(answer, solution, judge)
@@ -307,13 +307,13 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
     )
     verdict = replace(lines.verdict, notes=(*lines.verdict.notes, *unasked))
     reference = reference_of_solution(solution)
-    chains = [(f, sides_agree(f, reference)) for f, n in found if n is not None and n[1] is not None]
+    chains = [(f, sides_agree(f, reference)) for f, n in numbered if n is not None and n[1] is not None]
     wrong = [EquationVerdict(f.text.strip(), Verdict.WRONG, NOT_EQUAL) for f, agree in chains if agree is False]
     if wrong:
         verdict = replace(verdict, verdict=Verdict.WRONG, equations=(*verdict.equations, *wrong))
     consistent = [f for f, agree in chains if agree is not None]
     try:
-        formulas = [f if n is None else _first_of(n[1]) if f in consistent else n[1] for f, n in found]
+        formulas = [f if n is None else _first_of(n[1]) if f in consistent else n[1] for f, n in numbered]
         others = _asked_in_formulas([f for f in formulas if f is not None], solution, judge)
     except ProblemError:
         return _only(_if_complete(verdict, lines.missing), solution)

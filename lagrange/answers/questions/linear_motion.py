@@ -40,17 +40,17 @@ _NONLINEAR = "it is not linear in the small changes: of a system of this size on
 class _Tables:
     """M, D, K of all blocks together, coordinate by coordinate."""
 
-    def __init__(self, found: LinearMotion) -> None:
-        self.letters = found.letters
-        self.coordinates = tuple(q for b in found.blocks for q in b.coordinates)
+    def __init__(self, motion: LinearMotion) -> None:
+        self.letters = motion.letters
+        self.coordinates = tuple(q for b in motion.blocks for q in b.coordinates)
         self.required = sum(
             len(b.coordinates)
-            for b in found.blocks
+            for b in motion.blocks
             if any(e != 0 for t in (b.damping, b.stiffness) for r in t for e in r)
         )
         self.all = [
             sp.diag(*(sp.Matrix(table) for table in tables))
-            for tables in zip(*((b.mass, b.damping, b.stiffness) for b in found.blocks), strict=True)
+            for tables in zip(*((b.mass, b.damping, b.stiffness) for b in motion.blocks), strict=True)
         ]
 
     @property

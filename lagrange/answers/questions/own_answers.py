@@ -203,8 +203,8 @@ def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragm
     from lagrange.answers.friction.impending import check_impending
 
     reference = reference_of_solution(solution)
-    found = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
-    return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+    verdicts = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
+    return replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
 
 
 def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:

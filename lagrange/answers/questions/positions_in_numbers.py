@@ -22,7 +22,7 @@ from lagrange.mechanics.results import Solution
 _EXACT = 1e-12
 """How far an exact number may be from a position in closed form, which is evaluated in floating point."""
 
-Stated = Mapping[sp.Symbol, tuple[float, float]]
+StatedNumbers = Mapping[sp.Symbol, tuple[float, float]]
 
 
 def compared_in_numbers(
@@ -33,33 +33,33 @@ def compared_in_numbers(
         return verdict
     reference = reference_of_solution(solution)
     for view in solution.views:
-        found = view.in_numbers
-        if found is None or found.numerical is None:
+        in_numbers = view.in_numbers
+        if in_numbers is None or in_numbers.numerical is None:
             continue
         readings = [[read_answer(f, reference.scope) for f in a] for a in alternatives]
-        stated = [_stated(a, found, dict(reference.values)) for a in readings]
+        stated = [_stated(a, in_numbers, dict(reference.values)) for a in readings]
         if any(s is None for s in stated):
             continue
-        matches = [{n for n, p in enumerate(found.positions) if s and _is_at(s, p, found)} for s in stated]
+        matches = [{n for n, p in enumerate(in_numbers.positions) if s and _is_at(s, p, in_numbers)} for s in stated]
         if not all(matches):
             return verdict
         covered = set[int]().union(*matches)
-        missing = len(found.positions) - len(covered)
+        missing = len(in_numbers.positions) - len(covered)
         equations = tuple(EquationVerdict(r.text, Verdict.EQUIVALENT) for a in readings for r in a)
         whole = Verdict.INCOMPLETE if missing else Verdict.EQUIVALENT
-        whole = whole if missing or found.numerical.complete else Verdict.UNDECIDED
+        whole = whole if missing or in_numbers.numerical.complete else Verdict.UNDECIDED
         return AnswerVerdict(whole, equations, missing=missing)
     return verdict
 
 
 def _stated(
-    readings: Sequence[Reading], found: EquilibriaInNumbers, values: Mapping[sp.Symbol, sp.Expr]
-) -> Stated | None:
+    readings: Sequence[Reading], in_numbers: EquilibriaInNumbers, values: Mapping[sp.Symbol, sp.Expr]
+) -> StatedNumbers | None:
     """The unknowns with their numbers and half a unit of the last place; None if the equations are not of this form."""
     stated: dict[sp.Symbol, tuple[float, float]] = {}
     for r in readings:
         components = r.with_decimals or r.components
-        unknown = {s for e in components for s in e.free_symbols} & {*found.unknowns}
+        unknown = {s for e in components for s in e.free_symbols} & {*in_numbers.unknowns}
         if len(components) != 1 or len(unknown) != 1:
             return None
         [e], [u] = components, unknown
@@ -75,12 +75,12 @@ def _stated(
     return stated
 
 
-def _is_at(stated: Stated, position: Position, found: EquilibriaInNumbers) -> bool:
+def _is_at(stated: StatedNumbers, position: Position, in_numbers: EquilibriaInNumbers) -> bool:
     for u, (number, width) in stated.items():
         if u not in position.coordinates or (position.branch is None and width == 0):
             return False
         off = number - position.coordinates[u].number
-        if u in found.angles:
+        if u in in_numbers.angles:
             turn = float(2 * sp.pi)
             off -= turn * round(off / turn)
         if abs(off) > width + _EXACT * (1 + abs(number)):

@@ -32,17 +32,19 @@ _MOVES = "an amplitude does not depend on time"
 
 def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
     """The verdict on all amplitudes together."""
-    found = [v.response for v in solution.views if v.response is not None]
-    if not found:
+    responses = [v.response for v in solution.views if v.response is not None]
+    if not responses:
         return AnswerVerdict(Verdict.UNDECIDED, name="response", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
     claims: dict[str, sp.Expr] = {}
-    verdict = check_each("response", stated, lambda name, fragment: _judged(name, fragment, found, reference, claims))
+    verdict = check_each(
+        "response", stated, lambda name, fragment: _judged(name, fragment, responses, reference, claims)
+    )
     if verdict.verdict is not Verdict.WRONG or len(claims) < len(stated):
         return verdict
     from lagrange.answers.results.amplitudes import explained_amplitudes
 
-    together = next(filter(None, (explained_amplitudes(claims, r) for r in found)), "")
+    together = next(filter(None, (explained_amplitudes(claims, r) for r in responses)), "")
     if not together:
         return verdict
     plain = tuple(replace(e, diagnosis="") for e in verdict.equations)  # one cause for all of them
@@ -50,10 +52,10 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
 
 
 def _judged(
-    name: str, fragment: Fragment, found: Sequence[Response], reference: Reference, claims: dict[str, sp.Expr]
+    name: str, fragment: Fragment, responses: Sequence[Response], reference: Reference, claims: dict[str, sp.Expr]
 ) -> Judged:
     """The verdict on one amplitude, which is added to `claims`. Raises ProblemError, DivisionByZeroError."""
-    squares = _squares(found)
+    squares = _squares(responses)
     if name not in squares:
         message = f"`{name}` is not a coordinate with an amplitude"
         raise ProblemError(
@@ -67,12 +69,12 @@ def _judged(
         raise ProblemError(Diagnostic("vector-for-scalar", "an amplitude is a number, not a vector", fragment.whole))
     if not any(s.name == "t" for s in claim.free_symbols):
         claims[name] = as_written(claim).xreplace(dict(reference.values))
-    return judged_amplitude(claim, name, found, reference)
+    return judged_amplitude(claim, name, responses, reference)
 
 
-def judged_amplitude(claim: sp.Expr, name: str, found: Sequence[Response], reference: Reference) -> Judged:
+def judged_amplitude(claim: sp.Expr, name: str, responses: Sequence[Response], reference: Reference) -> Judged:
     """The verdict on the value of the amplitude of a coordinate. Raises DivisionByZeroError."""
-    squares = _squares(found)
+    squares = _squares(responses)
     if any(s.name == "t" for s in claim.free_symbols):
         return Verdict.WRONG, _MOVES
     difference = (claim**2 - squares[name]).xreplace(dict(reference.values))
@@ -92,10 +94,10 @@ def judged_amplitude(claim: sp.Expr, name: str, found: Sequence[Response], refer
     return Verdict.WRONG, wrong_dimension(as_written(claim), reference.units, amplitude)
 
 
-def _squares(found: Sequence[Response]) -> dict[str, sp.Expr]:
+def _squares(responses: Sequence[Response]) -> dict[str, sp.Expr]:
     """The squares of the amplitudes by the names of their coordinates."""
     return {
         q.name: sp.Add(a**2, b**2)
-        for r in found
+        for r in responses
         for q, a, b in zip(r.forced.configuration.slots.coordinates, r.cosines, r.sines, strict=True)
     }

@@ -56,25 +56,27 @@ def without_hats(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
-def with_names_of_response(reference: Reference, found: Sequence[Response], *, lags: bool) -> Reference:
+def with_names_of_response(reference: Reference, responses: Sequence[Response], *, lags: bool) -> Reference:
     """The names that an answer may use, with ω for the frequency of the drive, and letters for lags that stay open."""
     names: dict[str, sp.Expr] = {n: _PHASE for n in _LAGS if n not in reference.declared} if lags else {}
-    for r in found:
+    for r in responses:
         if isinstance(r.drive.frequency, sp.Symbol):
             names |= {n: r.drive.frequency for n in ("omega", "Omega") if n not in reference.declared}
     scalars = {**reference.scope.scalars, **names}
     return replace(reference, scope=replace(reference.scope, scalars=scalars))
 
 
-def check_response_in_text(working: Working, found: Sequence[Response], reference: Reference) -> AnswerVerdict | None:
+def check_response_in_text(
+    working: Working, responses: Sequence[Response], reference: Reference
+) -> AnswerVerdict | None:
     """The verdict on amplitudes and motions; None if the text has none, but equations of motion or nothing of it."""
     parts: list[EquationVerdict] = []
     answered: set[str] = set()
-    coordinates = list(dict.fromkeys(q for r in found for q in r.by_coordinate))
+    coordinates = list(dict.fromkeys(q for r in responses for q in r.by_coordinate))
     amplitudes = _amplitudes(working.defined, coordinates)
     doubtful: list[EquationVerdict] = []
     for name, q in amplitudes.items():
-        verdict, why = judged_amplitude(working.defined[name], q.name, found, reference)
+        verdict, why = judged_amplitude(working.defined[name], q.name, responses, reference)
         part = EquationVerdict.of(name, verdict, why)
         if verdict is Verdict.WRONG:  # it may be an abbreviation after all
             doubtful += [part] if _STRONG.match(name) or q.name.lower() in name.lower() else []
@@ -84,11 +86,11 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
     for line in working.unreadable:
         ratio = _solved(line, working, coordinates, reference)
         if ratio is not None:
-            verdict, why = judged_amplitude(ratio[1], ratio[0].name, found, reference)
+            verdict, why = judged_amplitude(ratio[1], ratio[0].name, responses, reference)
             parts.append(EquationVerdict.of(line.reading.text, verdict, why))
             answered |= {ratio[0].name}
             solved.append(line)
-    unknown = _undamped(working, coordinates, found)
+    unknown = _undamped(working, coordinates, responses)
     rows: list[sp.Expr] = []
     for f in working.judged:
         if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
@@ -102,7 +104,7 @@ def check_response_in_text(working: Working, found: Sequence[Response], referenc
             parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
             rows.append(e)
             continue
-        verdict_on_motion = _motion(f, found, coordinates, reference)
+        verdict_on_motion = _motion(f, responses, coordinates, reference)
         if verdict_on_motion is None:
             return None
         q, (verdict, why) = verdict_on_motion
@@ -154,17 +156,17 @@ def _solved(
 
 
 def _undamped(
-    working: Working, coordinates: Sequence[sp.Symbol], found: Sequence[Response]
+    working: Working, coordinates: Sequence[sp.Symbol], responses: Sequence[Response]
 ) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
     """Names that the answer uses for amplitudes with their signs, each with its coordinate and its value."""
-    signed = {q: c for r in found if not any(r.sines) for q, c in zip(r.by_coordinate, r.cosines, strict=True)}
+    signed = {q: c for r in responses if not any(r.sines) for q, c in zip(r.by_coordinate, r.cosines, strict=True)}
     named = _amplitudes({s.name: sp.S.Zero for s in working.unknowns}, coordinates)
     return {s: (q, signed[q]) for s in working.unknowns if (q := named.get(s.name)) in signed and q is not None}
 
 
 def _amplitudes(defined: Mapping[str, sp.Expr], coordinates: Sequence[sp.Symbol]) -> dict[str, sp.Symbol]:
     """Which of the names that an answer defines are amplitudes, and of which coordinate."""
-    found: dict[str, sp.Symbol] = {}
+    amplitudes: dict[str, sp.Symbol] = {}
     for name, value in defined.items():
         if t in value.free_symbols or any(base(s) in coordinates for s in value.free_symbols):
             continue
@@ -174,14 +176,14 @@ def _amplitudes(defined: Mapping[str, sp.Expr], coordinates: Sequence[sp.Symbol]
             mine = {plain, f"a{plain}", f"{plain}max", f"{plain}0", f"{plain}p", f"{plain}hat", f"{plain}amp"}
             is_numbered = index == str(n) and len(coordinates) > 1 and letter in ("A", "X", "a", "B")
             if name.lower().replace("_", "") in mine or is_numbered:
-                found[name] = q
-        if name not in found and len(coordinates) == 1 and _AMPLITUDES.fullmatch(name):
-            found[name] = coordinates[0]
-    return found
+                amplitudes[name] = q
+        if name not in amplitudes and len(coordinates) == 1 and _AMPLITUDES.fullmatch(name):
+            amplitudes[name] = coordinates[0]
+    return amplitudes
 
 
 def _motion(
-    fragment: GivenEquation, found: Sequence[Response], coordinates: Sequence[sp.Symbol], reference: Reference
+    fragment: GivenEquation, responses: Sequence[Response], coordinates: Sequence[sp.Symbol], reference: Reference
 ) -> tuple[sp.Symbol, Judged] | None:
     """The coordinate and the verdict, if an equation gives a coordinate as a function of time."""
     sides = fragment.reading.sides
@@ -191,14 +193,14 @@ def _motion(
         if any(base(s) in coordinates for s in value.free_symbols):
             return None
         if t not in value.free_symbols:
-            return q, judged_amplitude(value, q.name, found, reference)
-        return q, _judged_motion(q, value, found, reference)
+            return q, judged_amplitude(value, q.name, responses, reference)
+        return q, _judged_motion(q, value, responses, reference)
     return None
 
 
-def _judged_motion(q: sp.Symbol, value: sp.Expr, found: Sequence[Response], reference: Reference) -> Judged:
+def _judged_motion(q: sp.Symbol, value: sp.Expr, responses: Sequence[Response], reference: Reference) -> Judged:
     """The verdict on x(t)."""
-    response = next(r for r in found if q in r.by_coordinate)
+    response = next(r for r in responses if q in r.by_coordinate)
     motion = dict(zip(response.by_coordinate, response.motions, strict=True))[q]
     try:
         if _PHASE in value.free_symbols:
@@ -207,7 +209,7 @@ def _judged_motion(q: sp.Symbol, value: sp.Expr, found: Sequence[Response], refe
             a, b = wave.coeff(sp.cos(angle)), wave.coeff(sp.sin(angle))
             if is_zero(wave - a * sp.cos(angle) - b * sp.sin(angle)) is not True:
                 return Verdict.UNDECIDED, UNDECIDED
-            verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, found, reference)
+            verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, responses, reference)
             return verdict, _LAG_OPEN if verdict is Verdict.EQUIVALENT else why
         difference = (value - motion).xreplace(dict(reference.values))
         same = is_zero(as_written(difference))
@@ -218,20 +220,20 @@ def _judged_motion(q: sp.Symbol, value: sp.Expr, found: Sequence[Response], refe
     except DivisionByZeroError:
         return Verdict.UNDECIDED, UNDECIDED
     if same is not True and difference.has(sp.atan):
-        return _with_tangent(q, value, response, found, reference)
+        return _with_tangent(q, value, response, responses, reference)
     if same is None:
         return Verdict.UNDECIDED, UNDECIDED
     return (Verdict.EQUIVALENT, "") if same else (Verdict.WRONG, _NOT_STEADY)
 
 
 def _with_tangent(
-    q: sp.Symbol, value: sp.Expr, response: Response, found: Sequence[Response], reference: Reference
+    q: sp.Symbol, value: sp.Expr, response: Response, responses: Sequence[Response], reference: Reference
 ) -> Judged:
     """The verdict on A cos(ω t − φ) with φ given by its tangent, which leaves its quadrant open."""
     wave = sp.expand(sp.expand_trig(value))
     angle = response.drive.frequency * t
     a, b = wave.coeff(sp.cos(angle)), wave.coeff(sp.sin(angle))
-    verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, found, reference)
+    verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, responses, reference)
     n = list(response.by_coordinate).index(q)
     aligned = is_zero((a * response.sines[n] - b * response.cosines[n]).xreplace(dict(reference.values)))
     if verdict is not Verdict.EQUIVALENT or aligned:

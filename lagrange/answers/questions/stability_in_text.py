@@ -56,7 +56,7 @@ class _Claim:
 def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Reference) -> dict[int, tuple[bool, str]]:
     """Place of an equation in the answer -> whether its stability is stated wrongly, and how."""
     views = [v for v in solution.views if v.equilibrium is not None and v.stability is not None]
-    found: dict[int, tuple[bool, str]] = {}
+    said: dict[int, tuple[bool, str]] = {}
     for n, fragment in enumerate(judged):
         if not isinstance(fragment, GivenEquation):
             continue
@@ -70,12 +70,12 @@ def on_stability(judged: Sequence[Fragment], solution: Solution, reference: Refe
                 continue
             true, false = _tried(fragment.reading.components, claim, view, reference.values)
             if false and (not true or claim.condition is not None):
-                found[n] = True, WRONG_STABILITY
+                said[n] = True, WRONG_STABILITY
             elif false:
-                found[n] = False, ONLY_SOMETIMES.format("stable" if claim.stable else "unstable")
+                said[n] = False, ONLY_SOMETIMES.format("stable" if claim.stable else "unstable")
             if true or false:
                 break
-    return found
+    return said
 
 
 def with_stability(
@@ -209,5 +209,5 @@ def position_at(
 
 def _numbers(expressions: Sequence[sp.Expr], state: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
     """The values of expressions; those that are no real numbers are missing."""
-    found = [e.xreplace(dict(state)).evalf() for e in map(sp.Add, expressions)]
-    return [v for v in found if v.is_real and v.is_finite]
+    numbers = [e.xreplace(dict(state)).evalf() for e in map(sp.Add, expressions)]
+    return [v for v in numbers if v.is_real and v.is_finite]

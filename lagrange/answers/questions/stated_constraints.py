@@ -110,13 +110,13 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
 
     x^2 + y^2 + z^2 = R^2, x = v t - v/k + C exp(-k t): of the name that stands for a constant the rate is zero.
     """
-    found: list[_Stated] = []
+    constraints: list[_Stated] = []
     rest: list[GivenEquation] = []
     moving = {q for v in solution.views for q in v.configuration.slots.coordinates}
     for name, value in working.defined.items():
         used = symbols_in(value)
         if used & moving and all(base(s) == s for s in used) and not displaced_coordinates([value], tuple(moving)):
-            found.append((f"{name} = ...", (value - CONSTANT,), ()))
+            constraints.append((f"{name} = ...", (value - CONSTANT,), ()))
     for f in working.unreadable:
         names = (
             {m[1] for d in f.reading.error.diagnostics if (m := _UNDECLARED.match(d.message))}
@@ -133,10 +133,10 @@ def with_constants(working: Working, solution: Solution) -> tuple[list[_Stated],
                 slope = e.diff(constant)
                 used = symbols_in(e)
                 if slope != 0 and not slope.has(constant) and used & moving and all(base(s) == s for s in used):
-                    found.append((f.reading.text, (sp.cancel(constant - e / slope) - CONSTANT,), ()))
+                    constraints.append((f.reading.text, (sp.cancel(constant - e / slope) - CONSTANT,), ()))
                     continue
         rest.append(f)
-    return found, rest
+    return constraints, rest
 
 
 def _up_to_a_constant(components: Sequence[sp.Expr], solution: Solution) -> tuple[sp.Expr, ...]:

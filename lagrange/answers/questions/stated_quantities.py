@@ -204,8 +204,8 @@ def _functions(reading: Reading) -> list[sp.Expr]:
 
 def _best(reference: Reference, reading: Reading, judged: Callable[[ReferenceCandidate], Judged | None]) -> Judged:
     """The best verdict in the sets of coordinates that have those of the statement."""
-    found = [v for c in _candidates(reference, reading.components) if (v := judged(c)) is not None]
-    return max(found, key=lambda v: WORST_TO_BEST.index(v[0]), default=(Verdict.UNREADABLE, MIXED_CHOICES))
+    verdicts = [v for c in _candidates(reference, reading.components) if (v := judged(c)) is not None]
+    return max(verdicts, key=lambda v: WORST_TO_BEST.index(v[0]), default=(Verdict.UNREADABLE, MIXED_CHOICES))
 
 
 def _candidates(reference: Reference, components: Sequence[sp.Expr]) -> Iterator[ReferenceCandidate]:

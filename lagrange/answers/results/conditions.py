@@ -31,7 +31,7 @@ _CLOSE = 1e-9
 
 
 @record
-class Stated:
+class StatedCondition:
     """A stated condition that is none of the derived ones: its text and its slack; an equation where it vanishes."""
 
     text: str
@@ -40,7 +40,7 @@ class Stated:
 
 
 def explained_conditions(
-    stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
+    stated: Sequence[StatedCondition], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
 ) -> str:
     """What the stated conditions are instead, in a sentence; empty if that is not found.
 
@@ -70,7 +70,9 @@ def explained_conditions(
 _unknown = (NoPointError, UnsupportedError, DivisionByZeroError, ZeroDivisionError, sp.PolynomialError)
 
 
-def _of_all(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> str | None:
+def _of_all(
+    stated: Sequence[StatedCondition], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
+) -> str | None:
     """The one meaning of the letters, or the sense of the inequalities, that makes all stated conditions right."""
     limits = [_Limit(d) for d in derived]
     if any(s.equation for s in stated):
@@ -98,17 +100,21 @@ def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
     return f"the limit of {letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
 
 
-def _meanings(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> list[Meaning]:
+def _meanings(
+    stated: Sequence[StatedCondition], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
+) -> list[Meaning]:
     letters, used = (set().union(*map(_symbols, es)) for es in (derived, [s.slack for s in stated]))
     return [*with_waves_exchanged(derived), *other_meanings(letters, used, coefficients)]
 
 
-def explained_limits(stated: Sequence[Stated], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> str:
+def explained_limits(
+    stated: Sequence[StatedCondition], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
+) -> str:
     """The same for limits that are stated as equations: friction is about to give way."""
-    found = explained_conditions([replace(s, equation=False) for s in stated], derived, coefficients)
-    if _REVERSED in found or _AND_REVERSED in found:
+    reasons = explained_conditions([replace(s, equation=False) for s in stated], derived, coefficients)
+    if _REVERSED in reasons or _AND_REVERSED in reasons:
         return ""
-    return found.replace("this is the condition", "this is the limit").replace(
+    return reasons.replace("this is the condition", "this is the limit").replace(
         "these are the conditions", "these are the limits"
     )
 
@@ -127,7 +133,7 @@ def is_other_sense(missing: sp.Expr, stated: sp.Expr, coefficients: Collection[s
     return bool(rule) and _Limit(missing.xreplace(rule)).is_of(stated)
 
 
-def _reasons(stated: Stated, derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[str]:
+def _reasons(stated: StatedCondition, derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[str]:
     known = [_Limit(d) for d in derived]
     for limit in known:
         if limit.is_of(stated.slack):

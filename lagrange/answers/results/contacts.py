@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.answers.results.conditions import Stated, is_limit
+from lagrange.answers.results.conditions import StatedCondition, is_limit
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.mechanics.results import Solution
@@ -25,7 +25,7 @@ UNITS = 100_000
 MOST_CONTACTS = 4
 
 
-def explained_by_contacts(stated: Sequence[Stated], solution: Solution) -> str:
+def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution) -> str:
     """Which friction is reversed or left out in wrong conditions or limits, in a sentence; empty if that is not found.
 
     All stated ones have to be those of the same changed problem.

@@ -24,7 +24,7 @@ def explained_impact(
     name: str,
     claim: sp.Expr,
     value: sp.Expr,
-    found: ImpulsiveMotion,
+    motion: ImpulsiveMotion,
     problem: Problem,
     vanishes: Callable[[sp.Expr], bool | None],
 ) -> str:
@@ -34,23 +34,23 @@ def explained_impact(
     vanishes  whether an expression is zero in the position of the impact
     """
     try:
-        return next(_reasons(name, claim, value, found, problem, vanishes), "")
+        return next(_reasons(name, claim, value, motion, problem, vanishes), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError, ZeroDivisionError):
         return ""
 
 
 def explained_statement(
-    equation: sp.Expr, found: ImpulsiveMotion, problem: Problem, values: Mapping[sp.Symbol, sp.Rational]
+    equation: sp.Expr, motion: ImpulsiveMotion, problem: Problem, values: Mapping[sp.Symbol, sp.Rational]
 ) -> str:
     """What is stated by a wrong equation with one of the unknowns of an impact, in a sentence; empty if not found.
 
     values  of parameters in the file
     """
-    slots = found.slots
+    slots = motion.slots
     names = (f"{q}'" for q in slots.coordinates)
-    unknowns = dict(zip(slots.velocities, zip(names, found.velocities, strict=True), strict=True))
-    unknowns |= {i.symbol: (i.name, i.value) for i in found.impulses if i.value is not None}
-    e = found.at(equation)
+    unknowns = dict(zip(slots.velocities, zip(names, motion.velocities, strict=True), strict=True))
+    unknowns |= {i.symbol: (i.name, i.value) for i in motion.impulses if i.value is not None}
+    e = motion.at(equation)
     [*used] = e.free_symbols & unknowns.keys()
     if len(used) != 1:
         return ""
@@ -60,7 +60,7 @@ def explained_statement(
     claim = sp.together(-e.xreplace({used[0]: sp.S.Zero}) / slope)
     name, value = unknowns[used[0]]
     return explained_impact(
-        name, claim, value, found, problem, lambda e: found.surface.is_zero(e.xreplace(dict(values)))
+        name, claim, value, motion, problem, lambda e: motion.surface.is_zero(e.xreplace(dict(values)))
     )
 
 
@@ -68,13 +68,13 @@ def _reasons(
     name: str,
     claim: sp.Expr,
     value: sp.Expr,
-    found: ImpulsiveMotion,
+    motion: ImpulsiveMotion,
     problem: Problem,
     vanishes: Callable[[sp.Expr], bool | None],
 ) -> Iterator[str]:
-    before, after = found.kinetic
+    before, after = motion.kinetic
     plain = name.strip().removesuffix("'")
-    velocities = {q.name: v for q, v in zip(found.slots.coordinates, found.before, strict=True)}
+    velocities = {q.name: v for q, v in zip(motion.slots.coordinates, motion.before, strict=True)}
     if name == "energy_lost":
         for energy, when in ((before, "before"), (after, "after")):
             if energy != 0 and vanishes(claim - energy):
@@ -93,7 +93,7 @@ def _reasons(
             and not vanishes(before - after)
         ):
             yield "the kinetic energy is taken to be conserved, and in this impact some of it is lost"
-        if (why := _of_another_inertia(plain, claim, found, problem)) is not None:
+        if (why := _of_another_inertia(plain, claim, motion, problem)) is not None:
             yield f"this is the velocity {why}"
     if value != 0 and vanishes(claim + value):
         yield "its sign is wrong"
@@ -107,23 +107,23 @@ def _reasons(
             yield f"this is the result for {p} = 1"
 
 
-def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, problem: Problem) -> str | None:
+def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, problem: Problem) -> str | None:
     """Of which changed inertia a velocity is, as the end of a sentence."""
-    m = mechanics_of(found.configuration, problem)
+    m = mechanics_of(motion.configuration, problem)
     n = len(m.slots.coordinates)
     if n > MOST_COORDINATES:
         return None
     number = [q.name for q in m.slots.coordinates].index(name)
-    draws = [_Draw(m, found, seed) for seed in (1, 2)]
+    draws = [_Draw(m, motion, seed) for seed in (1, 2)]
     claims = [d.numbers.number(claim) for d in draws]
     for k, q in enumerate(m.slots.coordinates):
-        if found.before[k] != 0 and all(
+        if motion.before[k] != 0 and all(
             (v := d.velocity(m, number, without=k)) is not None and _close(v, c)
             for d, c in zip(draws, claims, strict=True)
         ):
             return f"without {q}' just before the impact"
-    for group in dict.fromkeys(row.name.partition(".")[0] for row in found.rows):
-        left = [j for j, row in enumerate(found.rows) if row.name.partition(".")[0] != group]
+    for group in dict.fromkeys(row.name.partition(".")[0] for row in motion.rows):
+        left = [j for j, row in enumerate(motion.rows) if row.name.partition(".")[0] != group]
         if all(
             (v := d.velocity(m, number, rows=left)) is not None and _close(v, c)
             for d, c in zip(draws, claims, strict=True)
@@ -145,13 +145,13 @@ def _of_another_inertia(name: str, claim: sp.Expr, found: ImpulsiveMotion, probl
 class _Draw:
     """The impact at random values of the letters."""
 
-    def __init__(self, m: Mechanics, found: ImpulsiveMotion, seed: int) -> None:
-        self.numbers = Numbers(m, lambda e: found.at(e), seed)
-        still = dict(zip(found.slots.velocities, found.before, strict=True))
-        self.before = [self.numbers.number(v) for v in found.before]
-        self.blows = [-self.numbers.number(e.xreplace(still)) for e in found.balance]
-        self.rows = [[self.numbers.number(a) for a in row.coefficients] for row in found.rows]
-        after = dict(zip(found.slots.velocities, found.velocities, strict=True))
+    def __init__(self, m: Mechanics, motion: ImpulsiveMotion, seed: int) -> None:
+        self.numbers = Numbers(m, lambda e: motion.at(e), seed)
+        still = dict(zip(motion.slots.velocities, motion.before, strict=True))
+        self.before = [self.numbers.number(v) for v in motion.before]
+        self.blows = [-self.numbers.number(e.xreplace(still)) for e in motion.balance]
+        self.rows = [[self.numbers.number(a) for a in row.coefficients] for row in motion.rows]
+        after = dict(zip(motion.slots.velocities, motion.velocities, strict=True))
         # With a restitution the right velocities have A q' ≠ −a, and so have those of another inertia.
         self.drift = [-sum((a * self.numbers.number(after[v]) for a, v in zip(row, after, strict=True)), sp.S.Zero)
                       for row in self.rows]  # fmt: skip

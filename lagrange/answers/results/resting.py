@@ -190,7 +190,7 @@ class WrongEquilibria:
         rule = self.resting.solved([lhs - factor * rhs], factor)
         if self.resting.rows or rule is None:
             return None
-        found = {*()}
+        factors = {*()}
         for force in self.resting.own:
             whole = sp.numer(sp.together(force.xreplace(self.resting.values).xreplace(rule)))
             slope = sp.diff(whole, factor)
@@ -198,8 +198,8 @@ class WrongEquilibria:
                 continue
             if slope == 0 or factor in slope.free_symbols:
                 return None
-            found.add(sp.factor(sp.cancel(-whole.xreplace({factor: sp.S.Zero}) / slope)))
-        value = found.pop() if len(found) == 1 else None
+            factors.add(sp.factor(sp.cancel(-whole.xreplace({factor: sp.S.Zero}) / slope)))
+        value = factors.pop() if len(factors) == 1 else None
         if value is None or value in (0, 1) or value.free_symbols & {*self.resting.slots.coordinates}:
             return None
         parts = [p.as_base_exp()[0] for p in sp.Mul.make_args(value) if not p.is_Rational]

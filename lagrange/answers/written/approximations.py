@@ -73,9 +73,9 @@ def _end(text: str) -> int:
 
 def _parts_numbered(texts: Sequence[str]) -> bool:
     """Whether two lines begin with letters that follow one another."""
-    found = [m for text in texts if (m := _PART.match(text))]
-    letters = {ord(m["letter"]) for m in found if m["letter"]}
-    romans = {_ROMAN.index(m["roman"]) for m in found if m["roman"] in _ROMAN}
+    numbered = [m for text in texts if (m := _PART.match(text))]
+    letters = {ord(m["letter"]) for m in numbered if m["letter"]}
+    romans = {_ROMAN.index(m["roman"]) for m in numbered if m["roman"] in _ROMAN}
     return any(n + 1 in numbers for numbers in (letters, romans) for n in numbers)
 
 

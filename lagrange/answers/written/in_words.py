@@ -82,16 +82,16 @@ def is_about_freedom(fragment: Fragment) -> bool:
 
 
 def _freedom(text: str) -> int | None:
-    found: list[tuple[int, int]] = []
+    counts: list[tuple[int, int]] = []
     for m in _BEFORE.finditer(text):
-        found.append((m.start(), _number(m["count"])))
+        counts.append((m.start(), _number(m["count"])))
     for m in _AFTER.finditer(text):
-        if not any(abs(at - m.start()) < len(m[0]) and at < m.start() for at, _ in found):
+        if not any(abs(at - m.start()) < len(m[0]) and at < m.start() for at, _ in counts):
             counted = _sum(m["count"])
-            found.append((m.start(), int(m["result"].strip(" =")) if m["result"] else counted))
-    if not found:
-        found = [(m.start(), _sum(m["chain"].split("=")[-1])) for m in _LETTER.finditer(text)]
-    return max(found)[1] if found else None
+            counts.append((m.start(), int(m["result"].strip(" =")) if m["result"] else counted))
+    if not counts:
+        counts = [(m.start(), _sum(m["chain"].split("=")[-1])) for m in _LETTER.finditer(text)]
+    return max(counts)[1] if counts else None
 
 
 def _number(word: str) -> int:

@@ -111,17 +111,17 @@ def other_names(
 def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr]:
     """theta_0 inside an equation as theta, in statics; what stands alone on a side is defined there."""
     coordinates = {q.name: q for q in scope.slots.coordinates}
-    found: dict[str, sp.Expr] = {}
+    at_rest: dict[str, sp.Expr] = {}
     for text in texts:
         for match in _WITH_INDEX.finditer(text):
             symbol = coordinates.get(GREEK.get(match["name"], match["name"]))
             name = f"{symbol}_{match['index']}"
             if symbol is not None and match["index"] in AT_EQUILIBRIUM and scope.role(name) is Role.UNDECLARED:
-                found[name] = symbol
+                at_rest[name] = symbol
     alone = {
-        n for n in found if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
+        n for n in at_rest if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
     }
-    return {n: q for n, q in found.items() if n not in alone}
+    return {n: q for n, q in at_rest.items() if n not in alone}
 
 
 def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
@@ -255,9 +255,9 @@ def _positions(whole: str, scope: Scope) -> dict[str, Vector]:
     places = [name for name in scope.vectors if name.startswith("r_")]
     if not numbers or len(places) < 2 or max(numbers) > len(places):
         return {}
-    found = {}
+    positions = {}
     for n in numbers:
         for name in (f"r_{n}", f"r{n}"):
             if scope.role(name) is Role.UNDECLARED:
-                found[name] = scope.vectors[places[n - 1]]
-    return found
+                positions[name] = scope.vectors[places[n - 1]]
+    return positions

@@ -61,16 +61,16 @@ def _in_si(fragment: Fragment, name: str, place: tuple[int, int], unit: str, ref
     written = fragment.text[slice(*place)]
     expected = dimension_of_unit(unit) if unit else None
     parts = split_number(plain_unit(written))
-    found = unit_of(parts[1]) if parts else None
-    if expected is None or parts is None or found is None or found.is_angle:
+    meant = unit_of(parts[1]) if parts else None
+    if expected is None or parts is None or meant is None or meant.is_angle:
         return fragment
-    if tuple(map(sp.Integer, found.dimension)) != tuple(expected):
+    if tuple(map(sp.Integer, meant.dimension)) != tuple(expected):
         if {*re.findall(r"[A-Za-z]+", parts[1])} <= {*reference.scope.scalars} and "\\" not in written:
             return fragment
         message = f"`{parts[1]}` is no unit of `{name}`"
         raise ProblemError(Diagnostic("unit-mismatch", message, fragment.span(*place), help=f"it is in {unit}"))
     latex = is_latex(fragment)
-    number = in_one_number(parts[0], found.factor)
+    number = in_one_number(parts[0], meant.factor)
     draft = Draft(fragment)
     draft.apply([(*place, number.replace("*", r" \cdot ") if latex else number)])
     return draft.finished(latex=latex)

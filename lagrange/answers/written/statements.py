@@ -79,8 +79,8 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
         parts = parts[:1]
     sides = [cut(parts[0], *place) for place in cuts(parts[0].text, _EQUALS)]
     label = ""
-    while len(sides) > 1 and (found := _label(sides[0], scope, declared, name)):
-        label, sides = label or found, sides[1:]
+    while len(sides) > 1 and (labelled := _label(sides[0], scope, declared, name)):
+        label, sides = label or labelled, sides[1:]
     for side in sides[1:-1]:  # of a = b = c all must be readable
         tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
     return Statement(tuple(sides if len(sides) < 3 else (sides[0], sides[-1])), scope, label)

@@ -342,10 +342,10 @@ class _Sorting:
         texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
         stated = [line.fragment.text for line in lines]
         for name, symbol in printed_names(self.reference, stated).items():
-            found = lines_with(name, stated)
-            if len(found) != 1:
+            renamed = lines_with(name, stated)
+            if len(renamed) != 1:
                 continue
-            line = lines[found[0]]
+            line = lines[renamed[0]]
             alone, value = False, None
             for side, other in (sides, sides[::-1]) if (sides := _sides(line.fragment)) else ():
                 if self._name_alone(side)[0] == name:

@@ -29,23 +29,23 @@ from lagrange.problem.model import AppliedMoment, Impact
 ZERO = sp.S.Zero
 
 
-def explain_impact(found: ImpulsiveMotion, impact: Impact, letters: EnergySymbols) -> Step:
+def explain_impact(motion: ImpulsiveMotion, impact: Impact, letters: EnergySymbols) -> Step:
     """The step on an impact."""
     body: list[Block] = [
-        *_instant(found, impact),
-        *_constraints(found),
-        *_principle(found),
-        *_velocities(found),
-        *_impulses(found),
-        *_energy(found, letters),
+        *_instant(motion, impact),
+        *_constraints(motion),
+        *_principle(motion),
+        *_velocities(motion),
+        *_impulses(motion),
+        *_energy(motion, letters),
     ]
-    return Step(Rule.IMPACT, title_in("The impact", found.configuration.name), tuple(body))
+    return Step(Rule.IMPACT, title_in("The impact", motion.configuration.name), tuple(body))
 
 
-def explain_motion_after(after: Solution, found: ImpulsiveMotion) -> Step:
+def explain_motion_after(after: Solution, impulsive: ImpulsiveMotion) -> Step:
     """What acts after the impact, when t = 0 is, and the equations of motion from then on."""
-    persistent = [name for name in found.new if any(c.name == name for c in after.problem.constraints)]
-    ended = [name for name in found.new if name not in persistent]
+    persistent = [name for name in impulsive.new if any(c.name == name for c in after.problem.constraints)]
+    ended = [name for name in impulsive.new if name not in persistent]
     words = "The questions are about the motion after the impact. It begins with the velocities just after it, at "
     parts: list[Part] = [words, math(t, ZERO), "."]
     if persistent:
@@ -64,7 +64,7 @@ def explain_motion_after(after: Solution, found: ImpulsiveMotion) -> Step:
     return Step(Rule.IMPACT, "The motion after the impact", body)
 
 
-def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
+def _instant(motion: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
     """What changes in the instant and what does not; the position and the velocities before."""
     blows = [(f.moment if isinstance(f, AppliedMoment) else f.vector, f) for f in impact.impulses]
     given: list[Part] = []
@@ -74,11 +74,11 @@ def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
     first = prose("In the instant of an impact the velocities change and the position does not. Forces that remain "
                   "finite have no impulse.")  # fmt: skip
     acts = prose("What acts is ", *given, ".") if given else None
-    position = [math(q, e) for q, e in found.position.items()]
+    position = [math(q, e) for q, e in motion.position.items()]
     at = prose("The position is ", *listed(position), ".") if position else None
     yield paragraph(*(p for p in (first, acts, at) if p is not None))
-    coordinates = found.slots.coordinates
-    known = [(q, b) for q, b in zip(coordinates, found.before, strict=True) if b != velocity_before(q)]
+    coordinates = motion.slots.coordinates
+    known = [(q, b) for q, b in zip(coordinates, motion.before, strict=True) if b != velocity_before(q)]
     free = [q for q in coordinates if q not in [k for k, _ in known]]
     if known and not free and all(b == 0 for _, b in known):
         yield prose("Just before the impact everything is at rest.")
@@ -91,36 +91,36 @@ def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
         yield prose(*letters, words, ", not given.")
 
 
-def _constraints(found: ImpulsiveMotion) -> Iterator[Block]:
+def _constraints(motion: ImpulsiveMotion) -> Iterator[Block]:
     """The new constraints, and the virtual displacements under all of them."""
-    new = [i for i in found.impulses if i.is_new]
+    new = [i for i in motion.impulses if i.is_new]
     if new:
         lines = []
         for i in new:
             c = i.reaction.constraint
             lines.append(Equation((c.lhs, c.rhs), label=f"new-{i.name}", relation=c.relation))
         begins = plural(len(new), " begins to act", " begin to act")
-        also = ", beside those that act already" if len(new) < len(found.impulses) else ""
+        also = ", beside those that act already" if len(new) < len(motion.impulses) else ""
         sided = " While the impact lasts the equality holds." if any(i.reaction.constraint.side for i in new) else ""
         yield prose(capital(constraints_called([i.name for i in new])), begins, also, ":")
         yield display(*lines)
         if sided:
             yield prose(sided.strip())
-    rows = [r for r in found.rows if any(a != 0 for a in r.coefficients)]
+    rows = [r for r in motion.rows if any(a != 0 for a in r.coefficients)]
     if not rows:
         return
     yield prose(
         "Virtual displacements in this position satisfy ", "all constraints:" if len(rows) > 1 else "the constraint:"
     )
-    lines = [Equation((virtual_displacement(r, found.slots), ZERO), label=f"struck-{r.name}") for r in rows]
+    lines = [Equation((virtual_displacement(r, motion.slots), ZERO), label=f"struck-{r.name}") for r in rows]
     yield display(*lines)
 
 
-def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
+def _principle(motion: ImpulsiveMotion) -> Iterator[Block]:
     """Σ (m Δv − J)·δr = 0 in these coordinates, and the equations that follow."""
-    slots, elimination = found.slots, found.elimination
-    parts = [c * variation(q) for c, q in zip(found.balance, slots.coordinates, strict=True)]
-    workless = " in which the reactions do no work" if found.rows else ""
+    slots, elimination = motion.slots, motion.elimination
+    parts = [c * variation(q) for c, q in zip(motion.balance, slots.coordinates, strict=True)]
+    workless = " in which the reactions do no work" if motion.rows else ""
     yield prose(
         f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: the "
         "changes of momentum less the given impulses do no work. Here this reads"
@@ -136,19 +136,19 @@ def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
         yield prose("With")
         yield display(*lines)
     yield must_vanish(free, ())
-    yield display(*(Equation((e, ZERO), label=f"impulse-equation-{n}") for n, e in enumerate(found.equations, 1)))
+    yield display(*(Equation((e, ZERO), label=f"impulse-equation-{n}") for n, e in enumerate(motion.equations, 1)))
 
 
-def _velocities(found: ImpulsiveMotion) -> Iterator[Block]:
+def _velocities(motion: ImpulsiveMotion) -> Iterator[Block]:
     """The constraints on the velocities after, and these."""
-    slots = found.slots
-    elastic = [i for i in found.impulses if i.restitution != 0]
-    if found.rows:
+    slots = motion.slots
+    elastic = [i for i in motion.impulses if i.restitution != 0]
+    if motion.rows:
         lines = []
-        by_name = {i.name: i for i in found.impulses}
-        for r in found.rows:
+        by_name = {i.name: i for i in motion.impulses}
+        for r in motion.rows:
             e = by_name[r.name].restitution
-            approach = sp.Add(r.drift, *(a * b for a, b in zip(r.coefficients, found.before, strict=True)))
+            approach = sp.Add(r.drift, *(a * b for a, b in zip(r.coefficients, motion.before, strict=True)))
             lines.append(Equation((r.velocity_form(slots), -e * approach), label=f"after-{r.name}"))
         words: list[Part] = ["The velocities just after the impact satisfy the constraints"]
         if elastic:
@@ -156,20 +156,20 @@ def _velocities(found: ImpulsiveMotion) -> Iterator[Block]:
             words += [", where the rate of separation is that of approach times the coefficient of restitution ", *at]
         yield prose(*words, ":")
         yield display(*lines)
-    count = len(found.velocities)
+    count = len(motion.velocities)
     yield prose("Hence" if count else "Nothing moves.", detail=Detail.BRIEF)
     yield display(
-        *(Equation((prime(q), v), label=f"velocity-after-{q.name}") for q, v in found.all_velocities.items()),
+        *(Equation((prime(q), v), label=f"velocity-after-{q.name}") for q, v in motion.all_velocities.items()),
         boxed=True,
         detail=Detail.BRIEF,
     )
 
 
-def _impulses(found: ImpulsiveMotion) -> Iterator[Block]:
+def _impulses(motion: ImpulsiveMotion) -> Iterator[Block]:
     """The impulses of the reactions, what they are, and what one-sided constraints presuppose."""
-    if not found.impulses:
+    if not motion.impulses:
         return
-    known = [i for i in found.impulses if i.value is not None]
+    known = [i for i in motion.impulses if i.value is not None]
     if known:
         several = plural(len(known), "The impulse of the reaction follows", "The impulses of the reactions follow")
         yield prose(f"{several} from the momenta of all coordinates, with these velocities:")
@@ -178,21 +178,21 @@ def _impulses(found: ImpulsiveMotion) -> Iterator[Block]:
             boxed=True,
         )
         yield paragraph(*map(_meaning, known))
-        yield from _vanishing(found, known)
-    left = found.open_impulses
+        yield from _vanishing(motion, known)
+    left = motion.open_impulses
     if left:
         yield prose(f"The impulses of {constraints_called(left)} are not determined: the constraints depend on one "
                     "another in this position, so different impulses give the same velocities.")  # fmt: skip
-    for c in found.conditions:
+    for c in motion.conditions:
         one = f"{capital(constraints_called([c.constraint]))} acts "
         why = "only if the impulse presses: " if c.is_impulse else "only if it is approached: "
         yield prose(one, why, math(c.quantity, ZERO, relation="≥" if c.is_impulse else ">"), ".")
 
 
-def _vanishing(found: ImpulsiveMotion, known: list[ReactionImpulse]) -> Iterator[Block]:
+def _vanishing(motion: ImpulsiveMotion, known: list[ReactionImpulse]) -> Iterator[Block]:
     """Where an impulse is zero: a hand that holds the rod there is not jarred."""
-    coefficients = [a for r in found.rows for a in r.coefficients]
-    for i in known if found.full.loads or found.full.torques else []:
+    coefficients = [a for r in motion.rows for a in r.coefficients]
+    for i in known if motion.full.loads or motion.full.torques else []:
         for v in vanishings(i.value or ZERO, coefficients):
             turns = ", and changes its sense there" if v.turns else ""
             yield prose(math(i.symbol), " vanishes where ", math(v.left, v.right), f"{turns}.")
@@ -210,30 +210,30 @@ def _meaning(i: ReactionImpulse) -> Prose:
     return prose(math(i.symbol), f" acts on {the(single.on)} along ", math(single.direction.as_sum()), ".")
 
 
-def _energy(found: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
+def _energy(motion: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
     """The kinetic energy before and after, what is lost and where."""
     T = letters.kinetic
-    before, after = found.kinetic
+    before, after = motion.kinetic
     earlier = sp.Symbol(f"{T.name}_0", real=True)
-    blows = found.full.loads or found.full.torques
-    if found.is_driven:
+    blows = motion.full.loads or motion.full.torques
+    if motion.is_driven:
         yield prose(
             "Positions or constraints contain time: what drives them does work too. The kinetic energy changes by"
         )
-        yield display(Equation((T - earlier, sp.expand(-found.energy_lost)), label="energy-change"))
+        yield display(Equation((T - earlier, sp.expand(-motion.energy_lost)), label="energy-change"))
         return
     yield prose("The kinetic energy before and after the impact is")
     yield display(Equation((earlier, before), label="energy-before"), Equation((T, after), label="energy-after"))
     if blows:
         yield prose("The blow does the work of its impulse on the mean of the velocities before and after, ",
-                    math(found.work), ".")  # fmt: skip
-    places = [i for i in found.impulses if i.lost is not None and i.lost != 0]
-    if found.energy_lost == 0:
+                    math(motion.work), ".")  # fmt: skip
+    places = [i for i in motion.impulses if i.lost is not None and i.lost != 0]
+    if motion.energy_lost == 0:
         yield from [] if blows else [prose("No energy is lost.")]
         return
     yield prose("Beyond that work, the energy lost is" if blows else "The energy lost in the impact is")
-    lost = earlier - T if not blows else earlier - T + found.work
-    yield display(Equation((lost, found.energy_lost), label="energy-lost"), boxed=True)
+    lost = earlier - T if not blows else earlier - T + motion.work
+    yield display(Equation((lost, motion.energy_lost), label="energy-lost"), boxed=True)
     if len(places) == 1:
         yield prose(f"It is lost at {constraints_called([places[0].name])}.")
     elif len({i.restitution for i in places}) > 1:

@@ -70,7 +70,7 @@ from lagrange.explain.page.laws import (
     without_idle,
     work_by_forms,
 )
-from lagrange.explain.page.meaning import Stated, explain_meaning
+from lagrange.explain.page.meaning import StatedEquations, explain_meaning
 from lagrange.explain.page.motion import (
     displacements_of_geometric,
     displacements_shortly,
@@ -121,7 +121,7 @@ ABOUT_CONSTRAINTS = (
 
 
 def page(
-    solution: Solution, steps: Iterable[Step], stated: Stated = (), *, every_choice: bool = False
+    solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
 ) -> Iterator[Step]:
     """The steps of the page.
 
@@ -141,7 +141,7 @@ def _with_best_choice_first(solution: Solution) -> Solution:
 
 
 def _arranged(
-    solution: Solution, steps: Iterable[Step], stated: Stated = (), *, every_choice: bool = False
+    solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
 ) -> Iterator[Step]:
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices else ""
@@ -213,7 +213,7 @@ def _conserved_once(steps: Sequence[Step], first: str) -> Iterator[Step]:
     yield from (s for s in steps if not (again and s.rule is Rule.CONSERVED and not s.choice))
 
 
-def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> Iterator[Step]:
+def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquations) -> Iterator[Step]:
     """The steps, with what the result says before questions and checks, and the conserved quantities in it."""
     said = meaning(solution)
     if said is None:
@@ -425,7 +425,7 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         return
     if _needs_no_force(view, newton):
         normal = reaction_along_normal(solution)
-        last = view is (solution.choices or (solution.own,))[0]
+        last = view is solution.chosen
         yield from [] if normal is None or not last else [normal]
         return
     first = solution.choices[0] if solution.choices else None
@@ -458,8 +458,8 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
 
 def _needs_no_force(view: InCoordinates, newton: Newton) -> bool:
     """Whether no constraint exerts a force: one that only defines a coordinate, as an arc length, has λ = 0."""
-    found = None if view.dynamics is None else view.dynamics.reactions
-    multipliers = () if found is None else [found.multipliers.get(r.name) for r in newton.reactions]
+    reactions = None if view.dynamics is None else view.dynamics.reactions
+    multipliers = () if reactions is None else [reactions.multipliers.get(r.name) for r in newton.reactions]
     return bool(multipliers) and all(m == 0 for m in multipliers) and all(r.given is None for r in newton.reactions)
 
 

@@ -55,9 +55,9 @@ def _centre(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[Part, ...]]:
         yield (*listed(math(q) for q in symbols), f"{verb} the mass centre.")
 
 
-def _angles(found: tuple[Angle, ...], solution: Solution) -> Iterator[tuple[Part, ...]]:
+def _angles(angles: tuple[Angle, ...], solution: Solution) -> Iterator[tuple[Part, ...]]:
     """One sentence for angles of the same kind."""
-    rest = list(found)
+    rest = list(angles)
     while rest:
         first = rest[0]
         alike = [a for a in rest if (a.zero, a.towards, a.projected) == (first.zero, first.towards, first.projected)]

@@ -308,10 +308,10 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
 
 def with_only_coordinate(solution: Solution, step: Step) -> Step:
     """Integrability, with x = v t − v/κ + C exp(−κ t) where one constraint determines the only coordinate."""
-    found, coordinates = solution.classification, solution.problem.slots.coordinates
-    if len(coordinates) != 1 or len(found.integrals) != 1 or found.degrees_of_freedom != 0:
+    classification, coordinates = solution.classification, solution.problem.slots.coordinates
+    if len(coordinates) != 1 or len(classification.integrals) != 1 or classification.degrees_of_freedom != 0:
         return step
-    [q], [(_, function)] = coordinates, found.integrals
+    [q], [(_, function)] = coordinates, classification.integrals
     factor = function.diff(q)
     if factor == 0 or factor.has(q) or function.is_Symbol:
         return step

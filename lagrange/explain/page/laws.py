@@ -11,8 +11,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.core.vectors import Vector
@@ -26,6 +24,7 @@ from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, c
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
+from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
 
 ZERO = sp.S.Zero
@@ -396,29 +395,15 @@ def without_idle(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
 
 def reaction_along_normal(solution: Solution) -> Step | None:
     """R·n of the only particle; None without a unit vector n that is normal to all of its displacements."""
-    configuration = solution.own.configuration
-    reactions = None if solution.own.dynamics is None else solution.own.dynamics.reactions
-    if len(configuration.points) != 1 or configuration.rotations or configuration.links or reactions is None:
+    reaction = path_reaction(solution)
+    if reaction is None:
         return None
-    if any(m != 0 for m in reactions.multipliers.values()):
-        return None
-    [point] = configuration.points
-    slots = configuration.slots
-    position = point.position.fixed()
-    displacements = [position.map(lambda c, q=q: c.diff(q)) for q in slots.coordinates]  # type: ignore[misc]
-    force = sum((f.vector.fixed() for f in configuration.loads), Vector.zero())
-    for name, vector in solution.problem.abbreviations.items():
-        unit = vector.fixed() if isinstance(vector, Vector) else Vector.zero()
-        if is_zero(unit.dot(unit) - 1) is not True or any(is_zero(d.dot(unit)) is not True for d in displacements):
-            continue
-        value = textbook_form(point.mass * point.acceleration.fixed().dot(unit) - force.dot(unit))
-        if set(slots.accelerations) & value.free_symbols:
-            continue
-        n, moved = VectorSymbol(name), VectorSymbol(f"r_{point.name}''")
-        applied = sp.S.Zero if force.is_zero else DotProduct(VectorSymbol(f"F_{point.name}"), n)
-        sides = (DotProduct(VectorSymbol(f"R_{point.name}"), n), point.mass * DotProduct(moved, n) - applied,
-                 sp.factor_terms(value))  # fmt: skip
-        line = display(Equation(sides, label=f"normal-{point.name}"), boxed=True, detail=Detail.BRIEF)
-        words = f"The force that keeps {the(point.name)} on its path is along its normal. By Newton's law it is"
-        return Step(Rule.SOLVED_REACTIONS, "The reaction", (prose(words), line))
-    return None
+    [point] = solution.own.configuration.points
+    n, moved = VectorSymbol(reaction.normal), VectorSymbol(f"r_{point.name}''")
+    is_free = sum((f.vector.fixed() for f in solution.own.configuration.loads), Vector.zero()).is_zero
+    applied = sp.S.Zero if is_free else DotProduct(VectorSymbol(f"F_{point.name}"), n)
+    sides = (DotProduct(VectorSymbol(f"R_{point.name}"), n), point.mass * DotProduct(moved, n) - applied,
+             sp.factor_terms(reaction.value))  # fmt: skip
+    line = display(Equation(sides, label=f"normal-{point.name}"), boxed=True, detail=Detail.BRIEF)
+    words = f"The force that keeps {the(point.name)} on its path is along its normal. By Newton's law it is"
+    return Step(Rule.SOLVED_REACTIONS, "The reaction", (prose(words), line))

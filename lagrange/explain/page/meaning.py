@@ -32,14 +32,14 @@ LONGEST_LINE = 24
 """The most operations of a conserved quantity that is written in its sentence."""
 
 
-Stated = tuple[tuple[sp.Expr, ...], ...]
+StatedEquations = tuple[tuple[sp.Expr, ...], ...]
 """Equations, each as its sides."""
 
 
 def explain_meaning(
     meaning: Meaning,
     conserved: Step | None,
-    stated: Stated = (),
+    stated: StatedEquations = (),
     labels: Collection[str | None] | None = None,
     problem: Problem | None = None,
 ) -> Step | None:
@@ -67,12 +67,12 @@ def explain_meaning(
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
 
 
-def operations(stated: Stated) -> int:
+def operations(stated: StatedEquations) -> int:
     """How many operations it takes to write equations with everything on one side."""
     return sum(count_operations(left - right) for left, *_, right in stated)
 
 
-def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
+def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
     if motion is None or not stated or _are_shown(stated, [e.expression for e in motion.final]):
@@ -88,7 +88,7 @@ def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
-def _are_shown(stated: Stated, shown: Sequence[sp.Expr]) -> bool:
+def _are_shown(stated: StatedEquations, shown: Sequence[sp.Expr]) -> bool:
     """Whether equations are those of the page with terms brought to the other side."""
     left = [_in_sines(a - b) for a, b, *_ in stated]
     right = [_in_sines(s) for s in shown]
@@ -237,10 +237,10 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
         return
     speeds = tuple(form.velocities.definitions)
     for e in form.equations.expressions:
-        found = [u for u in speeds if e.has(prime(u))]
-        if len(found) != 1 or count_operations(e) > LONGEST_LINE:
+        involved = [u for u in speeds if e.has(prime(u))]
+        if len(involved) != 1 or count_operations(e) > LONGEST_LINE:
             continue
-        [u] = found
+        [u] = involved
         factor = sp.diff(e, prime(u))
         value = sp.factor_terms(-e.xreplace({prime(u): sp.S.Zero}) / factor)
         if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
@@ -273,24 +273,24 @@ def _never_turns(value: sp.Expr, meaning: Meaning, speeds: Sequence[sp.Symbol]) 
 
 def _turning(meaning: Meaning) -> Iterator[Block]:
     """`Circles: ...: the velocity turns at the rate c`, or the axes in which an oscillation keeps its plane."""
-    found = meaning.turning
-    if found is None:
+    turning = meaning.turning
+    if turning is None:
         return
-    pair = (found.first, found.second)
-    if found.stiffness is None:
-        laws = listed(math(prime(q, 2), a) for q, a in zip(pair, found.accelerations, strict=True))
-        velocity = (math(prime(found.first)), " and ", math(prime(found.second)))
+    pair = (turning.first, turning.second)
+    if turning.stiffness is None:
+        laws = listed(math(prime(q, 2), a) for q, a in zip(pair, turning.accelerations, strict=True))
+        velocity = (math(prime(turning.first)), " and ", math(prime(turning.second)))
         yield prose(
             *(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity),
-            *(" turns at the constant rate ", math(found.rate), " and keeps its size, so the motion is uniform, "),
+            *(" turns at the constant rate ", math(turning.rate), " and keeps its size, so the motion is uniform, "),
             "on a circle.",
         )
         return
-    order: tuple[Part, ...] = () if found.small is None else (", to first order in ", math(found.small))
+    order: tuple[Part, ...] = () if turning.small is None else (", to first order in ", math(turning.small))
     letters = [sp.Symbol(name, real=True) for name in _unused(meaning, ("xi", "eta", "X", "Y", "u", "v"))]
-    laws = listed(math(prime(q, 2) + found.stiffness * q, sp.S.Zero) for q in letters)
+    laws = listed(math(prime(q, 2) + turning.stiffness * q, sp.S.Zero) for q in letters)
     yield prose(
-        *(Emphasis("Turning"), ": for axes that turn at the rate ", math(found.rate), " the velocities drop out"),
+        *(Emphasis("Turning"), ": for axes that turn at the rate ", math(turning.rate), " the velocities drop out"),
         *(*order, ": there ", *laws, ". "),
         "An oscillation along one of these axes stays along it, and turns with it.",
     )

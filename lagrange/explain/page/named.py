@@ -13,14 +13,14 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime
 from lagrange.core.vectors import Vector
-from lagrange.explain.page.meaning import Stated
+from lagrange.explain.page.meaning import StatedEquations
 from lagrange.mechanics.results import Solution
 
 MOST_NAMES = 12
 """The most quantities that are looked for."""
 
 
-def in_names(solution: Solution, stated: Stated) -> Stated:
+def in_names(solution: Solution, stated: StatedEquations) -> StatedEquations:
     """The equations with the names."""
     names = [*_names(solution)]
     return tuple(tuple(_named(side, names) for side in sides) for sides in stated) if names else stated

@@ -4,10 +4,6 @@ D'Alembert's principle is stated in vectors and written out once, in the quasi-v
 that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.
 Energies and reactions are written in the quasi-velocities where that is shorter: what the constraints make zero is
 gone then, and (M + 2m) (y'' cos θ − x'' sin θ) is (M + 2m) v ω.
-
-Where the rate of the only quasi-velocity contains the time only, u' = f(t), u = C_1 + ∫ f dt, and each coordinate whose
-velocity then contains the time only follows by a second integral. Only trigonometric polynomials in t are integrated;
-each result is differentiated as a check.
 """
 
 from __future__ import annotations
@@ -16,12 +12,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
-from sympy.simplify.fu import TR8
 
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, free_letter, prime, t
+from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import (
@@ -41,13 +35,13 @@ from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.words import plural, the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+from lagrange.mechanics.integrated_speed import integrated_speed
+from lagrange.mechanics.path_reaction import reaction_along
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Problem
 
 LONGEST = 60
 """The most operations of a multiplier that is shown."""
-LONGEST_RATE = 40
-"""The most operations of what is integrated."""
 
 
 def ends_with_speeds(solution: Solution) -> bool:
@@ -176,13 +170,11 @@ def reaction_as_a_whole(solution: Solution) -> Step | None:
     words = f"By Newton's law the total reaction on {the(point.name)} is"
     line = Equation(sides, label=f"total-reaction-{point.name}", condition=known)
     body: list[Block] = [prose(words), display(line, boxed=True)]
-    body += _across(solution, point.acceleration, point.mass, force, reaction)
+    body += _across(solution, reaction)
     return Step(Rule.SOLVED_REACTIONS, "The reaction", tuple(body))
 
 
-def _across(
-    solution: Solution, acceleration: Vector, mass: sp.Expr, force: Vector, reaction: VectorSymbol
-) -> Iterator[Block]:
+def _across(solution: Solution, reaction: VectorSymbol) -> Iterator[Block]:
     """The vertical component, where there is gravity."""
     gravity = solution.problem.gravity
     along = [n for n, c in enumerate(gravity.fixed().components) if c != 0] if gravity is not None else []
@@ -190,7 +182,8 @@ def _across(
         return
     [n] = along
     unit = Vector.zero().triad.units[n]
-    value = mass * acceleration.fixed().components[n] - force.fixed().components[n]
+    x, y, z = (sp.Integer(k == n) for k in range(3))
+    value = reaction_along(Vector((x, y, z)), solution.own.configuration)
     yield prose("Its vertical component is")
     yield display(Equation((DotProduct(reaction, unit), sp.factor_terms(value)), label="vertical-reaction"))
 
@@ -200,48 +193,11 @@ def _across(
 
 def by_quadrature(problem: Problem, form: QuasiVelocityForm | None) -> Iterator[Block]:
     """`Motion: v̇ contains the time only, so v = v₀ + ..., and from ẋ = v cos Ωt`, with the coordinates."""
-    if form is None or form.equations is None or form.velocities.completing:
+    motion = None if form is None else integrated_speed(form, problem.scope.names())
+    if motion is None:
         return
-    if len(form.velocities.definitions) != 1 or len(form.equations.expressions) != 1:
-        return
-    slots = problem.slots
-    letter = free_letter("C", "K", "c", taken={*problem.scope.names()})
-    constants = [sp.Symbol(f"{letter}_{n + 1}", real=True) for n in range(len(slots.coordinates) + 1)]
-    [u], [equation] = form.velocities.definitions, form.equations.expressions
-    factor = equation.diff(prime(u))
-    if factor == 0:
-        return
-    speed = _integral(-(equation - factor * prime(u)) / factor, constants[0])
-    if speed is None:
-        return
-    lines = [Equation((u, speed), label=f"quadrature-{u.name}")]
-    for q, v in zip(slots.coordinates, slots.velocities, strict=True):
-        rate = form.velocities.kinematic.get(v)
-        value = None if rate is None else _integral(rate.xreplace({u: speed}), constants[len(lines)])
-        lines += [Equation((q, value), label=f"quadrature-{q.name}")] if value is not None else []
+    lines = [Equation((s, value), label=f"quadrature-{s.name}") for s, value in motion.values.items()]
     whole = plural(len(lines), "a constant ", "constants ")
-    yield prose(Emphasis("Motion"), ": ", math(prime(u)), f" contains the time only. With {whole}",
-                *listed(map(math, constants[: len(lines)])), ", integration gives")  # fmt: skip
+    yield prose(Emphasis("Motion"), ": ", math(prime(motion.speed)), f" contains the time only. With {whole}",
+                *listed(map(math, motion.constants)), ", integration gives")  # fmt: skip
     yield display(*lines)
-
-
-def _integral(rate: sp.Expr, constant: sp.Symbol) -> sp.Expr | None:
-    """constant + ∫ rate dt; None where the rate is no trigonometric polynomial in t."""
-    rate = sp.expand(rate)
-    moving = {s for s in rate.free_symbols if s != t and not s.is_positive and not s.is_real}
-    if count_operations(rate) > LONGEST_RATE or moving or any(s.name.endswith("'") for s in rate.free_symbols):
-        return None
-    terms = []
-    parts = [term.as_independent(t, as_Add=False) for term in sp.Add.make_args(rate)]
-    products = sp.expand(sp.Add(*(factor * TR8(f) for factor, f in parts)))
-    for term in sp.Add.make_args(products):
-        factor, f = term.as_independent(t, as_Add=False)
-        slope = f.args[0].diff(t) if isinstance(f, sp.sin | sp.cos) else sp.S.Zero
-        if f == 1:
-            terms.append(factor * t)
-        elif slope != 0 and not slope.has(t):
-            terms.append(factor * (-sp.cos(f.args[0]) if isinstance(f, sp.sin) else sp.sin(f.args[0])) / slope)
-        else:
-            return None
-    value = sp.Add(constant, *terms)
-    return value if is_zero(value.diff(t) - rate) is True else None

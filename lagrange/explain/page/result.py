@@ -19,7 +19,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.meaning import Stated, operations
+from lagrange.explain.page.meaning import StatedEquations, operations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
@@ -56,7 +56,7 @@ _CALLED = {
 
 
 def explain_result(
-    solution: Solution, steps: list[Step], stated: Stated = (), work: Sequence[Equation] = ()
+    solution: Solution, steps: list[Step], stated: StatedEquations = (), work: Sequence[Equation] = ()
 ) -> Iterator[Step]:
     """The results together, at the head; nothing where there are none.
 
@@ -94,7 +94,7 @@ def explain_result(
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     """Constant accelerations instead of equations for them; what is asked for is stated once."""
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
-    view = (*solution.choices, solution.own)[0]
+    view = solution.chosen
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
@@ -120,17 +120,19 @@ def _held(configuration: Configuration) -> Iterator[sp.Symbol]:
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
     """Where constraints are all that is asked: freedom, class, displacements on a surface, hidden finite relations."""
-    found = solution.classification
-    if solution.own.motion is not None or not solution.problem.constraints or found.degrees_of_freedom is None:
+    classification = solution.classification
+    if solution.own.motion is not None or not solution.problem.constraints or classification.degrees_of_freedom is None:
         return
-    if found.holonomic is None or found.scleronomic is None:
+    if classification.holonomic is None or classification.scleronomic is None:
         return
-    free = [c.row.name for c in found.constraints if c.integrable is False]
-    kind = "holonomic" if found.holonomic else "nonholonomic"
-    time = "scleronomic" if found.scleronomic else "rheonomic"
-    because = f", because of {constraints_called(free)}," if len(free) == 1 < len(found.constraints) else ""
-    words = f"{in_words(found.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
-    functions = (*(f for _, f in found.integrals), *(c.function for c in found.combined[:1]))
+    free = [c.row.name for c in classification.constraints if c.integrable is False]
+    kind = "holonomic" if classification.holonomic else "nonholonomic"
+    time = "scleronomic" if classification.scleronomic else "rheonomic"
+    because = f", because of {constraints_called(free)}," if len(free) == 1 < len(classification.constraints) else ""
+    words = (
+        f"{in_words(classification.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
+    )
+    functions = (*(f for _, f in classification.integrals), *(c.function for c in classification.combined[:1]))
     lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST]
     vectors = [*_displacements(steps)]
     if vectors and not lines:
@@ -178,7 +180,9 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     return "the equilibria" if several else _CALLED[rule]
 
 
-def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
+def _from_steps(
+    solution: Solution, steps: list[Step], stated: StatedEquations
+) -> Iterator[tuple[Rule, list[Equation]]]:
     """The equations of motion and the reactions, as the last of the steps has them."""
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         boxes = [
@@ -224,7 +228,7 @@ def _has_accelerations(e: Equation) -> bool:
     return any(s.name.endswith("''") for side in e.sides if isinstance(side, sp.Expr) for s in side.free_symbols)
 
 
-def _in_speeds(steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
+def _in_speeds(steps: list[Step], stated: StatedEquations) -> Iterator[tuple[Rule, list[Equation]]]:
     """The motion where the page has it in quasi-velocities only: as the answers have it, or as the page has."""
     boxes = [b for s in steps if s.rule is Rule.QUASI_VELOCITIES for b in s.body if isinstance(b, Display) and b.boxed]
     if boxes and stated:
@@ -251,18 +255,18 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
 
 def _impact(solution: Solution) -> Iterator[Equation]:
     """The velocities after an impact, the impulses, the energy lost."""
-    found = solution.impact
-    if found is None:
+    motion = solution.impact
+    if motion is None:
         return
-    velocities = [Equation((prime(q), v)) for q, v in zip(found.slots.coordinates, found.velocities, strict=True)]
+    velocities = [Equation((prime(q), v)) for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)]
     yield from (replace(e, condition=("just after",)) if n == 0 else e for n, e in enumerate(velocities))
-    for i in found.impulses:
+    for i in motion.impulses:
         if i.value is not None:
             yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
-    struck = found.full.loads or found.full.torques
-    if not found.is_driven and not struck and found.energy_lost != 0:
+    struck = motion.full.loads or motion.full.torques
+    if not motion.is_driven and not struck and motion.energy_lost != 0:
         kinetic = energy_symbols(solution).kinetic
-        line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, found.energy_lost))
+        line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, motion.energy_lost))
         yield from [replace(line, condition=("the energy lost",))] if _operations(line) <= LONGEST_ANSWER else []
 
 

@@ -43,7 +43,7 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
     """The equilibria, each with its stability; `or` between them where one takes several lines."""
     if view.equilibrium is None:
         return
-    found: list[list[Equation]] = []
+    groups: list[list[Equation]] = []
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     for b, verdict in zip(branches, verdicts, strict=True):
@@ -52,13 +52,13 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
             if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
-        found.append(_branch(b, *words))
-    found = [lines for lines in found if lines]
-    are_systems = any(len(lines) > 1 for lines in found)
-    for n, (*first, last) in enumerate(found, start=1):
+        groups.append(_branch(b, *words))
+    groups = [lines for lines in groups if lines]
+    are_systems = any(len(lines) > 1 for lines in groups)
+    for n, (*first, last) in enumerate(groups, start=1):
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
-        yield replace(last, condition=beside) if are_systems and n < len(found) else last
+        yield replace(last, condition=beside) if are_systems and n < len(groups) else last
 
 
 def _friction(view: InCoordinates) -> Iterator[Equation]:
@@ -69,8 +69,8 @@ def _friction(view: InCoordinates) -> Iterator[Equation]:
         yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
     if view.rolling is not None:
         yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
-    found = [b for m in view.impending or () for b in m.equilibrium.branches]
-    for b in found:
+    branches = [b for m in view.impending or () for b in m.equilibrium.branches]
+    for b in branches:
         lines = _branch(b)
         if rest is not None:
             said = lines[-1].condition
@@ -78,9 +78,9 @@ def _friction(view: InCoordinates) -> Iterator[Equation]:
         yield from lines
 
 
-def _steady(found: SteadyMotions) -> Iterator[Equation]:
+def _steady(steady: SteadyMotions) -> Iterator[Equation]:
     """The steady motions, each with its stability."""
-    for family in found.families:
+    for family in steady.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
             rates = [Equation((v, value)) for v, value in family.rates.items()]

@@ -108,39 +108,43 @@ def _reactions(solution: Solution, first: InCoordinates) -> Step | None:
 
 def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps, with the forces of two supports of a rod where the coordinates leave them out."""
-    found = None
-    if (*solution.choices, solution.own)[0].equilibrium is not None:
+    forces = None
+    if solution.chosen.equilibrium is not None:
         from lagrange.mechanics.supports import supports
 
-        found = supports(solution)
-    if found is None:
+        forces = supports(solution)
+    if forces is None:
         yield from steps
         return
     names = {*solution.problem.scope.names(), *(q.name for c in solution.problem.choices for q in c.coordinates)}
-    letter = free_letter("N", "R", "Q", taken=names, of=[s.point for s in found.at])
-    sizes = {s.point: sp.Symbol(f"{letter}_{s.point}", real=True) for s in found.at}
+    letter = free_letter("N", "R", "Q", taken=names, of=[s.point for s in forces.at])
+    sizes = {s.point: sp.Symbol(f"{letter}_{s.point}", real=True) for s in forces.at}
     choice = solution.choices[0].name if solution.choices else ""
     for step in steps:
         if step.rule is Rule.REACTIONS or step.rule is Rule.SOLVED_REACTIONS:
             continue
         if step.rule is Rule.WORKLESS:
-            step = replace(step, body=tuple(_forces(found, sizes)))
+            step = replace(step, body=tuple(_forces(forces, sizes)))
         yield step
         if step.rule is Rule.EQUILIBRIUM and step.choice == choice:
-            yield Step(Rule.SOLVED_REACTIONS, "The reactions", tuple(_sizes(solution, found, sizes)), choice=choice)
+            yield Step(Rule.SOLVED_REACTIONS, "The reactions", tuple(_sizes(solution, forces, sizes)), choice=choice)
 
 
-def _forces(found: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
+def _forces(supports: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
     """R n of each support, and that neither works."""
-    points = [s.point for s in found.at]
-    names, others, apart = joined(points), joined(found.rigid), plural(len(found.rigid) - 1, "distance", "distances")
+    points = [s.point for s in supports.at]
+    names, others, apart = (
+        joined(points),
+        joined(supports.rigid),
+        plural(len(supports.rigid) - 1, "distance", "distances"),
+    )
     yield prose(
         f"The supports at {names} are smooth: they exert forces normal to themselves, ",
         *listed(math(size) for size in sizes.values()), " in size,",
     )  # fmt: skip
     yield display(
         *(Equation((VectorSymbol(f"R_{s.point}"), s.normal * sizes[s.point]), label=f"support-{s.point}")
-          for s in found.at)
+          for s in supports.at)
     )  # fmt: skip
     moved = (Ref(f"delta-{p}") for p in points)
     yield prose(
@@ -151,36 +155,36 @@ def _forces(found: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
     yield display(*(Equation((w, ZERO), label=f"support-work-{p}") for w, p in zip(works, points, strict=True)))
 
 
-def _sizes(solution: Solution, found: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
+def _sizes(solution: Solution, supports: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
     """The sizes from the balance of forces, and up to where the rod is on both supports."""
     loads = dict.fromkeys(f.on for f in solution.own.configuration.loads)
-    terms = [VectorSymbol(f"R_{s.point}") for s in found.at] + [VectorSymbol(f"F_{name}") for name in loads]
+    terms = [VectorSymbol(f"R_{s.point}") for s in supports.at] + [VectorSymbol(f"F_{name}") for name in loads]
     yield prose("The forces on the rod as a whole balance:")
     yield display(Equation((sp.Add(*terms, evaluate=False), ZERO), label="support-balance"))
     gives: tuple[Part, ...] = (" this gives", " (and the moments then balance as well, in the position found)")
-    yield prose("With ", *listed(Ref(f"support-{s.point}") for s in found.at), *gives)
-    lines = (Equation((sizes[s.point], s.size), label=f"support-size-{s.point}") for s in found.at)
+    yield prose("With ", *listed(Ref(f"support-{s.point}") for s in supports.at), *gives)
+    lines = (Equation((sizes[s.point], s.size), label=f"support-size-{s.point}") for s in supports.at)
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    yield from _ends(solution, found)
+    yield from _ends(solution, supports)
 
 
-def _ends(solution: Solution, found: Supports) -> Iterator[Block]:
+def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     """`A and B are on the supports, z_A ≥ 0 and z_B ≥ 0, where −α ≤ θ ≤ α`, where the supports end in one point."""
     own = solution.own.configuration
     where = {p.name: p.position.fixed().components for p in own.points}
-    corner = [tuple(x.xreplace({s.coordinate: ZERO}) for x in where[s.point]) for s in found.at]
+    corner = [tuple(x.xreplace({s.coordinate: ZERO}) for x in where[s.point]) for s in supports.at]
     if corner[0] != corner[1] or not solution.choices:
         return
     chosen = solution.choices[0]
     if len(chosen.configuration.slots.coordinates) != 1:
         return
     [q] = chosen.configuration.slots.coordinates
-    limits = [_limit(s, q, solution) for s in found.at]
+    limits = [_limit(s, q, solution) for s in supports.at]
     low = [e for e, upper in filter(None, limits) if not upper]
     high = [e for e, upper in filter(None, limits) if upper]
     if len(low) != 1 or len(high) != 1:
         return
-    inside = listed(math(s.coordinate, ZERO, relation="≥") for s in found.at)
+    inside = listed(math(s.coordinate, ZERO, relation="≥") for s in supports.at)
     words: tuple[Part, ...] = ("Both ends are on the supports, ", *inside, ", as long as ")
     yield prose(*words, math(low[0], q, high[0], relation="≤"), ".", detail=Detail.BRIEF)
 

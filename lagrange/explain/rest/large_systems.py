@@ -43,19 +43,19 @@ def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[St
         yield _linear(solution.linear_motion)
 
 
-def _start(found: StateInNumbers, configuration: Configuration) -> Step:
+def _start(state: StateInNumbers, configuration: Configuration) -> Step:
     """Accelerations and multipliers at t = 0."""
-    steady = all(x == 0 for x in found.accelerations.values())
+    steady = all(x == 0 for x in state.accelerations.values())
     body: list[Block] = []
     if steady:
         body.append(prose("At the start all accelerations are zero: the motion is steady there."))
     else:
         body.append(prose("The equations are linear in the accelerations. At the start, in SI units, they give"))
-        body.append(display(*(Equation((a, _short(x))) for a, x in found.accelerations.items()), boxed=True))
-    if found.multipliers:
+        body.append(display(*(Equation((a, _short(x))) for a, x in state.accelerations.items()), boxed=True))
+    if state.multipliers:
         body.append(prose("and the multipliers" if not steady else "The multipliers are there, in SI units,"))
-        rows = (r for r in configuration.rows if r.name in found.multipliers)
-        body.append(display(*(Equation((r.multiplier, _short(found.multipliers[r.name]))) for r in rows)))
+        rows = (r for r in configuration.rows if r.name in state.multipliers)
+        body.append(display(*(Equation((r.multiplier, _short(state.multipliers[r.name]))) for r in rows)))
     return Step(Rule.EQUATIONS_OF_MOTION, "The accelerations at the start", tuple(body))
 
 
@@ -85,13 +85,13 @@ def _constraints(classification: Classification) -> Step:
     return Step(Rule.CONSTRAINT, "Constraints", tuple(body))
 
 
-def _equations(found: LongEquations, solution: Solution) -> Step:
+def _equations(equations: LongEquations, solution: Solution) -> Step:
     """How long the equations of motion are, and where they stand; in full, the equations."""
     slots = solution.problem.slots
-    operations = sum(count_operations(e) for e in (*found.definitions.values(), *found.left, *found.right))
-    names = list(found.definitions)
+    operations = sum(count_operations(e) for e in (*equations.definitions.values(), *equations.left, *equations.right))
+    names = list(equations.definitions)
     text = (
-        f"D'Alembert's principle gives {counted(len(found.left), 'equation')} with "
+        f"D'Alembert's principle gives {counted(len(equations.left), 'equation')} with "
         f"{counted(len(solution.classification.rows), 'multiplier')}, one equation for each coordinate. Nothing is "
         f"eliminated or multiplied out. They have {operations:,} operations, with {len(names)} abbreviations ",
     )
@@ -101,30 +101,30 @@ def _equations(found: LongEquations, solution: Solution) -> Step:
             prose(*text, math(names[0]), " to ", math(names[-1]), " for what occurs several times. `--format json` has "
                   "them under `equations` and `definitions`, `--detail full` prints them here.", detail=Detail.BRIEF)
         )  # fmt: skip
-        body.append(display(*(Equation((z, e)) for z, e in found.definitions.items()), detail=Detail.FULL))
+        body.append(display(*(Equation((z, e)) for z, e in equations.definitions.items()), detail=Detail.FULL))
     lines = (
         Equation((left, right), label=f"motion-{q.name}")
-        for q, left, right in zip(slots.coordinates, found.left, found.right, strict=True)
+        for q, left, right in zip(slots.coordinates, equations.left, equations.right, strict=True)
     )
     body.append(display(*lines, detail=Detail.FULL if names else Detail.BRIEF))
     return Step(Rule.EQUATIONS_OF_MOTION, "Equations of motion", tuple(body))
 
 
-def _linear(found: LinearMotion) -> Step:
+def _linear(motion: LinearMotion) -> Step:
     """The motion, and the linear equations about it."""
-    steady = [(s, e) for s, e in found.state.items() if e != 0]
-    rest = [s for s, e in found.state.items() if e == 0 and not s.name.endswith("'")]
+    steady = [(s, e) for s, e in motion.state.items() if e != 0]
+    rest = [s for s, e in motion.state.items() if e == 0 and not s.name.endswith("'")]
     body: list[Block] = [prose("The steady motion about which the equations are linear has")]
     body.append(display(*(Equation((s, e)) for s, e in steady)))
     body.append(prose("and ", *listed(math(s) for s in rest), plural(len(rest), " is", " are"), " zero at the start. "
                       "Positions and axes are expanded in small changes, the constraints are solved to first order in "
                       "numbers, and nothing else is approximated."))  # fmt: skip
-    if found.ignorable:
+    if motion.ignorable:
         body.append(
-            prose(*listed(math(q) for q in found.ignorable), " follow from the other coordinates by the constraints, "
+            prose(*listed(math(q) for q in motion.ignorable), " follow from the other coordinates by the constraints, "
                   "and do not act on them.")
         )  # fmt: skip
-    for n, whole in enumerate(found.blocks, start=1):
+    for n, whole in enumerate(motion.blocks, start=1):
         block = _shorter(whole)
         if len(block.coordinates) > 1:
             body += _matrices(block)
@@ -161,10 +161,10 @@ def _stability(ranges: Sequence[StableRange]) -> Block:
 def result_of_large_system(solution: Solution) -> Iterator[Step]:
     """For the head of the page: for which values of the parameter the deviations from the steady motion decay."""
     motion, freedom = solution.linear_motion, solution.classification.degrees_of_freedom
-    found = [b.stable_ranges for b in motion.blocks if b.stable_ranges is not None] if motion is not None else []
-    if len(found) != 1 or freedom is None:
+    stable = [b.stable_ranges for b in motion.blocks if b.stable_ranges is not None] if motion is not None else []
+    if len(stable) != 1 or freedom is None:
         return
-    [ranges] = found
+    [ranges] = stable
     start = f"{in_words(freedom, 'degree').capitalize()} of freedom; "
     inside = listed((math(*_inside(r), relation="<") for r in ranges), " or ")
     words: tuple[Part, ...] = ("small deviations from the steady motion decay if ", *inside, " (in SI units).")

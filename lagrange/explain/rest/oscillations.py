@@ -361,21 +361,21 @@ def _one_damped(
     )  # fmt: skip
 
 
-def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: Linearization) -> Iterator[Block]:
+def _decaying(n: int, s: SmallOscillations, damped: DampedModes, linearization: Linearization) -> Iterator[Block]:
     """The modes of several coordinates, each with its decay rate and, where it oscillates, its frequency."""
-    if not found.modes:
+    if not damped.modes:
         yield prose("This equation has no roots in closed form, or only long ones.")
         return
     p, sigma, omega = s.unknown, linearization.decay, linearization.omega
-    pairs = any(m.oscillates is not False for m in found.modes)
+    pairs = any(m.oscillates is not False for m in damped.modes)
     lead: tuple[Part, ...] = ("In each mode the motion decays as exp(−", math(sigma), " ", math(TIME), ")")
-    if found.proportional:
+    if damped.proportional:
         lead = ("The damping is proportional, and the modes are those of the undamped system. ", *lead)
     roots = (" = −", math(sigma), " ± i ", math(omega))
     wave = (" while it oscillates with the frequency ", math(omega), ", with ", math(p), *roots) if pairs else ()
     yield prose(*lead, *wave, ":")
     lines: list[Equation] = []
-    rates = [(m, r) for m in found.modes for r in (m.decays if m.oscillates is False else (m.rate,))]
+    rates = [(m, r) for m in damped.modes for r in (m.decays if m.oscillates is False else (m.rate,))]
     several = len(rates) > 1
     for k, (m, rate) in enumerate(rates, start=1):
         shape = _damped_shape(m, s, linearization)
@@ -392,13 +392,13 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
             words = (*where, ", " if where and shape else "", *shape)
             lines.append(Equation((own**2, m.square), label=label_of(linearization, f"omega-{k}", n), condition=words))
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    if any(m.condition is not None for m in found.modes):
+    if any(m.condition is not None for m in damped.modes):
         root = sp.Pow(-(omega**2), sp.S.Half, evaluate=False)
         yield prose("Where ", math(omega**2, ZERO, relation="<"), " for a mode, it does not oscillate but decays with "
                     "the two rates ", math(sigma), " ± ", math(root), ".")  # fmt: skip
-    if found.left:
+    if damped.left:
         yield prose("The other roots are those of")
-        yield display(*(Equation((f, ZERO)) for f, _ in found.left if count_operations(f) <= LONGEST))
+        yield display(*(Equation((f, ZERO)) for f, _ in damped.left if count_operations(f) <= LONGEST))
 
 
 def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:

@@ -17,11 +17,11 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 ZERO = sp.S.Zero
 
 
-def explain_response(forced: ForcedEquations, found: Response | None) -> Step:
+def explain_response(forced: ForcedEquations, response: Response | None) -> Step:
     """The step on forced oscillations in one set of coordinates; without the steady state where it is not known."""
     body = [*_equations(forced)]
-    if found is not None:
-        body += [*_steady_state(found), *_resonance(found)]
+    if response is not None:
+        body += [*_steady_state(response), *_resonance(response)]
     return Step(Rule.RESPONSE, title_in("Forced oscillations", forced.configuration.name), tuple(body))
 
 
@@ -54,83 +54,85 @@ def _equations(forced: ForcedEquations) -> Iterator[Block]:
     )
 
 
-def _steady_state(found: Response) -> Iterator[Block]:
+def _steady_state(response: Response) -> Iterator[Block]:
     """The motion with the frequency of the drive: amplitudes and lags, or the motion itself without damping."""
-    forced, w = found.forced, found.drive.frequency
+    forced, w = response.forced, response.drive.frequency
     moved = forced.linearization.displacements
     cosine, sine = sp.cos(w * t), sp.sin(w * t)
-    if found.is_damped:
-        yield prose("The free oscillations die out" if _dies_out(found) else "Beside the free oscillations",
-                    ", and" if _dies_out(found) else ",", " the system follows the drive with its frequency ", math(w),
-                    ". A sum of ", math(cosine), " and ", math(sine), " satisfies the equations if the coefficients of "
-                    "each agree on both sides, which gives")  # fmt: skip
+    if response.is_damped:
+        yield prose("The free oscillations die out" if _dies_out(response) else "Beside the free oscillations",
+                    ", and" if _dies_out(response) else ",",
+                    " the system follows the drive with its frequency ", math(w), ". A sum of ", math(cosine), " and ",
+                    math(sine), " satisfies the equations if the coefficients of each agree on both sides, which gives",
+                    )  # fmt: skip
     else:
         yield prose("Beside the free oscillations, which nothing damps here, the system follows the drive with its "
                     "frequency ", math(w), ". Substituting a multiple of the drive gives")  # fmt: skip
-    motions = enumerate(zip(moved, found.motions, strict=True), start=1)
+    motions = enumerate(zip(moved, response.motions, strict=True), start=1)
     lines = [Equation((x, e), label=_label(forced, f"steady-{n}")) for n, (x, e) in motions]
-    yield display(*lines, boxed=not found.is_damped)
-    amplitudes = zip(found.letters, found.amplitudes, strict=True)
+    yield display(*lines, boxed=not response.is_damped)
+    amplitudes = zip(response.letters, response.amplitudes, strict=True)
     yield prose(plural(len(moved), "The amplitude is", "The amplitudes are"))
     yield display(
         *(Equation((a, e), label=_label(forced, f"amplitude-{n}")) for n, (a, e) in enumerate(amplitudes, 1)),
         boxed=True,
         detail=Detail.BRIEF,
     )
-    yield from _extremes(found)
-    yield from _lags(found)
+    yield from _extremes(response)
+    yield from _lags(response)
 
 
-def _extremes(found: Response) -> Iterator[Block]:
+def _extremes(response: Response) -> Iterator[Block]:
     """What the amplitude tends to at low and at high frequency."""
-    [letter, *_], w = found.letters, found.drive.frequency
-    ends = zip(extremes(found), (ZERO, sp.oo), strict=True)
+    [letter, *_], w = response.letters, response.drive.frequency
+    ends = zip(extremes(response), (ZERO, sp.oo), strict=True)
     clauses = [(math(letter, e, relation="→"), " as ", math(w, end, relation="→")) for e, end in ends if e is not None]
     if clauses:
         yield prose(*series(clauses), ".")
 
 
-def _dies_out(found: Response) -> bool:
-    return found.forced.free.judgement.asymptotic
+def _dies_out(response: Response) -> bool:
+    return response.forced.free.judgement.asymptotic
 
 
-def _lags(found: Response) -> Iterator[Block]:
+def _lags(response: Response) -> Iterator[Block]:
     """By how much each coordinate lags behind the drive."""
-    known = [(s, e) for s, e in zip(found.lags, found.phases, strict=True) if e is not None]
+    known = [(s, e) for s, e in zip(response.lags, response.phases, strict=True) if e is not None]
     if not known:
         return
-    drive = math(found.drive.law)
-    if not found.is_damped:
+    drive = math(response.drive.law)
+    if not response.is_damped:
         if any(e != 0 for _, e in known):
             yield prose("Where the coefficient of ", drive, " is positive the motion is in phase with it, where it is "
                         "negative in opposite phase.")  # fmt: skip
         return
     yield prose("Behind ", drive, plural(len(known), " it lags by the angle", " they lag by the angles"))
-    yield display(*(Equation((s, e), label=_label(found.forced, f"lag-{s.name}")) for s, e in known))
+    yield display(*(Equation((s, e), label=_label(response.forced, f"lag-{s.name}")) for s, e in known))
 
 
-def _resonance(found: Response) -> Iterator[Block]:
+def _resonance(response: Response) -> Iterator[Block]:
     """The frequencies of resonance, and those at which a coordinate is at rest."""
-    w = found.drive.frequency
-    if found.resonances and found.is_damped:
+    w = response.drive.frequency
+    if response.resonances and response.is_damped:
         yield prose("The amplitude is greatest at")
-        line = Equation((w**2, without_leading_minus(found.resonances[0])), label=_label(found.forced, "resonance"),
-                        condition=("if that is positive",))  # fmt: skip
-        yield display(line)
-    elif found.resonances:
-        count = len(found.resonances)
+        square = without_leading_minus(response.resonances[0])
+        label = _label(response.forced, "resonance")
+        yield display(Equation((w**2, square), label=label, condition=("if that is positive",)))
+    elif response.resonances:
+        count = len(response.resonances)
         words = plural(count, "a frequency of free oscillations", "frequencies of free oscillations")
         yield prose(
             f"The denominator vanishes at {words}: at resonance there is no steady state, and the amplitude grows "
             "without bound as it is approached."
         )
         lines = [
-            Equation((w**2, e), label=_label(found.forced, f"resonance-{n}")) for n, e in enumerate(found.resonances)
+            Equation((w**2, e), label=_label(response.forced, f"resonance-{n}"))
+            for n, e in enumerate(response.resonances)
         ]
         yield display(*lines)
-    for q, places in zip(found.forced.configuration.slots.coordinates, found.rests, strict=True):
+    for q, places in zip(response.forced.configuration.slots.coordinates, response.rests, strict=True):
         lines = [
-            Equation((w**2, place), label=_label(found.forced, f"rest-{q.name}-{n}"),
+            Equation((w**2, place), label=_label(response.forced, f"rest-{q.name}-{n}"),
                      condition=() if place.is_positive else ("if that is positive",))
             for n, place in enumerate(places)
         ]  # fmt: skip

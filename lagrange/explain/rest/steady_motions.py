@@ -18,39 +18,39 @@ from lagrange.mechanics.momenta.steady_motions import Family, SteadyMotions
 ZERO = sp.S.Zero
 
 
-def explain_steady(found: SteadyMotions) -> Step:
+def explain_steady(steady: SteadyMotions) -> Step:
     """The step on steady motions in one set of coordinates."""
-    body = [*_conditions(found), *_branches(found)]
-    if any(s is not None for f in found.families for s in f.about.at):
-        body.append(_at_constant_momenta(found))
-    for n, (family, b, s) in enumerate(_solutions(found), start=1):
+    body = [*_conditions(steady), *_branches(steady)]
+    if any(s is not None for f in steady.families for s in f.about.at):
+        body.append(_at_constant_momenta(steady))
+    for n, (family, b, s) in enumerate(_solutions(steady), start=1):
         body += explain_about(n, b, s, family.about, "steady motion", family.relations(b))
-    for family in found.families:
+    for family in steady.families:
         body += explain_omitted(family.about, "steady motion", "steady motions")
-    return Step(Rule.STEADY, title_in("Steady motions", found.motion.configuration.name), tuple(body))
+    return Step(Rule.STEADY, title_in("Steady motions", steady.motion.configuration.name), tuple(body))
 
 
-def _solutions(found: SteadyMotions) -> Iterator[tuple[Family, Branch, SmallOscillations | None]]:
-    for family in found.families:
+def _solutions(steady: SteadyMotions) -> Iterator[tuple[Family, Branch, SmallOscillations | None]]:
+    for family in steady.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             yield family, b, s
 
 
-def _conditions(found: SteadyMotions) -> Iterator[Block]:
+def _conditions(motions: SteadyMotions) -> Iterator[Block]:
     """Which coordinates are cyclic, and what the equations of motion require of the others."""
-    about = found.families[0].about
-    cyclic = [math(q) for q in found.cyclic]
-    rates = [math(prime(q)) for q in found.cyclic]
+    about = motions.families[0].about
+    cyclic = [math(q) for q in motions.cyclic]
+    rates = [math(prime(q)) for q in motions.cyclic]
     others = [math(q) for q in about.configuration.slots.coordinates]
     verb = plural(len(cyclic), " does not appear in the equations of motion, only its velocity does: it is cyclic.",
                   " do not appear in the equations of motion, only their velocities do: they are cyclic.")  # fmt: skip
     rest: tuple[Part, ...] = (", and ", *listed(others), are(others), "constant too") if others else ()
     steady = prose("In a steady motion ", *listed(rates), are(rates), "constant", *rest, ".")
-    shown = list(dict.fromkeys(c.expression for c in found.general.conditions))
+    shown = list(dict.fromkeys(c.expression for c in motions.general.conditions))
     if not shown:
         yield paragraph(prose(*listed(cyclic), verb), steady, prose("The equations of motion then hold."))
         return
-    if _is_contradictory(found):
+    if _is_contradictory(motions):
         which = plural(len(others), "The equation of motion of ", "The equations of motion of ")
         never = " cannot then hold: there are no steady motions."
         yield paragraph(prose(*listed(cyclic), verb), steady, prose(which, *listed(others), never))
@@ -64,25 +64,27 @@ def _conditions(found: SteadyMotions) -> Iterator[Block]:
     yield display(*(Equation((c, ZERO), label=label_of(about, "steady", n)) for n, c in enumerate(shown, 1)))
 
 
-def _is_contradictory(found: SteadyMotions) -> bool:
+def _is_contradictory(steady: SteadyMotions) -> bool:
     """Whether a condition reads 1 = 0, as where a particle falls: it is not printed."""
-    return found.complete and not [*_solutions(found)] and any(c.expression.is_number for c in found.general.conditions)
+    return (
+        steady.complete and not [*_solutions(steady)] and any(c.expression.is_number for c in steady.general.conditions)
+    )
 
 
-def _branches(found: SteadyMotions) -> Iterator[Block]:
+def _branches(steady: SteadyMotions) -> Iterator[Block]:
     """The solutions of the conditions, and the positions left out."""
-    solutions = [*_solutions(found)]
-    if _is_contradictory(found):
+    solutions = [*_solutions(steady)]
+    if _is_contradictory(steady):
         return
     if not solutions:
         nowhere = "They cannot be satisfied: there are no steady motions."
         open_ = "Solutions were not found in closed form."
-        yield prose(nowhere if found.complete else open_, detail=Detail.BRIEF)
+        yield prose(nowhere if steady.complete else open_, detail=Detail.BRIEF)
     else:
         yield prose(
-            "This holds for" if found.complete else "This holds, perhaps besides other solutions not found, for"
+            "This holds for" if steady.complete else "This holds, perhaps besides other solutions not found, for"
         )
-    coordinates = {*found.form.configuration.slots.coordinates}
+    coordinates = {*steady.form.configuration.slots.coordinates}
     for n, (family, b, _) in enumerate(solutions, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]
         if not lines:
@@ -92,7 +94,7 @@ def _branches(found: SteadyMotions) -> Iterator[Block]:
         anywhere = ("in any position",) if family.rates and not b.equations and _without(family, coordinates) else ()
         lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b) or anywhere)
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    poles = dict.fromkeys(b.equations for b in found.general.poles)
+    poles = dict.fromkeys(b.equations for b in steady.general.poles)
     places = [part for pole in poles for part in (", or where ", *listed(math(r.lhs, r.rhs) for r in pole))]
     if poles:
         yield prose("Where ", *places[1:], ", the coordinates fail.")
@@ -103,23 +105,23 @@ def _without(family: Family, coordinates: set[sp.Symbol]) -> bool:
     return not any(e.free_symbols & coordinates for e in family.rates.values())
 
 
-def _at_constant_momenta(found: SteadyMotions) -> Block:
+def _at_constant_momenta(steady: SteadyMotions) -> Block:
     """ξ, and what becomes of the cyclic velocities."""
-    about = found.families[0].about
+    about = steady.families[0].about
     coordinates = about.configuration.slots.coordinates
     small = [*listed(math(x) for x in about.displacements)]
     be = prose("Let ", *small, plural(len(coordinates), " be a small change of ", " be small changes of "),
                *listed(math(q) for q in coordinates), ".")  # fmt: skip
-    rates = [*listed(math(prime(q)) for q in found.cyclic)]
-    momenta = plural(len(found.cyclic), "the momentum of ", "the momenta of ")
-    kept = plural(len(found.cyclic), " keeps its value", " keep their values")
-    change = plural(len(found.cyclic), "the momentum", "the momenta")
-    if found.motion.configuration.rows:
-        held = prose(*rates, plural(len(found.cyclic), " changes", " change"), " with ", *small, " so that ",
-                     plural(len(found.cyclic), "its equation of motion holds", "their equations of motion hold"),
+    rates = [*listed(math(prime(q)) for q in steady.cyclic)]
+    momenta = plural(len(steady.cyclic), "the momentum of ", "the momenta of ")
+    kept = plural(len(steady.cyclic), " keeps its value", " keep their values")
+    change = plural(len(steady.cyclic), "the momentum", "the momenta")
+    if steady.motion.configuration.rows:
+        held = prose(*rates, plural(len(steady.cyclic), " changes", " change"), " with ", *small, " so that ",
+                     plural(len(steady.cyclic), "its equation of motion holds", "their equations of motion hold"),
                      ", which to first order can be integrated.")  # fmt: skip
         return paragraph(be, held, prose("Terms of second order are neglected."))
-    held = prose(*rates, plural(len(found.cyclic), " changes", " change"), " with ", *small, " so that ", momenta,
-                 *listed(math(q) for q in found.cyclic), kept, f": a change of {change} leads to another steady "
+    held = prose(*rates, plural(len(steady.cyclic), " changes", " change"), " with ", *small, " so that ", momenta,
+                 *listed(math(q) for q in steady.cyclic), kept, f": a change of {change} leads to another steady "
                  "motion nearby.")  # fmt: skip
     return paragraph(be, held, prose("Terms of second order are neglected."))

@@ -196,14 +196,14 @@ def classify(problem: Problem) -> Classification:
 
 def _symbols_of(force: Force) -> set[sp.Symbol]:
     """What an applied force depends on."""
-    found: set[sp.Symbol] = set()
+    symbols: set[sp.Symbol] = set()
     parts = [getattr(force, f.name) for f in fields(force)]
     for part in chain.from_iterable(p if isinstance(p, tuple) else (p,) for p in parts):
         if isinstance(part, sp.Expr):
-            found |= part.free_symbols
+            symbols |= part.free_symbols
         elif isinstance(part, Vector):
-            found |= set().union(*(c.free_symbols for c in part.fixed().components))
-    return found
+            symbols |= set().union(*(c.free_symbols for c in part.fixed().components))
+    return symbols
 
 
 def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) -> Flag:

@@ -140,7 +140,7 @@ def _open(system: ConstrainedSystem, first: Collection[int]) -> Elimination:
         used = row_reduced(point.arithmetic, [list(column) for column in zip(*values, strict=True)])[1]
         return columns, used
 
-    columns, used = max(system.states.sampled(at), key=lambda found: len(found[0]))
+    columns, used = max(system.states.sampled(at), key=lambda sample: len(sample[0]))
     dependent = tuple(order[k] for k in columns)
     independent = tuple(k for k in range(system.size) if k not in dependent)
     unused = tuple(k for k in range(len(system.rows)) if k not in used)
@@ -173,8 +173,8 @@ def transport_rates(system: ConstrainedSystem, elimination: Elimination) -> tupl
     moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
     others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
     eliminations = [elimination, *(virtual_displacements(system, (k,)) for k in others)]
-    found = [*(_rates(e, size) for e in eliminations), *_turning(system)]
-    return min(found, key=lambda w: (any(_has_denominator(r, system.slots) for r in w), _operations(w)))
+    rates = [*(_rates(e, size) for e in eliminations), *_turning(system)]
+    return min(rates, key=lambda w: (any(_has_denominator(r, system.slots) for r in w), _operations(w)))
 
 
 def _turning(system: ConstrainedSystem) -> Iterator[tuple[sp.Expr, ...]]:

@@ -47,13 +47,13 @@ def angles(configuration: Configuration, symbols: Sequence[sp.Symbol]) -> tuple[
     written = [c for p in configuration.points[:MOST_POINTS] for c in p.position.fixed().components]
     waves = [w for c in written for w in c.atoms(sp.sin, sp.cos)]
     sought = [q for q in symbols if any(w.args[0] == q for w in waves)]
-    found: dict[sp.Symbol, Angle] = {}
+    measured: dict[sp.Symbol, Angle] = {}
     for start, end, d in _lines(configuration) if sought else ():
         for angle in _angles_of(d, start, end, sought):
-            found.setdefault(angle.symbol, angle)
-        if len(found) == len(sought):
+            measured.setdefault(angle.symbol, angle)
+        if len(measured) == len(sought):
             break
-    return tuple(found[q] for q in symbols if q in found)
+    return tuple(measured[q] for q in symbols if q in measured)
 
 
 def of_mass_centre(configuration: Configuration, symbols: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:

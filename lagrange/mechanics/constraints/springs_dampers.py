@@ -82,7 +82,11 @@ class DamperForce(Link):
     @property
     def pull(self) -> sp.Expr:
         """The force with which it pulls its ends together."""
-        return self.coefficient * self.rate
+        return self.pull_at(self.rate)
+
+    def pull_at(self, rate: sp.Expr) -> sp.Expr:
+        """The same at another rate, as d' where it is only a letter."""
+        return self.coefficient * rate
 
 
 def stretched_springs(problem: Problem) -> tuple[StretchedSpring, ...]:

@@ -159,15 +159,6 @@ class Conserved:
     potential: bool = True
 
 
-def first_integral(motion: EquationsOfMotion, expression: sp.Expr) -> bool | None:
-    """Whether an expression in q, q', t is constant along every motion; None: undecided.
-
-    Its rate must vanish with the accelerations from the equations, at random admissible states. An expression that is
-    constant by the constraints alone counts as well.
-    """
-    return _vanish_along(motion, [motion.configuration.slots.time_derivative(expression)])[0]
-
-
 def _vanish_along(motion: EquationsOfMotion, rates: Sequence[sp.Expr]) -> list[bool | None]:
     """Which of several rates are zero along every motion; the accelerations of a state are found once for all."""
     if not rates:

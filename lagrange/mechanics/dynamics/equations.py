@@ -223,7 +223,7 @@ def check_inertia(result: EquationsOfMotion, bodies: Sequence[Body] = ()) -> Non
         kernels = configuration.states.sampled(idle_motions, INERTIA_POINTS)
     except (NoPointError, UnsupportedError):
         raise UndecidedError("whether every coordinate has inertia") from None
-    kernel, turned = min(kernels, key=lambda found: len(found[0]))
+    kernel, turned = min(kernels, key=lambda sample: len(sample[0]))
     if not kernel:
         return
     idle = [q for k, q in enumerate(slots.coordinates) if any(v[k] != 0 for v in kernel)]

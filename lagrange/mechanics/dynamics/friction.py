@@ -146,7 +146,7 @@ def friction_forces(
 def rolling_contacts(frictions: Sequence[Friction], newton: Newton, original: Configuration) -> tuple[Friction, ...]:
     """The friction in contacts whose point the constraints keep from slipping. Raises ProblemError without `static`."""
     admitted = original.constrained.admitted_states
-    found = []
+    contacts = []
     turning = {r.name for r in original.rotations}
     for f in frictions:
         if f.on not in turning or f.at is None or f.surface_velocity is not None:
@@ -162,8 +162,8 @@ def rolling_contacts(frictions: Sequence[Friction], newton: Newton, original: Co
             message = f"the point of `{f.on}` that touches does not slip, so that there is no kinetic friction"
             help_ = "give `static:`, the coefficient at rest, for the condition under which it rolls"
             raise ProblemError(Diagnostic("friction-slip", message, f.span, help=help_))
-        found.append(f)
-    return tuple(found)
+        contacts.append(f)
+    return tuple(contacts)
 
 
 def symbolic_loads(frictions: Sequence[FrictionForce]) -> tuple[Load, ...]:

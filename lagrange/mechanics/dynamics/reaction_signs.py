@@ -188,13 +188,13 @@ def _differences(row: Row, configuration: Configuration) -> dict[sp.Expr, sp.Exp
     (R − r) sin φ is the way to the centre of a body within another.
     """
     places = [row.finite or sp.S.Zero, *configuration.substitution.values()]
-    found: dict[sp.Expr, sp.Expr] = {}
+    differences: dict[sp.Expr, sp.Expr] = {}
     for e in (a for place in places for a in place.atoms(sp.Add)):
         if e.is_positive is None and all(s.is_positive for s in e.free_symbols) and len(e.free_symbols) > 1:
-            if e in found and found[e] != e:
+            if e in differences and differences[e] != e:
                 return {}
-            found |= {e: e, -e: e}
-    return found
+            differences |= {e: e, -e: e}
+    return differences
 
 
 def _has_a_sign(e: sp.Expr) -> bool:
@@ -368,10 +368,10 @@ def _distance(share: sp.Expr, square: sp.Expr, placed: Placed | None, configurat
     """√S of f, S = c d·d with the distance |d| of two points."""
     if placed is None:
         return Length(share, -1, shown=False)
-    found = _squared_distance(square, placed, configuration)
-    if found is None:
+    distance = _squared_distance(square, placed, configuration)
+    if distance is None:
         return None
-    between, scale = found
+    between, scale = distance
     if not scale.is_positive:
         return None
     unit = (between.span / sp.sqrt(square / scale)).map(tidy_quotient)
@@ -438,10 +438,10 @@ class Between:
 def _of_square(row: Row, placed: Placed, configuration: Configuration) -> SingleForce | None:
     """The tension of f = c (d·d − l²): T = −2 c l λ."""
     assert row.finite is not None
-    found = _squared_distance(row.finite, placed, configuration)
-    if found is None:
+    distance = _squared_distance(row.finite, placed, configuration)
+    if distance is None:
         return None
-    between, scale = found
+    between, scale = distance
     square = sp.factor(textbook_form(between.span.dot(between.span) - row.finite / scale))
     if square.free_symbols & {*configuration.slots.coordinates} or square.is_nonpositive:
         return None

@@ -98,14 +98,14 @@ class Reactions:
 
         Those whose reaction is not known are left out.
         """
-        found = {}
+        contacts = {}
         for name, side in self.sides.items():
             value = self.multipliers.get(name)
             if name in self.sizes:
-                found[name] = self.sizes[name]
+                contacts[name] = self.sizes[name]
             elif value is not None:
-                found[name] = side * value
-        return found
+                contacts[name] = side * value
+        return contacts
 
     @property
     def tensions(self) -> Mapping[str, sp.Expr]:
@@ -193,19 +193,6 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
         rows.append((*row.coefficients, *(sp.S.Zero for _ in multipliers)))
         right.append(-rate.xreplace(no_acceleration))
     return ReactionSystem(tuple(rows), tuple(right), unknowns)
-
-
-def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSystem:
-    """The system at rest: n equations for the multipliers, with zero velocities and accelerations."""
-    slots = principle.configuration.slots
-    multipliers = tuple(r.multiplier for r in used)
-    at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
-    rows, right = equations_with_multipliers(principle, used, multipliers)
-    return ReactionSystem(
-        tuple(tuple(e.xreplace(at_rest) for e in row) for row in rows),
-        tuple(e.xreplace(at_rest) for e in right),
-        multipliers,
-    )
 
 
 def equations_with_multipliers(

@@ -80,7 +80,7 @@ def spot_value(
         return None
     wanted = (*positive, *preferred)
     signs = REVERSED if wanted else REVERSED[:1]
-    found: SpotValue | None = None
+    first: SpotValue | None = None
     for trial, (position, velocity) in product(range(SPOT_TRIALS), signs):
         try:
             value, met = _at(system, given, trial, (position, velocity), wanted)
@@ -89,8 +89,8 @@ def spot_value(
         if all(met):
             return value
         if all(met[: len(positive)]):
-            found = found or value
-    return found
+            first = first or value
+    return first
 
 
 REVERSED = tuple(product((1, -1), (1, -1)))

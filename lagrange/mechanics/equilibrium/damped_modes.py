@@ -150,8 +150,8 @@ def _proportional(mass: Matrix, damping: Matrix, stiffness: Matrix) -> tuple[Dam
     undamped = frequencies(mass, stiffness, letter_factors(polynomial, w), w, with_modes=True)
     if any(f.square is None for f in undamped) or sum(len(f.modes) for f in undamped) != size:
         return None
-    found = [_of_undamped(f, mode, mass, damping) for f in undamped for mode in f.modes]
-    return tuple(m for m in found if m is not None) if None not in found else None
+    modes = [_of_undamped(f, mode, mass, damping) for f in undamped for mode in f.modes]
+    return tuple(m for m in modes if m is not None) if None not in modes else None
 
 
 def _of_undamped(f: Frequency, a: tuple[sp.Expr, ...], mass: Matrix, damping: Matrix) -> DampedMode | None:
@@ -171,19 +171,19 @@ def _times(matrix: Matrix, a: Iterable[sp.Expr]) -> list[sp.Expr]:
     return [sp.Add(*(x * y for x, y in zip(row, vector, strict=True))) for row in matrix]
 
 
-def all_exponents_hold(found: DampedModes, matrices: tuple[Matrix, Matrix, Matrix]) -> bool | None:
+def all_exponents_hold(damped: DampedModes, matrices: tuple[Matrix, Matrix, Matrix]) -> bool | None:
     """Whether det(K + p D + p² M) = det M Π (p² + 2σ p + ω₀²) Π (p + σ) Π (what is left): the second route."""
     mass, damping, stiffness = (sp.Matrix(x) for x in matrices)
     p = sp.Dummy("p", real=True)
     product: sp.Expr = mass.det(method="berkowitz")
-    for m in found.modes:
+    for m in damped.modes:
         factor = p + m.rate if m.own is None else p**2 + 2 * m.rate * p + m.own
         if m.own is not None and is_zero(m.own - m.rate**2 - (m.square or ZERO)) is not True:
             return False
         product *= factor**m.multiplicity
-    for factor, multiplicity in found.left:
-        polynomial = sp.Poly(factor, found.letter)
-        product *= (factor.xreplace({found.letter: p}) / polynomial.LC()) ** multiplicity
+    for factor, multiplicity in damped.left:
+        polynomial = sp.Poly(factor, damped.letter)
+        product *= (factor.xreplace({damped.letter: p}) / polynomial.LC()) ** multiplicity
     return is_zero((stiffness + p * damping + p**2 * mass).det(method="berkowitz") - product)
 
 
@@ -214,7 +214,7 @@ def exponents_in_numbers(mass: mpmath.matrix, damping: mpmath.matrix, stiffness:
             block[size + i, size + j] = -sum(inverse[i, n] * damping[n, j] for n in range(size))
     values, vectors = mpmath.eig(block)
     small = mpmath.mpf(10) ** (-mpmath.mp.dps // 2) * max(abs(v) for v in values)
-    found = []
+    exponents = []
     for n, p in enumerate(values):
         if p.imag < -small:
             continue  # the conjugate
@@ -225,5 +225,5 @@ def exponents_in_numbers(mass: mpmath.matrix, damping: mpmath.matrix, stiffness:
         tidy = tuple(mpmath.mpf(0) if abs(x) < small else x for x in phases)
         frequency = p.imag if p.imag > small else mpmath.mpf(0)
         rate = -p.real if abs(p.real) > small else mpmath.mpf(0)
-        found.append(Exponent(rate, frequency, tuple(abs(a) for a in ratios), tidy))
-    return sorted(found, key=lambda e: (e.rate, e.frequency))
+        exponents.append(Exponent(rate, frequency, tuple(abs(a) for a in ratios), tidy))
+    return sorted(exponents, key=lambda e: (e.rate, e.frequency))

@@ -391,11 +391,11 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     applied = loads(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
-    found = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
+    completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
     free = (coordinates[k] for k in e.elimination.independent)
     balances = dict(zip(free, e.independent_forces, strict=True))
     return _split_off(
-        replace(found, outside=outside),
+        replace(completed, outside=outside),
         [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
     )
 

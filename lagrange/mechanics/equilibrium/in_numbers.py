@@ -169,18 +169,18 @@ def _positions(
             if any(_is_outside(q, coordinates, e, values) for q in e.configuration.ranges):
                 continue
             verdict = _verdict(stability, at)
-            found = () if oscillations is None else _oscillations(oscillations, at, values)
+            modes = () if oscillations is None else _oscillations(oscillations, at, values)
             decays = () if oscillations is None else _decays(oscillations, at, values)
         except (NotRealError, NotAlgebraicError, DivisionByZeroError, ZeroDivisionError):
             continue
         if verdict is StabilityVerdict.UNSTABLE:
-            found, decays = (), ()
-        yield Position(n, coordinates, verdict, found, decays)
+            modes, decays = (), ()
+        yield Position(n, coordinates, verdict, modes, decays)
 
 
 def _coordinates(b: Branch, e: Equilibrium, values: Values, at: Evaluate) -> dict[sp.Symbol, Quantity]:
     """The coordinates and forces at a point. Raises NotRealError."""
-    found: dict[sp.Symbol, Quantity] = {}
+    measured: dict[sp.Symbol, Quantity] = {}
     for u in (*e.configuration.slots.coordinates, *e.forces):
         angle = e.solution.letters.angles.get(u)
         if angle is None:
@@ -194,16 +194,16 @@ def _coordinates(b: Branch, e: Equilibrium, values: Values, at: Evaluate) -> dic
             unit = "rad"
         if value.is_number:
             real_value(value)
-            found[u] = Quantity(value, unit)
-    return found
+            measured[u] = Quantity(value, unit)
+    return measured
 
 
-def _is_outside(q: sp.Symbol, found: Mapping[sp.Symbol, Quantity], e: Equilibrium, values: Values) -> bool:
+def _is_outside(q: sp.Symbol, measured: Mapping[sp.Symbol, Quantity], e: Equilibrium, values: Values) -> bool:
     """Whether a coordinate is outside of its range."""
-    if q not in found:
+    if q not in measured:
         return False
     tested, complement = distances(q, e.configuration.ranges[q], q in e.solution.letters.angles)
-    numbers = [values.put_in(x).xreplace({q: found[q].formula}) for x in tested]
+    numbers = [values.put_in(x).xreplace({q: measured[q].formula}) for x in tested]
     if any(not x.is_number for x in numbers):
         return False
     signs = [real_value(x) for x in numbers]
@@ -275,13 +275,13 @@ def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[O
         return ()
     squares = [(w, k) for k, f in enumerate(s.frequencies) for w in [*_squares(f, at)] * f.multiplicity]
     known = bool(values.units)
-    found = []
+    oscillations = []
     for w, k in sorted(squares):
         if w > CERTAIN:
             omega = sp.sqrt(w)
             period = Quantity(2 * sp.pi / omega, "s" if known else "")
-            found.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period))
-    return tuple(found)
+            oscillations.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period))
+    return tuple(oscillations)
 
 
 def _decays(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[Decay, ...]:

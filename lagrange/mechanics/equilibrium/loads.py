@@ -46,7 +46,7 @@ def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()
     coordinates = {*configuration.slots.coordinates, *configuration.slots.velocities}
     vectors = [load.vector for load in configuration.loads if load.name != WEIGHT]
     vectors += [torque.vector for torque in configuration.torques]
-    found: dict[sp.Symbol, None] = {}
+    sizes: dict[sp.Symbol, None] = {}
     for vector in vectors:
         components = [c for c in vector.components if c != 0]
         outside = [c.xreplace({f: sp.Dummy() for f in c.atoms(*CIRCULAR)}) for c in components]
@@ -59,5 +59,5 @@ def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()
                 and all(s not in r.free_symbols for r in rates)
                 and all(sp.expand(c - s * r) == 0 for c, r in zip(components, rates, strict=True))
             ):
-                found[s] = None
-    return tuple(found)
+                sizes[s] = None
+    return tuple(sizes)

@@ -78,9 +78,9 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
     for rows in islice(combinations(range(len(forces)), len(e.binding)), MOST_CHARTS):
         balance = [x for k in range(len(forces)) if k not in rows and (x := _minor(forces, columns, (*rows, k))) != 0]
         rest = [_minor(forces, columns, c) for c in combinations(range(len(forces)), len(rows) + 1)]
-        found = _searched([*balance, *others], rest, unknowns, e, second, values)
-        if found is not None and (best is None or found.complete or len(found.found) > len(best.found)):
-            best = found
+        searched = _searched([*balance, *others], rest, unknowns, e, second, values)
+        if searched is not None and (best is None or searched.complete or len(searched.found) > len(best.found)):
+            best = searched
         if best is not None and best.complete:
             break
     return best
@@ -113,15 +113,15 @@ def _searched(
         if second is None
         else [[_with_known_signs(values.put_in(x), searched) for x in row] for row in second.matrix]
     )
-    found = []
+    positions = []
     for root in _distinct(roots.roots, unknowns, searched):
         place = dict(zip(unknowns, root.values, strict=True))
         if any(sign_at(x, unknowns, root) in (1, -1) for x in others):
             continue
         if all(_is_finite(f.xreplace(place)) for f in forces):
-            found.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
+            positions.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
                                               _verdict(matrix, unknowns, root)))  # fmt: skip
-    return NumericalEquilibria(tuple(found), searched, roots.complete)
+    return NumericalEquilibria(tuple(positions), searched, roots.complete)
 
 
 def _with_known_signs(x: sp.Expr, searched: Mapping[sp.Symbol, Searched]) -> sp.Expr:
@@ -207,15 +207,15 @@ def _is_same(root: Root, other: Root, circles: Sequence[bool]) -> bool:
 def _quantities(
     root: Root, unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched], e: Equilibrium, values: Values
 ) -> dict[sp.Symbol, Quantity]:
-    found = {}
+    quantities = {}
     for u, value in zip(unknowns, root.values, strict=True):
         angle = searched[u].is_circle or u in e.solution.letters.angles
         unit = "rad" if angle else unit_called(values.units[u]) if u in values.units else ""
         number: sp.Expr = value
         if searched[u].is_circle and abs(value) > sp.pi:
             number = value - 2 * sp.pi.evalf(40) * sp.sign(value)
-        found[u] = Quantity(sp.S.Zero if _is_tiny(number) else number, unit)
-    return found
+        quantities[u] = Quantity(sp.S.Zero if _is_tiny(number) else number, unit)
+    return quantities
 
 
 def _is_tiny(number: sp.Expr) -> bool:

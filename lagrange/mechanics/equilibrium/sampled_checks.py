@@ -207,10 +207,10 @@ class Samples:
         rows = point.matrix(self.rows)
         if rows:
             columns = [list(column) for column in zip(*rows, strict=True)]
-            found = point.solution(columns, point.values(self.forces))
-            if found is None:
+            solved = point.solution(columns, point.values(self.forces))
+            if solved is None:
                 return None
-            point.move(dict(zip(self.multipliers, found, strict=True)))
+            point.move(dict(zip(self.multipliers, solved, strict=True)))
             basis = point.nullspace(rows, size)
         else:
             basis = [[point.number(int(n == k)) for n in range(size)] for k in range(size)]

@@ -142,12 +142,12 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
     known: Mapping[sp.Symbol, sp.Expr] = {}
     if motion.configuration.rows:
         names = ", ".join(f"`{r.name}`" for r in motion.configuration.rows)
-        found = integrated(motion)
-        if found is None:
+        canonical = integrated(motion)
+        if canonical is None:
             raise NotCoveredError(
                 f"Hamilton's function in coordinates that are not free: {names} still acts on them, so it"
             )
-        motion, known = found
+        motion, known = canonical
     configuration = motion.configuration
     stated = energies(configuration)
     if stated.has_quasi_coordinates:
@@ -201,14 +201,14 @@ def _of_nonlinear_momenta(
 ) -> Hamiltonian:
     """Hamilton's function of a Lagrangian with a root of the velocities, without squares."""
     slots, states = motion.configuration.slots, motion.configuration.states
-    found = velocities_by_root(stated.lagrangian, stated.momenta, slots.velocities, momenta, states)
-    if found is None:
+    inverted = velocities_by_root(stated.lagrangian, stated.momenta, slots.velocities, momenta, states)
+    if inverted is None:
         raise NotCoveredError(
             "Hamilton's function where the momenta are not linear in the velocities",
             cure="`find: motion` gives the equations of motion; velocities under one square root, as of a fast "
             "particle, can be solved for",
         )
-    velocities, function = found
+    velocities, function = inverted
     in_momenta = dict(zip(slots.velocities, velocities, strict=True))
     applied = tuple(textbook_form(q.xreplace(in_momenta)) if q != 0 else ZERO for q in stated.applied)
     cyclic = tuple(k for k, q in enumerate(slots.coordinates) if q not in function.free_symbols and applied[k] == 0)
@@ -268,19 +268,19 @@ def _routhian(
     return sp.Add(textbook_form(without), -stated.potential, *(-s.expression for s in squares))
 
 
-def check_hamiltonian(found: Hamiltonian) -> list[Check]:
+def check_hamiltonian(hamiltonian: Hamiltonian) -> list[Check]:
     """By Lagrange's p_k = ∂L/∂q_k': ∂H/∂p_k is q_k', the canonical equations are those of motion, R is L − Σ p_c q_c'.
 
     None of this uses M⁻¹ or the squares.
     """
-    configuration, stated = found.configuration, found.energies
+    configuration, stated = hamiltonian.configuration, hamiltonian.energies
     slots, states, name = configuration.slots, configuration.states, configuration.name
     how = at_random_states(configuration)
-    by_momenta = dict(zip(found.momenta, stated.momenta, strict=True))
-    H = found.function
+    by_momenta = dict(zip(hamiltonian.momenta, stated.momenta, strict=True))
+    H = hamiltonian.function
     differences = [
         side.xreplace(by_momenta) - v
-        for v, p, printed in zip(slots.velocities, found.momenta, found.velocities, strict=True)
+        for v, p, printed in zip(slots.velocities, hamiltonian.momenta, hamiltonian.velocities, strict=True)
         for side in (partial(H, p), printed)
     ]
     canonical = [
@@ -289,9 +289,9 @@ def check_hamiltonian(found: Hamiltonian) -> list[Check]:
     ]
     printed = [
         slots.time_derivative(p) - rate.xreplace(by_momenta)
-        for p, rate in zip(stated.momenta, found.rates, strict=True)
+        for p, rate in zip(stated.momenta, hamiltonian.rates, strict=True)
     ]
-    system = System(configuration, found.motion.expressions)
+    system = System(configuration, hamiltonian.motion.expressions)
     checks = [
         Check("∂H/∂p_k are the velocities", _all_vanish(differences, states), how, name),
         Check(
@@ -301,10 +301,10 @@ def check_hamiltonian(found: Hamiltonian) -> list[Check]:
             name,
         ),
     ]
-    if found.routhian is not None:
-        work = sp.Add(*(stated.momenta[c] * slots.velocities[c] for c in found.cyclic))
+    if hamiltonian.routhian is not None:
+        work = sp.Add(*(stated.momenta[c] * slots.velocities[c] for c in hamiltonian.cyclic))
         lagrangian = stated.lagrangian - work
-        holds = _all_vanish([found.routhian.xreplace(by_momenta) - lagrangian], states)
+        holds = _all_vanish([hamiltonian.routhian.xreplace(by_momenta) - lagrangian], states)
         checks.append(Check("Routh's function is L − Σ p q' of the cyclic coordinates", holds, how, name))
     return checks
 

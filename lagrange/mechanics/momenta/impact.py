@@ -150,9 +150,9 @@ class ImpulsiveMotion:
     @property
     def all_velocities(self) -> dict[sp.Symbol, sp.Expr]:
         """The velocities just after, of these coordinates and then of those that they replace."""
-        found = dict(zip(self.slots.coordinates, self.velocities, strict=True))
-        others = [q for q in self.full.slots.coordinates if q not in found]
-        return found | {q: _tidy(self.after(prime(q))) for q in others}
+        velocities = dict(zip(self.slots.coordinates, self.velocities, strict=True))
+        others = [q for q in self.full.slots.coordinates if q not in velocities]
+        return velocities | {q: _tidy(self.after(prime(q))) for q in others}
 
     @property
     def open_impulses(self) -> tuple[str, ...]:
@@ -199,13 +199,13 @@ def impulsive_motion(problem: Problem, choices: Sequence[GeneralizedCoordinates]
     speeds = [*(p.velocity for p in configuration.points), *(r.angular_velocity for r in configuration.rotations)]
     carried = any(c.xreplace(still) != 0 for v in speeds for c in v.components)
     is_driven = carried or any(r.drift != 0 for r in rows)
-    found = ImpulsiveMotion(
+    motion = ImpulsiveMotion(
         coordinates, full, configuration, position, surface, rows, new, before, elimination, balance, equations,
         velocities, (), (), ZERO, ZERO, (ZERO, ZERO), is_driven,
     )  # fmt: skip
-    found = replace(found, impulses=tuple(_impulses(found, problem, impact, restitution, taken)))
-    found = replace(found, conditions=tuple(_conditions(found)))
-    return _with_energies(found, mass, blows)
+    motion = replace(motion, impulses=tuple(_impulses(motion, problem, impact, restitution, taken)))
+    motion = replace(motion, conditions=tuple(_conditions(motion)))
+    return _with_energies(motion, mass, blows)
 
 
 def mass_matrix(configuration: Configuration) -> list[list[sp.Expr]]:
@@ -430,38 +430,38 @@ def _velocities(
 
 
 def _impulses(
-    found: ImpulsiveMotion,
+    motion: ImpulsiveMotion,
     problem: Problem,
     impact: Impact,
     restitution: Mapping[str, sp.Expr],
     taken: frozenset[str],
 ) -> Iterator[ReactionImpulse]:
     """Λ from the equations of all coordinates of the file, M Δq' − Ĵ = Aᵀ Λ, and the forces that they belong to."""
-    full, surface = found.full, found.surface
+    full, surface = motion.full, motion.surface
     constraints = (*problem.constraints, *impact.constraints)
     if not constraints:
         return
     newton = reactions_of(full, problem, impact)
     slots = full.slots
-    speeds = [(_tidy(found.after(v)), _tidy(found.just_before(v))) for v in slots.velocities]
-    mass = [[found.at(e) for e in row] for row in mass_matrix(full)]
-    blows = [found.at(e) for e in generalized_impulses(full)]
+    speeds = [(_tidy(motion.after(v)), _tidy(motion.just_before(v))) for v in slots.velocities]
+    mass = [[motion.at(e) for e in row] for row in mass_matrix(full)]
+    blows = [motion.at(e) for e in generalized_impulses(full)]
     right = [
         _tidy(sp.Add(-j, *(m * (a - b) for m, (a, b) in zip(row, speeds, strict=True))))
         for row, j in zip(mass, blows, strict=True)
     ]
-    forms = [[textbook_form(found.at(a)) for a in r.coefficients] for r in full.rows]
+    forms = [[textbook_form(motion.at(a)) for a in r.coefficients] for r in full.rows]
     columns = [[form[k] for form in forms] for k in range(len(slots.coordinates))]
     multipliers = solved_linear(columns, right, surface) or [None] * len(constraints)
     names = [r.name.replace(".", "_") for r in newton.reactions]
     letter = free_letter("S", "J", "P", "Imp", taken=taken, of=names)
     for r, name, form, value in zip(newton.reactions, names, forms, multipliers, strict=True):
-        is_new = r.name in found.new
+        is_new = r.name in motion.new
         force, lost = None, None
         if value is not None:
             factor = r.single.factor if r.single is not None else sp.S.One
-            force = _tidy(found.at(factor) * value)
-            if not found.is_driven:
+            force = _tidy(motion.at(factor) * value)
+            if not motion.is_driven:
                 lost = _tidy(-HALF * value * sp.Add(*(a * (u + b) for a, (u, b) in zip(form, speeds, strict=True))))
         given = r.constraint.reaction if is_new and r.constraint.reaction != r.row.multiplier else None
         symbol = given or sp.Symbol(f"{letter}_{name}", real=True)
@@ -474,17 +474,17 @@ def reactions_of(full: Configuration, problem: Problem, impact: Impact) -> Newto
     return newton_equations(full, constraints, 0, frozenset(problem.scope.names()))
 
 
-def _conditions(found: ImpulsiveMotion) -> Iterator[Presupposition]:
+def _conditions(motion: ImpulsiveMotion) -> Iterator[Presupposition]:
     """Of one-sided constraints: new ones are approached, and no impulse pulls. Raises ProblemError otherwise."""
-    sides = {i.name: i.reaction.constraint.side for i in found.impulses}
-    spans = {i.name: i.reaction.constraint.span for i in found.impulses}
-    for impulse in found.impulses:
+    sides = {i.name: i.reaction.constraint.side for i in motion.impulses}
+    spans = {i.name: i.reaction.constraint.span for i in motion.impulses}
+    for impulse in motion.impulses:
         side = sides[impulse.name]
         if side is None:
             continue
-        row = next(r for r in found.full.rows if r.name == impulse.name)
+        row = next(r for r in motion.full.rows if r.name == impulse.name)
         if impulse.is_new:
-            approach = _tidy(-side * found.just_before(row.velocity_form(found.full.slots)))
+            approach = _tidy(-side * motion.just_before(row.velocity_form(motion.full.slots)))
             if approach != 0 and _is_positive(-approach):
                 message = f"nothing approaches `{impulse.name}` before the impact: {-approach} is its rate"
                 help_ = "correct the velocities before, or leave the constraint out"
@@ -509,26 +509,26 @@ def _is_positive(expression: sp.Expr) -> bool:
 
 
 def _with_energies(
-    found: ImpulsiveMotion, mass: Sequence[Sequence[sp.Expr]], blows: Sequence[sp.Expr]
+    motion: ImpulsiveMotion, mass: Sequence[Sequence[sp.Expr]], blows: Sequence[sp.Expr]
 ) -> ImpulsiveMotion:
     """The work of the blows, the energy lost, the kinetic energy before and after."""
-    means = [HALF * (u + b) for u, b in zip(found.velocities, found.before, strict=True)]
+    means = [HALF * (u + b) for u, b in zip(motion.velocities, motion.before, strict=True)]
     work = _tidy(sp.Add(*(j * v for j, v in zip(blows, means, strict=True))))
-    if found.is_driven:
+    if motion.is_driven:
         from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 
-        energy = kinetic_energy(found.configuration)
-        before, after = _tidy(found.just_before(energy)), _tidy(found.after(energy))
-        return replace(found, work=work, energy_lost=_tidy(before - after), kinetic=(before, after))
+        energy = kinetic_energy(motion.configuration)
+        before, after = _tidy(motion.just_before(energy)), _tidy(motion.after(energy))
+        return replace(motion, work=work, energy_lost=_tidy(before - after), kinetic=(before, after))
 
     def kinetic(velocities: Sequence[sp.Expr]) -> sp.Expr:
         size = range(len(velocities))
         return _tidy(sp.Add(*(HALF * mass[k][n] * velocities[k] * velocities[n] for k in size for n in size)))
 
-    before, after = kinetic(found.before), kinetic(found.velocities)
-    parts = [i.lost for i in found.impulses]
+    before, after = kinetic(motion.before), kinetic(motion.velocities)
+    parts = [i.lost for i in motion.impulses]
     lost = sp.Add(*(p for p in parts if p is not None)) if None not in parts else before - after + work
-    return replace(found, work=work, energy_lost=_tidy(lost), kinetic=(before, after))
+    return replace(motion, work=work, energy_lost=_tidy(lost), kinetic=(before, after))
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:

@@ -60,8 +60,8 @@ def velocities_by_root(
         return None
     work = sp.Add(*((u + b if u in meant else u) * v for u, b, v in zip(moved, shifts, velocities, strict=True)))
     function = (work - lagrangian.xreplace(with_letter)).xreplace(inverted)
-    found = [_with_root(e, S, root).xreplace(meant) for e in (*(inverted[v] for v in velocities), function)]
-    return tuple(found[:-1]), found[-1]
+    in_momenta = [_with_root(e, S, root).xreplace(meant) for e in (*(inverted[v] for v in velocities), function)]
+    return tuple(in_momenta[:-1]), in_momenta[-1]
 
 
 def _is_root(p: sp.Expr) -> bool:

@@ -459,17 +459,17 @@ def reduced_matrices(
     return m, d, k
 
 
-def check_steady(found: SteadyMotions) -> list[Check]:
+def check_steady(motions: SteadyMotions) -> list[Check]:
     """The steady motions against Lagrange's equations, and their linear equations by determinants, in numbers.
 
     At drawn parameters and a drawn p, det(K + p D + p² M) of all independent coordinates must be p^2c det M_cc times
     that of the reduced equations. Neither the equations of d'Alembert nor the elimination of the η are used.
     """
-    slots = found.form.configuration.slots
-    left = _lagrange(found.motion)
-    left = [e.xreplace(_signs_in_ranges(found.form.configuration, left)) for e in left]
+    slots = motions.form.configuration.slots
+    left = _lagrange(motions.motion)
+    left = [e.xreplace(_signs_in_ranges(motions.form.configuration, left)) for e in left]
     pairs = zip(slots.coordinates, slots.velocities, strict=True)
-    resting = dict.fromkeys((v for q, v in pairs if q not in found.cyclic), ZERO)
+    resting = dict.fromkeys((v for q, v in pairs if q not in motions.cyclic), ZERO)
     uniform = dict.fromkeys(slots.accelerations, ZERO)
     steady = [e.xreplace(resting | uniform) for e in left]
     slopes = [  # what is zero in any case is left out before differentiating, where it is not what is differentiated by
@@ -477,10 +477,10 @@ def check_steady(found: SteadyMotions) -> list[Check]:
         [[partial(e, v).xreplace(resting) for v in slots.velocities] for e in (e.xreplace(uniform) for e in left)],
         [[partial(e, a).xreplace(uniform) for a in slots.accelerations] for e in (e.xreplace(resting) for e in left)],
     ]
-    c = [slots.coordinates.index(q) for q in found.cyclic]
+    c = [slots.coordinates.index(q) for q in motions.cyclic]
     hold: list[bool] = []
     linear: list[bool] = []
-    for family in found.families:
+    for family in motions.families:
         rates = dict(family.rates)
         tables = [[[e.xreplace(rates) for e in row] for row in rows] for rows in slopes]
         balance = [e.xreplace(rates) for e in steady]
@@ -502,7 +502,7 @@ def check_steady(found: SteadyMotions) -> list[Check]:
         ("the steady motions satisfy Lagrange's equations", hold),
         ("the linear equations about them have the exponents of Lagrange's equations", linear),
     ]
-    return [Check(name, all(v), HOW, found.motion.configuration.name) for name, v in statements if v]
+    return [Check(name, all(v), HOW, motions.motion.configuration.name) for name, v in statements if v]
 
 
 def _lagrange(motion: EquationsOfMotion) -> list[sp.Expr]:

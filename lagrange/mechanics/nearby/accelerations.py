@@ -63,19 +63,19 @@ def at_state(configuration: Configuration, near: ReferenceState) -> StateInNumbe
     table = [[*linear.mass[k], *(-form[k] for form in forms)] for k in range(n)]
     table += [[*form, *(zero for _ in forms)] for form in forms]
     right = [-e for e in linear.balance] + [-linear.misfit[k] for k in near.used]
-    found = solution(about.reals, table, right)
+    accelerations = solution(about.reals, table, right)
     other = solution(about.reals, table, right, [about.reals.number(1)] * len(table))
-    if found is None or other is None or found != other:  # what stays free would differ
+    if accelerations is None or other is None or accelerations != other:  # what stays free would differ
         return None
-    left = lagrange_in_numbers(configuration, about, [about.number(v) for v in slots.velocities], found[:n])
-    loads = [sum((m * form[k] for m, form in zip(found[n:], forms, strict=True)), zero) for k in range(n)]
+    left = lagrange_in_numbers(configuration, about, [about.number(v) for v in slots.velocities], accelerations[:n])
+    loads = [sum((m * form[k] for m, form in zip(accelerations[n:], forms, strict=True)), zero) for k in range(n)]
     scale = max([1, *map(abs, (*left, *loads))])
     agrees = all(abs(a - b) < CHECKED_REMAINDER * scale for a, b in zip(left, loads, strict=True))
     names = [row.name for row in rows]
     return StateInNumbers(
         {s: near.values[s] for s in (*slots.coordinates, *slots.velocities)},
-        {s: _number(x) for s, x in zip(slots.accelerations, found[:n], strict=True)},
-        {name: _number(x) for name, x in zip(names, found[n:], strict=True)},
+        {s: _number(x) for s, x in zip(slots.accelerations, accelerations[:n], strict=True)},
+        {name: _number(x) for name, x in zip(names, accelerations[n:], strict=True)},
         agrees,
     )
 
@@ -102,9 +102,9 @@ def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers |
         return None
 
 
-def check_state(found: StateInNumbers, what: str) -> Check:
+def check_state(state: StateInNumbers, what: str) -> Check:
     """Lagrange's equations at the state, with the derivatives of T in numbers."""
-    return Check(f"the {what} in numbers satisfy Lagrange's equations", found.agrees, "in numbers: T differentiated")
+    return Check(f"the {what} in numbers satisfy Lagrange's equations", state.agrees, "in numbers: T differentiated")
 
 
 def _number(x: Any) -> sp.Expr:

@@ -32,18 +32,18 @@ from lagrange.problem.model import Problem
 NAME = "the linear equations agree with Lagrange's equations"
 
 
-def check_linear_motion(problem: Problem, configuration: Configuration, found: LinearMotion) -> list[Check]:
+def check_linear_motion(problem: Problem, configuration: Configuration, motion: LinearMotion) -> list[Check]:
     """At one drawn state nearby, with drawn values of parameters that have none."""
     random = Random(5)
     slots = configuration.slots
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    numbers |= {s: sp.Rational(random.randint(20, 60), 17) for s in found.letters}
+    numbers |= {s: sp.Rational(random.randint(20, 60), 17) for s in motion.letters}
     velocity = dict(zip(slots.coordinates, slots.velocities, strict=True))
     tiny = sp.Rational(1, 10**CHECKED_DISTANCE)
-    state = {s: e.xreplace(numbers) for s, e in found.state.items()}
-    stated = {i.symbol: state[i.symbol] for i in problem.initial if i.symbol not in found.bound}
+    state = {s: e.xreplace(numbers) for s, e in motion.state.items()}
+    stated = {i.symbol: state[i.symbol] for i in problem.initial if i.symbol not in motion.bound}
     accelerations: dict[sp.Symbol, sp.Expr] = {}
-    for block in found.blocks:
+    for block in motion.blocks:
         size = len(block.coordinates)
         moved = [tiny * sp.Rational(random.randint(-99, 99), 50) for _ in range(2 * size)]
         for q, x, v in zip(block.coordinates, moved[:size], moved[size:], strict=True):
@@ -79,10 +79,10 @@ def _remainder(
     for line, places in zip(coefficients, range(len(right)), strict=True):
         right[places] -= sum(a * x for a, x in zip(line, known, strict=True) if x is not None)
     loose = [k for k, x in enumerate(known) if x is None]
-    found = solution(about.reals, [[line[k] for k in loose] for line in coefficients], right) if loose else []
-    if found is None:
+    solved = solution(about.reals, [[line[k] for k in loose] for line in coefficients], right) if loose else []
+    if solved is None:
         return None
-    for k, x in zip(loose, found, strict=True):
+    for k, x in zip(loose, solved, strict=True):
         known[k] = x
     balance = lagrange_in_numbers(configuration, about, rates, known)
     transposed = [list(column) for column in zip(*coefficients, strict=True)]

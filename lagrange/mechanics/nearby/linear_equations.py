@@ -219,9 +219,8 @@ def _forces(configuration: Configuration, about: Expansions, turnings: dict[str,
     for k, e in enumerate(configuration.generalized):
         add(k, about.jet(e, 1, moving=True))
     for damper in configuration.dampers:
-        rate = about.jet(damper.rate, 2, moving=True)
-        coefficient = -about.number(damper.coefficient)
+        rate, pull = (about.jet(e, 2, moving=True) for e in (damper.rate, damper.pull))
         for k in range(n):
-            share = about.dot([rate], [ring.derivative(rate, n + k)])
-            add(k, ring.scale(share, coefficient))
+            share = about.dot([pull], [ring.derivative(rate, n + k)])
+            add(k, ring.scale(share, about.reals.number(-1)))
     return forces

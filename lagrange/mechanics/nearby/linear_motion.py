@@ -229,9 +229,9 @@ def _carried(
         column = [zero] * about.size
         if independent:
             column[independent[place]] = one
-        found = _solved(about, square, right)
-        assert found is not None
-        for k, x in zip(dependent, found, strict=True):
+        carried = _solved(about, square, right)
+        assert carried is not None
+        for k, x in zip(dependent, carried, strict=True):
             column[k] = x
         columns.append(column)
     return _transposed(columns)
@@ -291,12 +291,12 @@ class _Fit:
         if scale < CLEARLY_ZERO:
             return sp.S.Zero
         count = len(self.monomials)
-        found = solution(self.reals, self.rows[:count], values[:count])
-        assert found is not None
+        coefficients = solution(self.reals, self.rows[:count], values[:count])
+        assert coefficients is not None
         for row, value in zip(self.rows[count:], values[count:], strict=True):
-            if abs(sum(c * x for c, x in zip(found, row, strict=True)) - value) > CLEARLY_ZERO * scale:
+            if abs(sum(c * x for c, x in zip(coefficients, row, strict=True)) - value) > CLEARLY_ZERO * scale:
                 raise NotCoveredError("linear equations that are no polynomials in a parameter without a value")
-        terms = zip(found, self.monomials, strict=True)
+        terms = zip(coefficients, self.monomials, strict=True)
         return sp.Add(*(_rounded(c) * sp.Mul(*m) for c, m in terms if abs(c) > CLEARLY_ZERO * scale))
 
 

@@ -112,10 +112,10 @@ def _name(number: int, taken: Collection[str]) -> sp.Symbol:
     return sp.Symbol(f"{letter}_{number}", real=True)
 
 
-def check_long_equations(found: LongEquations, configuration: Configuration) -> list[Check]:
+def check_long_equations(equations: LongEquations, configuration: Configuration) -> list[Check]:
     """Lagrange's equations, differentiated in symbols, at random points of a prime field."""
     others = lagrange_equations(configuration).left
     surface = Surface()
-    verdicts = [surface.is_zero(a - b) for a, b in zip(found.whole, others, strict=True)]
+    verdicts = [surface.is_zero(a - b) for a, b in zip(equations.whole, others, strict=True)]
     how = "exact, at random points: T differentiated, nothing multiplied out"
     return [Check("Lagrange's equations give the same equations of motion", all_hold(verdicts), how)]

@@ -90,13 +90,13 @@ def long_reactions(
     return LongReactions(lost, by_accelerations, hold, at, from_initial, numbers)
 
 
-def check_long_reactions(found: LongReactions) -> list[Check]:
+def check_long_reactions(reactions: LongReactions) -> list[Check]:
     """Both by Lagrange's equations."""
     checks = []
-    if found.by_accelerations:
-        checks.append(Check(CHECK, found.hold, "exact, at random points: T differentiated"))
-    if found.at is not None:
-        checks.append(check_state(found.at, "reactions"))
+    if reactions.by_accelerations:
+        checks.append(Check(CHECK, reactions.hold, "exact, at random points: T differentiated"))
+    if reactions.at is not None:
+        checks.append(check_state(reactions.at, "reactions"))
     return checks
 
 
@@ -131,14 +131,14 @@ def _by_accelerations(
     for s, (value, _) in projected.items():
         if s not in values or count_operations(value) < count_operations(values[s]):
             values[s] = value
-    found = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
-    if not found:
-        return found, None
+    forces = {r.name: textbook_form(values[r.multiplier] / r.per_force) for r in lost if r.multiplier in values}
+    if not forces:
+        return forces, None
     left = lagrange_equations(configuration).left
     alone = [s for s, (value, _) in projected.items() if values.get(s) == value]
     verdicts = [configuration.states.is_zero(sp.Add(*map(sp.Mul, projected[s][1], left)) - values[s]) for s in alone]
     verdicts.append(_hold(configuration, chosen, used, {s: e for s, e in values.items() if s not in alone}))
-    return found, all_hold([v for v in verdicts if v is not None or len(verdicts) == 1])
+    return forces, all_hold([v for v in verdicts if v is not None or len(verdicts) == 1])
 
 
 def _projected(
@@ -150,7 +150,7 @@ def _projected(
     """λ_i = Σ_k w_k D_k with w = a_i/|a_i|², where a_i is normal to the coefficients of every other reaction; and w."""
     is_zero = configuration.states.is_zero
     columns = [list(c) for c in zip(*rows, strict=True)]
-    found = {}
+    projected = {}
     for n, (r, column) in enumerate(zip(used, columns, strict=True)):
         others = [sp.Add(*map(sp.Mul, column, c)) for m, c in enumerate(columns) if m != n]
         if any(is_zero(product) is not True for product in others):
@@ -161,8 +161,8 @@ def _projected(
         weights = [a / square for a in column]
         value = textbook_form(sp.Add(*map(sp.Mul, weights, balance)))
         if count_operations(value) <= LONGEST_BY_ACCELERATIONS:
-            found[r.multiplier] = value, weights
-    return found
+            projected[r.multiplier] = value, weights
+    return projected
 
 
 def _hold(

@@ -79,10 +79,10 @@ def reference(
         -d - sum(a * v for k, (a, v) in enumerate(zip(row, known, strict=True)) if k not in dependent)
         for row, d in zip(rows, drifts, strict=True)
     ]
-    found = solution(about.reals, [[row[k] for k in dependent] for row in rows], right) if dependent else []
-    if found is None:
+    solved = solution(about.reals, [[row[k] for k in dependent] for row in rows], right) if dependent else []
+    if solved is None:
         raise _contradicted()
-    for k, v in zip(dependent, found, strict=True):
+    for k, v in zip(dependent, solved, strict=True):
         if slots.velocities[k] in stated and abs(v - known[k]) > sp.Float(10) ** -ZERO_DIGITS:
             raise _contradicted()
         values[slots.velocities[k]] = sp.Float(v, REAL_DIGITS + 5)

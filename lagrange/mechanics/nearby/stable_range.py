@@ -46,14 +46,14 @@ def stable_ranges(*tables: Entries) -> tuple[StableRange, ...] | None:
         return ()
     try:
         ends = {x: n == 1 for n, e in enumerate((a[-1], _last_but_one(a), a[0])) for x in _positive_roots(e, letter)}
-        found = [
+        ranges = [
             (low, high)
             for low, high in pairwise([sp.S.Zero, *sorted(ends), sp.oo])
             if _decays(a, letter, 2 * low + 1 if high is sp.oo else (low + high) / 2)
         ]
     except NoConvergence:
         return None
-    return tuple(StableRange(letter, *f, tuple(x for x in f if ends.get(x))) for f in found)
+    return tuple(StableRange(letter, *f, tuple(x for x in f if ends.get(x))) for f in ranges)
 
 
 def _exact(e: sp.Expr) -> sp.Expr:

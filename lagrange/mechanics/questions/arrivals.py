@@ -64,11 +64,11 @@ class Arrivals:
     def _reach_of(self, state: Values, b: AnswerBranch) -> Reach:
         """Whether the motion gets to a state: along the one coordinate that moves, or that the conditions are about."""
         beginning, fixed = self.beginning, {*self.setting.fixed}
-        found = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
-        initial = {s: v.xreplace(found) for s, v in self.setting.initial.items()}
+        reached = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
+        initial = {s: v.xreplace(reached) for s, v in self.setting.initial.items()}
         moving = {*self.setting.place.moving}
         asked = {base(s) for e in self.when for s in e.xreplace(self.rule).free_symbols & moving} - fixed
-        if not asked or self._is_where_it_starts(state, initial, found):
+        if not asked or self._is_where_it_starts(state, initial, reached):
             return Reach(Reached.YES)
         free = [q for q in self.setting.place.configuration.slots.coordinates if q not in self.rule and q not in fixed]
         candidates = free if len(free) == 1 else [q for q in free if q in asked]
@@ -80,7 +80,7 @@ class Arrivals:
             return Reach(Reached.OPEN)
         path = Path(
             q=q,
-            square=square.xreplace(found),
+            square=square.xreplace(reached),
             start=initial[q],
             direction=replace(beginning, initial=initial).direction(q),
             rest=initial.get(prime(q)) == 0,
@@ -90,13 +90,13 @@ class Arrivals:
         )
         return path.to(state[q])
 
-    def _is_where_it_starts(self, state: Values, initial: Values, found: Values) -> bool:
+    def _is_where_it_starts(self, state: Values, initial: Values, reached: Values) -> bool:
         """Whether the conditions hold at t = 0, and the state is that one as far as both are known."""
         moving = {*self.setting.place.moving}
-        at_start = [e.xreplace(found).xreplace({t: sp.S.Zero, **initial}) for e in self.when]
+        at_start = [e.xreplace(reached).xreplace({t: sp.S.Zero, **initial}) for e in self.when]
         if not all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in at_start):
             return False
-        return all(is_zero(e.xreplace(found) - initial[s]) is True for s, e in state.items() if s in initial)
+        return all(is_zero(e.xreplace(reached) - initial[s]) is True for s, e in state.items() if s in initial)
 
     def _is_value_at_start(self, b: AnswerBranch) -> bool:
         """Whether the conditions hold at t = 0 with the same value, so that the motion need not get there again."""

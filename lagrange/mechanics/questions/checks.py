@@ -179,13 +179,13 @@ def _solved(rows: list[list[sp.Expr]]) -> list[sp.Expr] | None:
 
 def _samples(b: AnswerBranch, symbols: Sequence[sp.Symbol]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
     """Numbers for the symbols with which the conditions of a branch hold."""
-    found = 0
+    taken = 0
     for trial in range(SAMPLES_TRIED):
         numbers = {s: _sample(s, trial) for s in symbols}
         if all(_holds(c.lhs - c.rhs, c.relation, numbers) for c in b.conditions):
             yield numbers
-            found += 1
-        if found == SAMPLES:
+            taken += 1
+        if taken == SAMPLES:
             return
 
 

@@ -54,8 +54,8 @@ class ClosedMotion:
 
     def written(self, value: sp.Expr) -> sp.Expr:
         """The value of a quantity at one time, in the form in which it is printed."""
-        found = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value)
-        return without_roots_in_logarithms(min(value, found, key=count_operations) if self.speeds else found)
+        written = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value)
+        return without_roots_in_logarithms(min(value, written, key=count_operations) if self.speeds else written)
 
     def at_time(self, e: sp.Expr) -> sp.Expr:
         """An expression of the state as a function of time."""
@@ -78,12 +78,12 @@ def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol
         if any(s not in initial for c in group for s in (c, prime(c))):
             return []
         if len(group) == 1:
-            found = _of_one(q, accelerations[prime(q, 2)], initial[q], initial[prime(q)])
+            motions = _of_one(q, accelerations[prime(q, 2)], initial[q], initial[prime(q)])
         else:
-            found = _of_several(group, accelerations, initial)
-        if not found:
+            motions = _of_several(group, accelerations, initial)
+        if not motions:
             return []
-        cases.append(found)
+        cases.append(motions)
         waiting = [c for c in waiting if c not in group]
     joined = []
     for combination in product(*cases):
@@ -102,20 +102,20 @@ def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[Cl
     """The solutions of q'' = a, verified."""
     if a.has(Unspecified):
         return []
-    found = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
-    if not found and (both := of_rates_in_time(q, a, place, speed)) is not None:
-        found = [ClosedMotion({q: both[0]}, speeds={q: both[1]})]
-    verified = [m for m in found if _is_solution(m, q, a, place, speed)]
-    return verified if len(verified) == len(found) else []
+    motions = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
+    if not motions and (both := of_rates_in_time(q, a, place, speed)) is not None:
+        motions = [ClosedMotion({q: both[0]}, speeds={q: both[1]})]
+    verified = [m for m in motions if _is_solution(m, q, a, place, speed)]
+    return verified if len(verified) == len(motions) else []
 
 
 def _of_several(group: Sequence[sp.Symbol], accelerations: Values, initial: Values) -> list[ClosedMotion]:
     """The solution of coupled linear equations, verified."""
-    found = coupled_solutions(group, accelerations, initial)
-    if not found:
+    solutions = coupled_solutions(group, accelerations, initial)
+    if not solutions:
         return []
-    conditions = tuple(dict.fromkeys(c for _, more in found.values() for c in more))
-    motion = ClosedMotion({q: _tidy(e) for q, (e, _) in found.items()}, conditions)
+    conditions = tuple(dict.fromkeys(c for _, more in solutions.values() for c in more))
+    motion = ClosedMotion({q: _tidy(e) for q, (e, _) in solutions.items()}, conditions)
     holds = all(_is_solution(motion, q, accelerations[prime(q, 2)], initial[q], initial[prime(q)]) for q in group)
     return [motion] if holds else []
 

@@ -77,10 +77,10 @@ def eliminated(
         solved = solutions(equations, sought, first=tuple(squares.values()), beside=(wanted,))
     except (NotAlgebraicError, DivisionByZeroError):
         return Eliminated()
-    found = _of_branches(solved, wanted, given, unknowns, squares, called)
-    if found.branches or found.never:
-        return found
-    return _through_one_function(equations, wanted, given, unknowns, called) or found
+    elimination = _of_branches(solved, wanted, given, unknowns, squares, called)
+    if elimination.branches or elimination.never:
+        return elimination
+    return _through_one_function(equations, wanted, given, unknowns, called) or elimination
 
 
 def _through_one_function(
@@ -103,9 +103,9 @@ def _through_one_function(
     plain = [sp.numer(sp.together(e.xreplace({f: letter**n for f, n in powers.items()}))) for e in equations]
     if any(wanted in e.free_symbols for e in plain):
         return None
-    found = eliminated(plain, letter, [letter], [], letter)
+    elimination = eliminated(plain, letter, [letter], [], letter)
     branches = []
-    for b in found.branches:
+    for b in elimination.branches:
         [value] = b.values
         sign = sign_of(value)
         if grows and sign in (0, -1):
@@ -113,7 +113,7 @@ def _through_one_function(
         conditions = (*b.conditions, more_than_zero(value)) if grows and sign is None else b.conditions
         place = (sp.log(value) if grows else sp.atan(value)) / rate
         branches.append(AnswerBranch(called, place, (place,), ({**given, wanted: place},), conditions))
-    return replace(found, branches=tuple(branches), never=found.solved and not branches)
+    return replace(elimination, branches=tuple(branches), never=elimination.solved and not branches)
 
 
 def _may_vanish(e: sp.Expr) -> bool:
@@ -150,10 +150,10 @@ def _substituted(
 
 
 def _value(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:
-    found = [u for u in unknowns if u in e.free_symbols]
-    if len(found) != 1:
+    occurring = [u for u in unknowns if u in e.free_symbols]
+    if len(occurring) != 1:
         return None
-    [u] = found
+    [u] = occurring
     slope = e.diff(u)
     if u in slope.free_symbols or (not slope.is_number and not slope.is_positive):
         return None
@@ -270,9 +270,9 @@ def _states(
         for u in unknowns:
             if u in given or u in squares:
                 continue
-            found = _coordinate(u, b, point, solved)
-            if found is not None:
-                state[u] = found
+            coordinate = _coordinate(u, b, point, solved)
+            if coordinate is not None:
+                state[u] = coordinate
         state |= {s: value for s, value in point.items() if s not in squares.values() and s not in unknowns}
         for roots in product(*(roots for _, roots in signed)):
             whole = {**state, **dict(zip([v for v, _ in signed], roots, strict=True))}

@@ -49,7 +49,7 @@ def motion_from_start(
         rule = dependent(setting.place.configuration)
         known = {a: e.xreplace(rule) for a, e in setting.known.accelerations.items()}
         wanted = {q for q in setting.place.configuration.slots.coordinates if q not in rule and prime(q) not in rule}
-        found = [] if setting.slips else closed_motions(known, setting.initial, wanted - {*setting.fixed})
-        if found and wanted:
-            return FromStart(setting.place.name, initial, tuple(found))
+        motions = [] if setting.slips else closed_motions(known, setting.initial, wanted - {*setting.fixed})
+        if motions and wanted:
+            return FromStart(setting.place.name, initial, tuple(motions))
     return FromStart(settings[0].place.name, initial, (), tuple(settings[0].integrals)) if settings else None

@@ -30,7 +30,7 @@ from lagrange.mechanics.questions.states import Meanings, Place, Values
 
 def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[UsedIntegral], set[sp.Symbol]]:
     """The integrals whose value is known, and the initial values that others would need."""
-    found: list[UsedIntegral] = []
+    used: list[UsedIntegral] = []
     missing: set[sp.Symbol] = set()
     candidates = chain(
         (
@@ -38,7 +38,7 @@ def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[Used
             for n, i in enumerate(place.conserved.integrals)
             if i.constant is True
         ),
-        (extra for extra in _single(place, known) if _is_new(extra.expression, found, place)),
+        (extra for extra in _single(place, known) if _is_new(extra.expression, used, place)),
     )
     for integral in candidates:
         value = integral.expression.xreplace({t: sp.S.Zero, **initial})
@@ -46,8 +46,8 @@ def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[Used
         if free:
             missing |= free
         else:
-            found.append(replace(integral, value=textbook_form(value)))
-    return found, missing
+            used.append(replace(integral, value=textbook_form(value)))
+    return used, missing
 
 
 def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
@@ -111,13 +111,13 @@ def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
     return [int(n) for (n,), _ in terms], [c for _, c in terms]
 
 
-def _is_new(e: sp.Expr, found: Sequence[UsedIntegral], place: Place) -> bool:
+def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: Place) -> bool:
     """Whether an integral tells more about the velocities than those that are known."""
-    if not found:
+    if not used:
         return True
     configuration = place.configuration
     slots = configuration.slots
-    rows = [[i.expression.diff(v) for v in slots.velocities] for i in found]
+    rows = [[i.expression.diff(v) for v in slots.velocities] for i in used]
     rows += [list(r.coefficients) for r in configuration.rows if r.nonlinear is None]
     try:
         before = configuration.states.rank(rows)

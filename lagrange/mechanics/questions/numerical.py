@@ -84,9 +84,9 @@ def first_value(
             run = solve_ivp(
                 rate, (0.0, horizon), start, "DOP853", events=crossing, rtol=1e-10, atol=1e-12, max_step=step
             )
-            found = _first(run, horizon)
-            if found is not None:
-                here = (*found[1], found[0])
+            first = _first(run, horizon)
+            if first is not None:
+                here = (*first[1], first[0])
                 return value(here)[0] if all(abs(f) < LARGEST_DRIFT for f in kept(here)) else None
             if not run.success:
                 return None

@@ -33,19 +33,19 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
         return None
     length = way * (end - start)
     for form in _forms(1 / size):
-        found = _integral(form, place)
-        if found is None:
+        time = _integral(form, place)
+        if time is None:
             continue
         try:
-            values = [factored_quotient(found.xreplace({place: x})) for x in (length, sp.S.Zero)]
+            values = [factored_quotient(time.xreplace({place: x})) for x in (length, sp.S.Zero)]
             if any(v.has(sp.zoo, sp.nan, sp.oo) for v in values):
                 continue
-            if is_zero(found.diff(place) - 1 / size) is True:
+            if is_zero(time.diff(place) - 1 / size) is True:
                 return shortest_form(factored_quotient(values[0] - values[1]))
         except DivisionByZeroError:
             continue
-    found = _through_half_angle(q, speed**2, start, end)
-    return _over_root_of_quadratic(q, speed**2, (start, end), way) if found is None else found
+    time = _through_half_angle(q, speed**2, start, end)
+    return _over_root_of_quadratic(q, speed**2, (start, end), way) if time is None else time
 
 
 def speed_stated(
@@ -53,10 +53,10 @@ def speed_stated(
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
     """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None where it is no such motion."""
     moving = {*slots.coordinates, *slots.velocities, t}
-    found = when.free_symbols & {*slots.velocities}
-    if len(found) != 1:
+    speeds = when.free_symbols & {*slots.velocities}
+    if len(speeds) != 1:
         return None
-    [v] = found
+    [v] = speeds
     rate, slope = accelerations.get(prime(v)), sp.expand(when).coeff(v, 1)
     if rate is None or v not in initial or rate.free_symbols & moving != {v} or slope.free_symbols & moving:
         return None
@@ -71,10 +71,10 @@ def time_between_speeds(v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Exp
     if sign_of(sense * start) not in (0, 1) or sign_of(sense * end) not in (0, 1):
         return None
     inverse = sp.factor(sense / rate.xreplace({v: sense * size}))
-    if count_operations(inverse) > LONGEST_INTEGRATED or (found := _integral(inverse, size)) is None:
+    if count_operations(inverse) > LONGEST_INTEGRATED or (time := _integral(inverse, size)) is None:
         return None
-    values = [factored_quotient(found.xreplace({size: sense * x})) for x in (end, start)]
-    if any(x.has(sp.zoo, sp.nan, sp.oo) for x in values) or is_zero(found.diff(size) - inverse) is not True:
+    values = [factored_quotient(time.xreplace({size: sense * x})) for x in (end, start)]
+    if any(x.has(sp.zoo, sp.nan, sp.oo) for x in values) or is_zero(time.diff(size) - inverse) is not True:
         return None
     return shortest_form(factored_quotient(values[0] - values[1]))
 
@@ -100,10 +100,10 @@ def number_between(
 
     with mpmath.workdps(NODE_DIGITS // 2):
         try:
-            found, error = mpmath.quad(integrand, [0, 1], error=True, maxdegree=6)
+            number, error = mpmath.quad(integrand, [0, 1], error=True, maxdegree=6)
         except (ValueError, ZeroDivisionError):
             return None
-        return sp.Float(str(found), 6) if error < abs(found) * ACCURATE else None
+        return sp.Float(str(number), 6) if error < abs(number) * ACCURATE else None
 
 
 def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
@@ -174,5 +174,5 @@ def _integral(e: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
     base, exponent = rest.as_base_exp()
     if base.is_polynomial(x) and sp.degree(base, x) == 1 and exponent.is_Rational and exponent != -1:
         return share * base ** (exponent + 1) / ((exponent + 1) * base.diff(x))
-    found = antiderivative(rest, x)
-    return None if found is None else share * found
+    integral = antiderivative(rest, x)
+    return None if integral is None else share * integral

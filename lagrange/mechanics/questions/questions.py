@@ -178,12 +178,12 @@ class _Search:
             for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
                 if route is Route.INTEGRALS and not used:
                     break
-                found = self._eliminated(used)
-                if found.never:
+                elimination = self._eliminated(used)
+                if elimination.never:
                     raise ProblemError(never_holds(self.question, outright=route is Route.STATE))
-                if found.branches and found.solved and not found.free:
-                    return self._chosen(route, found, used)
-                free = found.free
+                if elimination.branches and elimination.solved and not elimination.free:
+                    return self._chosen(route, elimination, used)
+                free = elimination.free
             asked = None if self._is_about_time else self._in_time()
             if asked is not None:
                 return asked
@@ -207,7 +207,7 @@ class _Search:
             return None
         if not numerical.is_available():
             return replace(self._asked(Route.NUMBERS), needs=numerical.EXTRA)
-        found = numerical.first_value(
+        value = numerical.first_value(
             {a: e.xreplace(values) for a, e in known.items()},
             {s: e.xreplace(values) for s, e in self.setting.initial.items()},
             self.slots.coordinates,
@@ -216,9 +216,9 @@ class _Search:
             self.quantity.xreplace(values),
             [f.xreplace(values) for f in self.configuration.finite_constraints],
         )
-        if found is None:
+        if value is None:
             return None
-        number = sp.Float(found, 6)
+        number = sp.Float(value, 6)
         branch = AnswerBranch(self.question.quantity, number, (number,))
         return replace(self._asked(Route.NUMBERS, How.NUMERICAL, ()), branches=(branch,), verified=None)
 
@@ -259,26 +259,26 @@ class _Search:
             unknowns.append(self.parameter)
         velocities = [v for v in self.slots.velocities if v in unknowns]
         quantity = self.quantity.xreplace(self.rule)
-        found = eliminated(equations, quantity, unknowns, velocities, self.question.quantity)
+        elimination = eliminated(equations, quantity, unknowns, velocities, self.question.quantity)
         if not self.rule:
-            return found
-        states = [tuple(completed(s, self.rule, moving) for s in b.states) for b in found.branches]
-        branches = tuple(replace(b, states=s) for b, s in zip(found.branches, states, strict=True))
-        return replace(found, branches=branches)
+            return elimination
+        states = [tuple(completed(s, self.rule, moving) for s in b.states) for b in elimination.branches]
+        branches = tuple(replace(b, states=s) for b, s in zip(elimination.branches, states, strict=True))
+        return replace(elimination, branches=branches)
 
     @property
     def _is_at_start(self) -> bool:
         """Whether the question is about the initial state: `when: t = 0`."""
         return any(c.function in (t, -t) for c in self.question.when)
 
-    def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
+    def _chosen(self, route: Route, elimination: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
-        inside = (in_ranges(b, self.configuration, self.setting.values) for b in found.branches)
-        found = replace(found, branches=tuple(b for b in inside if b is not None))
-        parted = [self._with_stated_slip(b) for b in found.branches]
+        inside = (in_ranges(b, self.configuration, self.setting.values) for b in elimination.branches)
+        elimination = replace(elimination, branches=tuple(b for b in inside if b is not None))
+        parted = [self._with_stated_slip(b) for b in elimination.branches]
         lasting = [b for b in parted if b is not None]
-        against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
+        against = [b for b, kept in zip(elimination.branches, parted, strict=True) if kept is None]
         chosen = first_branches(lasting, replace(self._beginning, values={}), reached, self.question.by, quantity)
         if sum(not b.excluded_by(self.setting.values) for b in chosen.branches) > 1:
             chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
@@ -308,20 +308,20 @@ class _Search:
             branches=tuple(shown(b) for b in branches),
             dropped=tuple((shown(b), why) for b, why in dropped),
             mirrored=chosen.mirrored,
-            verified=found.verified,
+            verified=elimination.verified,
         )
 
     def _at_the_start(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
         """The initial state, where the conditions hold there and at no later time: the force on the crest of a hill."""
-        found = []
+        values = []
         for b in branches:
             known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
             start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
             beginning = replace(self._beginning, initial=start)
             states = [s for s in b.states if beginning.is_initial(s)]
             if states and not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1):
-                found.append(b.at(states))
-        return found
+                values.append(b.at(states))
+        return values
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
         """The branch without a doubt, where the solution in time comes to the same value."""
@@ -443,10 +443,10 @@ class _Search:
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
-            found = self._at_time_of(m)
-            if found is None:
+            at_time = self._at_time_of(m)
+            if at_time is None:
                 return None
-            lasting = [self._while_slipping(b, m) for b in found]
+            lasting = [self._while_slipping(b, m) for b in at_time]
             ended = ended or None in lasting
             branches += [b for b in lasting if b is not None]
         if ended and not branches:
@@ -535,10 +535,10 @@ class _Search:
         conditions = tuple(dict.fromkeys((*motion.conditions, *root.conditions)))
         left = [e.xreplace(rule) for e in rest]
         if self.parameter is not None:
-            found = eliminated(left, called, [self.parameter], [], called)
-            if not found.solved or found.free:
+            elimination = eliminated(left, called, [self.parameter], [], called)
+            if not elimination.solved or elimination.free:
                 return None
-            right = [b for b in found.branches if not all(sign_of(v) == -1 for v in b.values)]
+            right = [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
             return [replace(b, conditions=b.conditions) for b in right]
         if any(is_zero(e) is not True for e in left):
             return None
@@ -565,12 +565,12 @@ class _Search:
         rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
         equations = [*(i.expression - i.value for i in used), *self.configuration.finite_constraints, *rates]
         unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
-        found = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
+        elimination = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
         way = sign_of_value(end - initial[q])
-        if way not in (1, -1) or not found.branches:
+        if way not in (1, -1) or not elimination.branches:
             return None
-        conditions = found.branches[0].conditions
-        speed = next((v for b in found.branches for v in b.values if sign_of_value(v) in (way, None)), None)
+        conditions = elimination.branches[0].conditions
+        speed = next((v for b in elimination.branches for v in b.values if sign_of_value(v) in (way, None)), None)
         if speed is None:
             return None
         integrand = (q, under_one_root(speed), initial[q], end)

@@ -99,15 +99,15 @@ class Path:
 
     def _either_way(self, end: sp.Expr) -> Reach:
         """From rest, where letters leave open which of the two places is the larger: both orders must agree."""
-        found = []
+        ends = []
         for relation in (">", "<"):
             order = SignCondition(end - self.start, relation, sp.S.Zero)
             path = replace(self, known=(*self.known, order))
             way = path._sign(self._value(self.square.diff(self.q), self.start))
             if path._sign(end - self.start) is None:
                 return Reach(Reached.OPEN)
-            found.append(replace(path, direction=way).to(end))
-        return found[0] if found[0] == found[1] else Reach(Reached.OPEN)
+            ends.append(replace(path, direction=way).to(end))
+        return ends[0] if ends[0] == ends[1] else Reach(Reached.OPEN)
 
     def _is_next_turn(self, end: sp.Expr, way: int) -> bool:
         """Whether q_1 is a turning point, and no other lies before it."""
@@ -187,10 +187,10 @@ class Path:
         if in_numbers.free_symbols != {self.q} or None in ends or ends[0] == ends[1]:
             return Reach(Reached.OPEN)
         low, high = sorted(float(x) for x in ends if x is not None)
-        found = real_roots([in_numbers], [self.q], [(low, high)])
-        heights = [self._number(self._at(r.values[0])) for r in found.roots]
-        inside = [h for r, h in zip(found.roots, heights, strict=True) if low < r.values[0] < high]
-        if not found.complete or None in inside:
+        roots = real_roots([in_numbers], [self.q], [(low, high)])
+        heights = [self._number(self._at(r.values[0])) for r in roots.roots]
+        inside = [h for r, h in zip(roots.roots, heights, strict=True) if low < r.values[0] < high]
+        if not roots.complete or None in inside:
             return Reach(Reached.OPEN)
         return Reach(Reached.NEVER if any(h < 0 for h in inside if h is not None) else Reached.YES)
 
@@ -208,9 +208,9 @@ class Path:
 
     def _zeros(self, e: sp.Expr) -> list[tuple[sp.Expr, tuple[SignCondition, ...]]] | None:
         """All zeros in closed form, those of a periodic function over some periods; None where they are not found."""
-        found = _zeros_of(e, self.q)
+        zeros = _zeros_of(e, self.q)
         turns: Sequence[int] = range(-2, 3) if self._is_periodic else range(1)
-        return None if found is None else [(p + 2 * sp.pi * n, c) for p, c in found for n in turns]
+        return None if zeros is None else [(p + 2 * sp.pi * n, c) for p, c in zeros for n in turns]
 
     def _at(self, place: sp.Expr) -> sp.Expr:
         return self._value(self.square, place)
@@ -237,12 +237,12 @@ def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondit
     """All zeros in closed form, of a periodic function in one period; None where they are not found."""
     if sign_of(e) in (1, -1):
         return ()
-    found = eliminated([e], q, [q], [], q)
-    if found.never:
+    elimination = eliminated([e], q, [q], [], q)
+    if elimination.never:
         return ()
-    if not found.solved or found.free or found.verified is not True:
+    if not elimination.solved or elimination.free or elimination.verified is not True:
         return None
-    return tuple((v, b.conditions) for b in found.branches for v in b.values)
+    return tuple((v, b.conditions) for b in elimination.branches for v in b.values)
 
 
 def place_stated(when: sp.Expr, setting: Setting, beginning: Beginning) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -97,10 +97,10 @@ class Setting:
         velocities = [v for v in slots.velocities if v in unknowns]
         if not used or prime(q) in rule:
             return None
-        found = eliminated(equations, prime(q) ** 2, unknowns, velocities, prime(q) ** 2)
-        values = {v for b in found.branches for v in b.values}
+        elimination = eliminated(equations, prime(q) ** 2, unknowns, velocities, prime(q) ** 2)
+        values = {v for b in elimination.branches for v in b.values}
         moving = {*self.place.moving} - {q}
-        if not found.solved or found.free or len(values) != 1:
+        if not elimination.solved or elimination.free or len(values) != 1:
             return None
         [value] = values
         return value if value.free_symbols.isdisjoint(moving) else None

@@ -101,23 +101,23 @@ class Meanings:
 
 def meanings(place: Place) -> Meanings:
     """The meanings of all symbols that questions may use, in the coordinates of a place."""
-    found: dict[sp.Symbol, sp.Expr | None] = {}
+    meant: dict[sp.Symbol, sp.Expr | None] = {}
     reactions = place.dynamics.reactions
     for r in place.law.newton.reactions:
         value = None if reactions is None else reactions.multipliers.get(r.name)
         size = None if reactions is None else reactions.sizes.get(r.name)
-        found[r.multiplier] = value
+        meant[r.multiplier] = value
         if r.symbol is not None:
-            found[r.symbol] = size
+            meant[r.symbol] = size
         if r.force != r.multiplier:
-            found[r.force] = size
+            meant[r.force] = size
     energy = {KINETIC_ENERGY: textbook_form(kinetic_energy(place.configuration))}
     total = next((i.expression for i in place.conserved.integrals if i.quantity.value == "energy"), None)
     if place.conserved.energy is not None and not place.conserved.energy.hidden:
         total = place.conserved.energy.expression
     if total is not None:
         energy[ENERGY] = total
-    return Meanings(_accelerations(place), found, energy)
+    return Meanings(_accelerations(place), meant, energy)
 
 
 def _accelerations(place: Place) -> Values:
@@ -204,8 +204,8 @@ def with_senses(
     at_rest = {f.coefficient: f.static for f in frictions if f.static is not None and f.coefficient.is_Symbol}
 
     def sign(e: sp.Expr) -> int | None:
-        found = sign_of(e)
-        return sign_of(e.xreplace(dict(values))) if found is None and e.free_symbols <= values.keys() else found
+        sense = sign_of(e)
+        return sign_of(e.xreplace(dict(values))) if sense is None and e.free_symbols <= values.keys() else sense
 
     for a, value in known.accelerations.items():
         v = sp.Symbol(a.name[:-1], real=True)
@@ -303,14 +303,14 @@ def _from_choices(
 ) -> dict[sp.Symbol, sp.Expr]:
     """The file's coordinates and velocities where those of a choice are given: x = l sin θ."""
     values = {s: v.value for s, v in given.items()}
-    found = {}
+    by_choice = {}
     for configuration in others:
         moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
         for s, e in configuration.substitution.items():
             value = _at_start(e).xreplace(values)
             if s in wanted and value.free_symbols.isdisjoint(moving):
-                found[s] = value
-    return found
+                by_choice[s] = value
+    return by_choice
 
 
 def _positions(
@@ -335,10 +335,10 @@ def _velocities(
     equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol], known: Values
 ) -> dict[sp.Symbol, sp.Expr]:
     """The velocities that equations linear in them determine beside those that are known."""
-    found: dict[sp.Symbol, sp.Expr] = {}
+    rates: dict[sp.Symbol, sp.Expr] = {}
     for _ in velocities:
         for e in equations:
-            e = e.xreplace(found)
+            e = e.xreplace(rates)
             unknown = [v for v in velocities if v in e.free_symbols]
             if len(unknown) != 1:
                 continue
@@ -346,8 +346,8 @@ def _velocities(
             slope = e.diff(v)
             if v in slope.free_symbols or is_zero(slope) is not False:
                 continue
-            found[v] = tidy_quotient(-e.xreplace({v: sp.S.Zero}) / slope)
-    return {v: value for v, value in found.items() if v not in known}
+            rates[v] = tidy_quotient(-e.xreplace({v: sp.S.Zero}) / slope)
+    return {v: value for v, value in rates.items() if v not in known}
 
 
 def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]) -> None:

@@ -113,9 +113,9 @@ def _terms(e: sp.Expr, known: Known) -> Iterator[Term]:
         number = term.as_coeff_Mul()[0]
         if term.is_number or not number.is_Rational or abs(number.p) > LARGEST_COEFFICIENT:
             continue
-        found = dimension(term, known)
-        if found is not None:
-            yield term, found
+        unit = dimension(term, known)
+        if unit is not None:
+            yield term, unit
 
 
 def _called(term: sp.Expr | str) -> str:

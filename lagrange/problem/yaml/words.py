@@ -48,15 +48,15 @@ def whole_number_in(text: str) -> int | None:
 
 def classes_in(text: str) -> tuple[str, ...]:
     """The classes that a text names; none if there is anything else in it."""
-    found = []
+    classes = []
     for part in filter(None, re.split(_SEPARATOR, text.strip(" ."))):
         negated = re.match(_NEGATED, part)
         word = part[negated.end() :] if negated else part
         meant = [(a, b) for stem, a, b in _STEMS if re.fullmatch(rf"{stem}[a-z]{{0,5}}", word, re.IGNORECASE)]
         if not meant:
             return ()
-        found.append(meant[0][1] if negated else meant[0][0])
-    return tuple(found)
+        classes.append(meant[0][1] if negated else meant[0][0])
+    return tuple(classes)
 
 
 def truth_in(text: str) -> bool | None:

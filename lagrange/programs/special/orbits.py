@@ -116,9 +116,9 @@ class _Orbits:
             centre = self.places[here] - (1 if is_distance else 2) * value * pull / float(pull @ pull)
         for axis in _AXES:
             wanted = numpy.where(concerned[:, None], numpy.cross(axis, self.places - centre), 0.0)
-            found = self._velocities(wanted)
-            if found is not None and numpy.abs(wanted).max() > 1e-6 and abs(float(slope @ found)) < 1e-9:
-                return found
+            velocities = self._velocities(wanted)
+            if velocities is not None and numpy.abs(wanted).max() > 1e-6 and abs(float(slope @ velocities)) < 1e-9:
+                return velocities
         return None
 
     def _concerned(self, slope: Any) -> Any:
@@ -131,9 +131,9 @@ class _Orbits:
 
         free = False
         for axis in _AXES:
-            found = self._velocities(numpy.tile(axis, (len(self.places), 1)))
-            if found is not None:
-                if abs(float(slope @ found)) > 1e-9:
+            velocities = self._velocities(numpy.tile(axis, (len(self.places), 1)))
+            if velocities is not None:
+                if abs(float(slope @ velocities)) > 1e-9:
                     return None
                 free = True
         return self.masses @ self.places / self.masses.sum() if free and len(self.places) > 1 else None
@@ -143,9 +143,11 @@ class _Orbits:
         import numpy
 
         matrix = self.slopes.reshape(-1, self.slopes.shape[2])
-        found = numpy.linalg.lstsq(matrix, wanted.ravel(), rcond=None)[0]
+        velocities = numpy.linalg.lstsq(matrix, wanted.ravel(), rcond=None)[0]
         return (
-            found if numpy.abs(matrix @ found - wanted.ravel()).max() < 1e-9 * (1 + numpy.abs(wanted).max()) else None
+            velocities
+            if numpy.abs(matrix @ velocities - wanted.ravel()).max() < 1e-9 * (1 + numpy.abs(wanted).max())
+            else None
         )
 
     def _rate(self, value: sp.Expr, pattern: Any) -> float | None:

@@ -7,6 +7,7 @@ from itertools import combinations
 import pytest
 import sympy as sp
 
+from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.zero_test import Fields, NoPointError, Surface, agreed
 from lagrange.core.symbols import Sign, Unspecified, prime, t
 
@@ -177,8 +178,13 @@ def test_no_point_is_undecided() -> None:
 
 def test_real_values_are_admissible() -> None:
     surface = Surface([x**2 + y**2 - l**2], [x, y])
-    values = surface.real_values([x, y, l, sqrt(l - m), sp.log(m) + sp.acos(x / l)])
-    assert set(values) == {x, y, l, m}
+    expressions = [x, y, l, sqrt(l - m), sp.log(m) + sp.acos(x / l)]
+
+    def drawn(point: Point) -> dict[sp.Symbol, sp.Float]:
+        point.values(expressions)
+        return {s: sp.Float(point.input(s), 50) for s in (x, y, l, m)}
+
+    [values] = surface.sampled(drawn, 1, real=True)
     assert abs((x**2 + y**2 - l**2).subs(values)) < 1e-45
     assert values[l] > values[m] > 0
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.answers.results.conditions import Stated, explained_conditions
+from lagrange.answers.results.conditions import StatedCondition, explained_conditions
 from tests.answers.results.diagnoses import LADDER, Row, assert_explained
 
 BLOCKS = "stacked-blocks"
@@ -58,5 +58,5 @@ def test_conditions(problem: str, key: str, stated: object, said: str) -> None:
 
 def test_nothing_is_said_of_a_condition_that_no_change_explains() -> None:
     force, weight, mu = sp.symbols("P W mu", positive=True)
-    stated = Stated("P <= W*exp(mu)", weight * sp.exp(mu) - force, equation=False)
+    stated = StatedCondition("P <= W*exp(mu)", weight * sp.exp(mu) - force, equation=False)
     assert explained_conditions([stated], [mu * weight - force], [mu]) == ""

@@ -14,7 +14,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose, Rule
 from lagrange.explain.report import report
-from lagrange.mechanics.dynamics.conservation import Because, Conserved, first_integral
+from lagrange.mechanics.dynamics.conservation import Because, Conserved
 from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import read_problem
 from lagrange.render.json import as_object
@@ -268,16 +268,6 @@ def test_a_virtual_displacement_of_a_skate_gives_a_momentum_although_no_coordina
     assert kinds(found) == [("momentum", "cyclic"), ("momentum", "admitted"), ("energy", "conservative")]
     assert [q.name for q in found.bound] == ["x", "y"]
     assert not found.potential
-
-
-def test_first_integrals_of_others_are_recognised() -> None:
-    found = of(SKATE)
-    x, y, theta = (sp.Symbol(n, real=True) for n in ("x'", "y'", "theta"))
-    turn = sp.Symbol("theta'", real=True)
-    assert first_integral(found.motion, x**2 + y**2) is True
-    assert first_integral(found.motion, x * sp.cos(theta) + y * sp.sin(theta) + 3 * turn**2) is True
-    assert first_integral(found.motion, x) is False
-    assert first_integral(found.motion, x**2 - y**2) is False
 
 
 def test_the_step_says_why_and_json_has_the_multipliers() -> None:

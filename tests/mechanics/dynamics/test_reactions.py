@@ -17,7 +17,6 @@ from lagrange.explain.report import report
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.dynamics.checks import check_reactions
 from lagrange.mechanics.dynamics.limits import MOST_FREE
-from lagrange.mechanics.dynamics.reactions import equilibrium_system, solved_reactions
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
@@ -216,21 +215,6 @@ def test_accelerations_of_free_systems_come_for_free_only_while_small(problem: R
             problem, f"parameters: [m]\ncoordinates: [{', '.join(coordinates[:count])}]\nparticles: {{{particles}}}\n"
         )
         assert (found.own.dynamics.reactions is not None) is known
-
-
-def test_the_same_functions_at_rest(problem: Read) -> None:
-    """A weight held on an incline by its constraints alone: N = m g cos α, the stop bears m g sin α."""
-    found = solution(
-        problem,
-        "parameters: [m, g, alpha]\ncoordinates: [x, y]\n"
-        "let: {down: 'cos(alpha)*i - sin(alpha)*j', away: 'sin(alpha)*i + cos(alpha)*j'}\n"
-        "particles: {P: {mass: m, position: x*down + y*away}}\nconstraints: {plane: y = 0, stop: x = 0}\ngravity: -g*j\n",
-    )
-    system = equilibrium_system(found.own.motion.principle, found.law.used)
-    reactions = solved_reactions(system, found.law.newton, found.law.used, found.own.configuration)
-    assert is_zero(reactions.multipliers["plane"] - value("m*g*cos(alpha)", found)) is True
-    assert is_zero(reactions.multipliers["stop"] + value("m*g*sin(alpha)", found)) is True
-    assert reactions.accelerations == {}
 
 
 # -- answers -----------------------------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ def at_release(
         start = starts[candidate.choice]
         if start is None:
             continue
-        found = _judged(
+        judged = _judged(
             components,
             verdict,
             candidate,
@@ -63,9 +63,9 @@ def at_release(
             questions=at_start,
             all_there=len(at_start) == len(questions),
         )
-        if found.verdict is not Verdict.WRONG:
-            return found
-        best = found if best is verdict else best
+        if judged.verdict is not Verdict.WRONG:
+            return judged
+        best = judged if best is verdict else best
     return best
 
 

@@ -45,15 +45,15 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         return None
     best: tuple[int, list[EquationVerdict], int, str] | None = None
     for view in solution.views:
-        found = view.linearization
-        if found is None:
+        linearization = view.linearization
+        if linearization is None:
             continue
-        letters = dict(zip(found.displacements, found.configuration.slots.coordinates, strict=True))
+        letters = dict(zip(linearization.displacements, linearization.configuration.slots.coordinates, strict=True))
         in_letters = any(base(s) in letters for e in equations for s in e.free_symbols)
         if not in_letters and len(working.approximate) < len(readings):
             continue
-        slots = found.displacements if in_letters else found.configuration.slots.coordinates
-        for place in _places(found):
+        slots = linearization.displacements if in_letters else linearization.configuration.slots.coordinates
+        for place in _places(linearization):
             size = len(place.oscillations.free)
             if size > MOST_COORDINATES:
                 continue
@@ -84,11 +84,11 @@ def _verdict(
     return AnswerVerdict(verdict, tuple(parts), missing, notes=(*working.notes, note), name="linear_equations")
 
 
-def _places(found: Linearization) -> Iterator[Place]:
+def _places(linearization: Linearization) -> Iterator[Place]:
     """The equilibria with their linear equations."""
-    for branch, s in zip(found.branches, found.at, strict=True):
+    for branch, s in zip(linearization.branches, linearization.at, strict=True):
         if s is not None:
-            yield from (Place(s, found.equilibrium, branch, point) for point in branch.points)
+            yield from (Place(s, linearization.equilibrium, branch, point) for point in branch.points)
 
 
 def _position(place: Place) -> str:

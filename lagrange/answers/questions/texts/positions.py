@@ -52,14 +52,15 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
     try:
         together = [tuple(understood(a, reference, moving=False).judged) for a in alternatives_of(stated)]
         each = [tuple(understood(a, reference, moving=False).judged) for f in stated for a in alternatives_of([f])]
-        found = [compared_equilibrium(solution, alternatives) for alternatives in (together, each)]
+        verdicts = [compared_equilibrium(solution, alternatives) for alternatives in (together, each)]
     except ProblemError:
         return None
     about = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
     if about and not any(e.branches for e in about):
-        found = [AnswerVerdict(Verdict.UNDECIDED, diagnosis=_NONE_DERIVED)]  # it may be at rest relative to what moves
+        # it may be at rest relative to what moves
+        verdicts = [AnswerVerdict(Verdict.UNDECIDED, diagnosis=_NONE_DERIVED)]
     order = (*_GOOD, Verdict.UNDECIDED, Verdict.WRONG)
-    verdict = min(found, key=lambda v: order.index(v.verdict) if v.verdict in order else len(order))
+    verdict = min(verdicts, key=lambda v: order.index(v.verdict) if v.verdict in order else len(order))
     said = any(_SAID.search(f"{getattr(f, 'beside', '')} {f.whole.source.text[: f.whole.end]}"[-400:]) for f in stated)
     if verdict.verdict not in _GOOD and not said and (rest or not about):
         return None

@@ -29,11 +29,11 @@ def supports_of(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerV
     """The verdict on the lines with forces of supports, and the other lines; None if there are none."""
     if not any("N" in f.text for f in answer):
         return None
-    found = supports(solution)
-    if found is None:
+    derived = supports(solution)
+    if derived is None:
         return None
     reference = reference_of_solution(solution)
-    names = {f"N_{s.point}": s.size for s in found.at if f"N_{s.point}" not in reference.scope.names()}
+    names = {f"N_{s.point}": s.size for s in derived.at if f"N_{s.point}" not in reference.scope.names()}
     forces = {sp.Symbol(n, real=True): size for n, size in names.items()}
     scope = replace(reference.scope, scalars={**reference.scope.scalars, **{s.name: s for s in forces}})
     wider = replace(reference, scope=scope, declared=reference.declared | names.keys())
@@ -56,7 +56,7 @@ def supports_of(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerV
 def _judged(line: GivenEquation, forces: dict[sp.Symbol, sp.Expr], solution: Solution) -> EquationVerdict:
     """The verdict on one line: whether it holds at every equilibrium."""
     text = line.reading.text
-    chosen = (*solution.choices, solution.own)[0]
+    chosen = solution.chosen
     rest = chosen.equilibrium
     assert rest is not None
     holds: set[bool | None] = set()

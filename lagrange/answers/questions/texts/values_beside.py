@@ -32,12 +32,12 @@ _UNANSWERED = "it answers none of the questions"
 def working_beside(rest: Sequence[Fragment], answer: Sequence[Fragment], reference: Reference) -> list[Fragment]:
     """The lines that cannot be read only because of names that other lines state, or of v, the speed at some place."""
     labels = {name for f in answer if (name := label_of(f))} | _SPEEDS
-    found = []
+    values = []
     for f in rest:
         names = {*undeclared(read_as_written(f, reference.scope_of_answers), f.text)}
         if names and names <= labels:
-            found.append(f)
-    return found
+            values.append(f)
+    return values
 
 
 def only_beside(working: Working, reference: Reference) -> bool:

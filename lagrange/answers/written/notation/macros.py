@@ -41,20 +41,20 @@ def macros_of(text: str) -> dict[str, Macro]:
     if not re.search(r"\\(?:(?:re)?newcommand|providecommand|def|DeclareMathOperator)(?![a-z])", text):
         return {}
     ends = closings(text)
-    found: dict[str, Macro] = {}
+    macros: dict[str, Macro] = {}
     for match in _DEFINES.finditer(text):
         end = ends.get(match.end())
-        if end is None or len(found) >= _MOST or end - match.end() > _LONGEST:
+        if end is None or len(macros) >= _MOST or end - match.end() > _LONGEST:
             continue
         body = text[match.end() + 1 : end]
         if match["operator"]:
-            found[match["operator"]] = Macro(rf"\operatorname{{{body}}}")
+            macros[match["operator"]] = Macro(rf"\operatorname{{{body}}}")
             continue
-        body = _expanded(body, found)
+        body = _expanded(body, macros)
         if len(body) <= _LONGEST:
             number = int(match["arguments"] or 0) or (match["pattern"] or "").count("#")
-            found[match["name"] or match["bare"] or match["old"]] = Macro(body, number)
-    return found
+            macros[match["name"] or match["bare"] or match["old"]] = Macro(body, number)
+    return macros
 
 
 def with_macros(fragment: Fragment, macros: Mapping[str, Macro]) -> Fragment:

@@ -211,7 +211,7 @@ def _is_zero_after(text: str) -> bool:
 
 def _lists(text: str) -> list[_Written]:
     """The outermost lists of several entries."""
-    found: list[_Written] = []
+    lists: list[_Written] = []
     ends = closings(text)
     at = 0
     for start in sorted(ends):
@@ -226,7 +226,7 @@ def _lists(text: str) -> list[_Written]:
             continue  # theta[t]
         inside = text[start + 1 : ends[start]]
         rows = _rows_of_word(inside) if word else _rows_of_list(inside)
-        if rows is None or (len(rows) < 2 and not found):
+        if rows is None or (len(rows) < 2 and not lists):
             continue
         end = ends[start] + 1
         if wrapper is not None:
@@ -234,9 +234,9 @@ def _lists(text: str) -> list[_Written]:
             end, start = (close.end() if close else end), wrapper.start()
         if transposed := _AFTER.match(text, end):
             end = transposed.end()
-        found.append(_Written(start, end, rows))
+        lists.append(_Written(start, end, rows))
         at = end
-    return found
+    return lists
 
 
 def _rows_of_word(inside: str) -> Matrix | None:

@@ -97,10 +97,10 @@ def plain_unit(unit: str) -> str:
 
 def _in_si(number: str, unit: str) -> str:
     """A number in SI, as text; empty if the unit is not known."""
-    found = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
-    if found is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
+    meant = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
+    if meant is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
         return ""
-    return in_one_number(number.strip(), found.factor)
+    return in_one_number(number.strip(), meant.factor)
 
 
 def in_one_number(number: str, factor: sp.Expr) -> str:

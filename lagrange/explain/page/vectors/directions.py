@@ -58,8 +58,8 @@ def _side(side: Mathematics, units: Directions) -> Mathematics:
         return side
     left, terms = side.fixed(), sp.S.Zero
     for _ in range(2):
-        found = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
-        factor, name, rest = min(found, key=lambda split: count_operations(split[0]) + _length(split[2]))
+        along = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
+        factor, name, rest = min(along, key=lambda split: count_operations(split[0]) + _length(split[2]))
         if factor != 0:
             left, terms = rest, terms + factor * VectorSymbol(name)
     beside = [c for c in left.components if c != 0]

@@ -45,14 +45,14 @@ class Drive:
 
 def harmonics(problem: Problem) -> set[sp.Expr]:
     """The frequencies of the sines and cosines of time in a problem; those that are no frequencies of t as `nan`."""
-    found: set[sp.Expr] = set()
+    frequencies: set[sp.Expr] = set()
     for e in _expressions(problem):
         for f in e.atoms(sp.sin, sp.cos):
             if f.args[0].has(t):
                 slope = sp.diff(f.args[0], t)
                 moving = {t, *problem.slots.coordinates, *problem.slots.velocities}
-                found.add(sp.nan if not slope.free_symbols.isdisjoint(moving) else _positive(slope))
-    return found
+                frequencies.add(sp.nan if not slope.free_symbols.isdisjoint(moving) else _positive(slope))
+    return frequencies
 
 
 def time_beside_harmonics(problem: Problem) -> bool:
@@ -125,10 +125,10 @@ _PARTS = ("particles", "bodies", "constraints", "forces", "gravity", "lagrangian
 
 
 def _expressions(problem: Problem) -> Iterator[sp.Expr]:
-    found: list[sp.Expr] = []
+    expressions: list[sp.Expr] = []
     for name in _PARTS:
-        _walked(getattr(problem, name), lambda e: found.append(e) or e)  # type: ignore[func-returns-value]
-    yield from found
+        _walked(getattr(problem, name), lambda e: expressions.append(e) or e)  # type: ignore[func-returns-value]
+    yield from expressions
 
 
 def _mapped(problem: Problem, change: Callable[[sp.Expr], sp.Expr]) -> Problem:

@@ -64,9 +64,9 @@ class ForcedEquations:
     @property
     def free(self) -> SmallOscillations:
         """The equations without the drive."""
-        found = self.linearization.at[self.number]
-        assert found is not None  # only such an equilibrium is chosen
-        return found
+        oscillations = self.linearization.at[self.number]
+        assert oscillations is not None  # only such an equilibrium is chosen
+        return oscillations
 
     @property
     def configuration(self) -> Configuration:
@@ -215,8 +215,8 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
         lag = lag if is_damped else _lag_without_damping(z, determinant, of_cosine, of_sine)
         phases.append(None if lag is None else _by_powers(lag, w))
     cosines, sines, amplitudes = _with_one_sign(cosines, sines, amplitudes)
-    found = tuple(amplitudes)
-    resonances = _resonances(determinant, found, w, is_damped)
+    magnitudes = tuple(amplitudes)
+    resonances = _resonances(determinant, magnitudes, w, is_damped)
     rests = tuple(_rests(z, determinant, w) if n > 1 else () for z in numerators)
     names = [q.name for q in forced.configuration.slots.coordinates]
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
@@ -294,12 +294,12 @@ def _in_front(coefficient: sp.Expr) -> sp.Expr:
     return sp.Mul(-1, -together, evaluate=False) if together.is_Add and all(minus) else together
 
 
-def extremes(found: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
+def extremes(response: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
     """What the amplitude of the only coordinate tends to as ω → 0 and as ω → ∞; None where it has no limit."""
-    w = found.drive.frequency
-    if len(found.amplitudes) != 1 or not w.is_Symbol:
+    w = response.drive.frequency
+    if len(response.amplitudes) != 1 or not w.is_Symbol:
         return None, None
-    above, below = sp.fraction(sp.cancel(sp.together(found.amplitudes[0] ** 2)))
+    above, below = sp.fraction(sp.cancel(sp.together(response.amplitudes[0] ** 2)))
     if not above.is_polynomial(w) or not below.is_polynomial(w):
         return None, None
     (low, up), (lowest, top) = ((min(p.monoms())[0], p.degree()) for p in (sp.Poly(e, w) for e in (above, below)))
@@ -447,7 +447,7 @@ def _zeros(e: sp.Expr, w: sp.Expr) -> tuple[sp.Expr, ...]:
     if not w.is_Symbol:
         return ()
     square = sp.Dummy("square", positive=True)
-    found: list[sp.Expr] = []
+    zeros: list[sp.Expr] = []
     for f in sp.Mul.make_args(sp.factor(sp.expand(e))):
         base = f.as_base_exp()[0]
         if not base.has(w):
@@ -461,17 +461,17 @@ def _zeros(e: sp.Expr, w: sp.Expr) -> tuple[sp.Expr, ...]:
         p = sp.Poly(sp.Add(*(c * square ** (k // 2) for (k,), c in polynomial.terms())), square)
         if p.degree() == 1:
             a, b = p.all_coeffs()
-            found.append(sp.factor(-b / a))
+            zeros.append(sp.factor(-b / a))
         elif p.degree() == 2:
             a, b, c = p.all_coeffs()
             inner = sp.factor(b**2 - 4 * a * c)
-            found += [sp.factor_terms((-b + sign * sp.sqrt(inner)) / (2 * a)) for sign in (-1, 1)]
-    return tuple(v for v in found if not v.is_nonpositive)
+            zeros += [sp.factor_terms((-b + sign * sp.sqrt(inner)) / (2 * a)) for sign in (-1, 1)]
+    return tuple(v for v in zeros if not v.is_nonpositive)
 
 
-def check_response(found: Response) -> list[Check]:
+def check_response(response: Response) -> list[Check]:
     """The real steady state substituted into the linear equations, and into Lagrange's equations to first order."""
-    forced, drive = found.forced, found.drive
+    forced, drive = response.forced, response.drive
     w, system = drive.frequency, forced.free.system
     surface = Surface()
     residuals = []
@@ -479,7 +479,7 @@ def check_response(found: Response) -> list[Check]:
         left = sp.Add(
             *(
                 system.mass[i][j] * sp.diff(x, t, 2) + system.damping[i][j] * sp.diff(x, t) + system.stiffness[i][j] * x
-                for j, x in enumerate(found.motions)
+                for j, x in enumerate(response.motions)
             )
         )
         difference = sp.expand(left - f)
@@ -488,7 +488,7 @@ def check_response(found: Response) -> list[Check]:
     holds = all_hold(surface.is_zero(e) for e in residuals)
     squares = [
         surface.is_zero(a**2 - p**2 - q**2)
-        for a, p, q in zip(found.amplitudes, found.cosines, found.sines, strict=True)
+        for a, p, q in zip(response.amplitudes, response.cosines, response.sines, strict=True)
     ]
     name = forced.configuration.name
     how = "exact, by substitution"

@@ -263,9 +263,9 @@ def at_rest(
     sought = sought_forces(problem, belt_laws(problem, newton, configuration))
     between = tensions_between(problem, loading)
     if between:
-        found = _at_rest(problem, newton, original, configuration, work, tuple(s for s in sought if s not in between))
-        if all(found.cases):
-            return found
+        held = _at_rest(problem, newton, original, configuration, work, tuple(s for s in sought if s not in between))
+        if all(held.cases):
+            return held
     return _at_rest(problem, newton, original, configuration, work, sought)
 
 
@@ -444,8 +444,8 @@ class _System:
 
 def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
     above, _ = sp.fraction(sp.together(pivot))
-    found = factors(above)
-    return [pivot] if found is None else [f for f in found if signs.of(f) is None]
+    split = factors(above)
+    return [pivot] if split is None else [f for f in split if signs.of(f) is None]
 
 
 def _cases(
@@ -488,25 +488,25 @@ def _sum(a: Inequality, b: Inequality) -> Inequality:
 
 def _one_sided(solved: _Solved, newton: Newton) -> list[Inequality]:
     """That one-sided constraints only push or pull."""
-    found = []
+    inequalities = []
     for r in newton.reactions:
         side = r.constraint.side
         if side is not None:
-            found.append(_scaled(sp.Integer(1 if r.named else side), solved.linear[r.force]))
-    return found
+            inequalities.append(_scaled(sp.Integer(1 if r.named else side), solved.linear[r.force]))
+    return inequalities
 
 
 def _in_cones(solved: _Solved, contacts: Sequence[RoughContact]) -> list[Inequality]:
     """μ N ± F ≥ 0 in each contact, and N ≥ 0."""
-    found = []
+    inequalities = []
     for c in contacts:
         assert c.sign is not None
         pressed = _scaled(c.sign * c.normal, solved.linear[c.reaction.force])
         most, [force] = _scaled(c.coefficient, pressed), c.components
-        found += [_sum(most, _scaled(sp.Integer(s), solved.linear[force])) for s in (1, -1)]
+        inequalities += [_sum(most, _scaled(sp.Integer(s), solved.linear[force])) for s in (1, -1)]
         if c.reaction.constraint.side is None:
-            found.append(pressed)
-    return found
+            inequalities.append(pressed)
+    return inequalities
 
 
 def _on_drums(solved: _Solved, belts: Sequence[BeltLaw]) -> list[Inequality]:
@@ -563,10 +563,10 @@ def _determined(
             for side in (1, -1):
                 conditions += not_negative(c.coefficient * pressed + side * friction[0], wanted, signs)
             continue
-        found = bounded_by(friction, pressed, c.coefficient, c.sign is not None, signs)
-        if found is None:
+        bound = bounded_by(friction, pressed, c.coefficient, c.sign is not None, signs)
+        if bound is None:
             return None
-        conditions += found
+        conditions += bound
     for reserve in _on_drums(solved, belts):
         if signs.of(reserve.constant) == -1:
             return None

@@ -28,14 +28,14 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
         solved = solutions(finite, used)
     except (NotAlgebraicError, DivisionByZeroError):
         return {}
-    found = []
+    held = []
     for b in solved.branches:
         values = {r.lhs: r.rhs for r in b.relations if r.lhs in used and r.rhs.free_symbols.isdisjoint(used)}
         if b.left or b.special or len(values) < len(used):
             return {}
         if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
-            found.append(values)
-    return found[0] if len(found) == 1 else {}
+            held.append(values)
+    return held[0] if len(held) == 1 else {}
 
 
 def _held_outright(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:

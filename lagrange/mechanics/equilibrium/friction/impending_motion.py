@@ -101,15 +101,15 @@ def impending_motions(
     given = _given_senses(problem, newton, contacts, statics.original, configuration)
     open_ = [c.name for c in contacts if c.name not in given]
     signs = Signs({p.symbol for p in problem.parameters})
-    found = []
+    motions = []
     tied = _tied(contacts, statics, configuration)
     for chosen in product((1, -1), repeat=len(open_)):
         senses = given | dict(zip(open_, chosen, strict=True))
         for signed in _signed(contacts):
             motion = _at_limit(problem, newton, statics, configuration, elimination, signed, belts, senses, signs)
             if motion is not None and _can_slip(motion, open_, tied, signs):
-                found.append(motion)
-    return tuple(found)
+                motions.append(motion)
+    return tuple(motions)
 
 
 def _tied(
@@ -312,9 +312,9 @@ def _sign_there(
     Where letters leave it open, the values of the problem decide, with the unknown forces that the equilibrium gives.
     """
     force = (c.sign or 1) * pressed[c.reaction.force]
-    found = _signs_at(force, resting, signs)
-    if None in found and values:
+    signs_there = _signs_at(force, resting, signs)
+    if None in signs_there and values:
         stated = [{r.lhs: r.rhs for r in b.relations if r.lhs.is_Symbol} for b in resting.branches]
         numbers = [force.xreplace(rule).xreplace(dict(values)) for rule in stated]
-        found = {sign_of(n) if n.is_number else None for n in numbers}
-    return found.pop() if len(found) == 1 else None
+        signs_there = {sign_of(n) if n.is_number else None for n in numbers}
+    return signs_there.pop() if len(signs_there) == 1 else None

@@ -161,9 +161,9 @@ def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator
         return
     open_: list[tuple[int, sp.Expr]] = []
     for j in range(width):
-        found = [signs.of(i.coefficients[j]) for i in inequalities]
-        unsure = [i.coefficients[j] for i, s in zip(inequalities, found, strict=True) if s is None]
-        reduced = _without(inequalities, j, found, signs)
+        column_signs = [signs.of(i.coefficients[j]) for i in inequalities]
+        unsure = [i.coefficients[j] for i, s in zip(inequalities, column_signs, strict=True) if s is None]
+        reduced = _without(inequalities, j, column_signs, signs)
         if reduced is not None:
             yield from _cases(reduced, signs, depth)
             return
@@ -177,10 +177,10 @@ def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator
 
 
 def _without(
-    inequalities: Sequence[Inequality], j: int, found: Sequence[int | None], signs: Signs
+    inequalities: Sequence[Inequality], j: int, column_signs: Sequence[int | None], signs: Signs
 ) -> list[Inequality] | None:
     """The inequalities without the unknown s_j; None if a sign that matters is not known."""
-    rest = [(_drop(i, j), i.coefficients[j], s) for i, s in zip(inequalities, found, strict=True)]
+    rest = [(_drop(i, j), i.coefficients[j], s) for i, s in zip(inequalities, column_signs, strict=True)]
     kept = [i for i, _, s in rest if s == 0]
     lower = [(i, c) for i, c, s in rest if s == 1]
     upper = [(i, -c) for i, c, s in rest if s == -1]

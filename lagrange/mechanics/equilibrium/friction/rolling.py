@@ -93,9 +93,9 @@ def rolling(problem: Problem, law: NewtonLaw, motion: Motion, configuration: Con
         sign = f.contact if side is None else 1 if normal.named else side
         assert f.static is not None
         mu = f.static.xreplace(configuration.substitution)
-        found = bounded_by(components or [sp.S.Zero], shortest(pressed * (sign or 1)), mu, sign is not None, signs)
-        possible = possible and found is not None
-        conditions += found or []
+        bound = bounded_by(components or [sp.S.Zero], shortest(pressed * (sign or 1)), mu, sign is not None, signs)
+        possible = possible and bound is not None
+        conditions += bound or []
         size = components[0] if len(components) == 1 else sp.sqrt(shortest(sp.Add(*(c**2 for c in components))))
         sense = signs.of(size)
         size = size * sense if sense is not None else sp.Abs(size)

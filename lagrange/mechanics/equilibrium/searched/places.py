@@ -98,14 +98,14 @@ class _Search:
         if not self.equations or len(self.unknowns) > MOST_SEARCHED_UNKNOWNS:
             return None
         random = Random(2)
-        found = False
+        any_zero = False
         for spread in SPREADS:
             numbers = [_drawn(s, spread, random) for s in self.parameters]
             for tape, place in self._zeros(numbers, random):
-                found = True
+                any_zero = True
                 if not self._is_listed(place, numbers) and self._is_lost(tape, place, numbers):
                     return True
-        return False if found or not self.e.branches else None
+        return False if any_zero or not self.e.branches else None
 
     def _zeros(self, numbers: Sequence[float], random: Random) -> Iterator[tuple[Tape, list[float]]]:
         """Different zeros, each with the equations that it satisfies; half of the work for the equations alone."""

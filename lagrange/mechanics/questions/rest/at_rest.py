@@ -43,15 +43,15 @@ def are_about_rest(problem: Problem) -> bool:
 
 
 def position_of_rest(
-    found: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
+    equilibrium: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
 ) -> Equilibrium:
     """The equilibrium in the file's coordinates, with friction the one at its limit.
 
     first  the question to be named where friction may act in several senses, or the limit was found in other
            coordinates: a ProblemError
     """
-    if found is not None:
-        return found
+    if equilibrium is not None:
+        return equilibrium
     if impending is not None and len(impending) == 1:
         return impending[0].equilibrium
     if impending:
@@ -100,13 +100,13 @@ def _answer(
     if question.by is not None:
         unknowns.remove(question.by)
     equations = [*(a - b for a, b in conditions), *configuration.finite_constraints, *balance]
-    found = eliminated(equations, quantity, unknowns, (), question.quantity)
+    elimination = eliminated(equations, quantity, unknowns, (), question.quantity)
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    kept = [b for b in (in_ranges(b, configuration, values) for b in found.branches) if b is not None]
-    if found.never or (found.solved and not found.free and not kept):
+    kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
+    if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
-    if found.solved and found.free:
-        raise ProblemError(_not_determined(question, found))
+    if elimination.solved and elimination.free:
+        raise ProblemError(_not_determined(question, elimination))
     used = [
         s
         for s in sizes
@@ -115,13 +115,13 @@ def _answer(
     return Asked(
         question,
         configuration.name,
-        How.EXACT if kept and found.solved else None,
+        How.EXACT if kept and elimination.solved else None,
         Route.REST,
         used=tuple(Substituted(s, sizes[s]) for s in sorted(used, key=str) if sizes[s] != s),
         conditions=conditions,
         quantity=quantity,
-        branches=tuple(kept) if found.solved else (),
-        verified=found.verified,
+        branches=tuple(kept) if elimination.solved else (),
+        verified=elimination.verified,
     )
 
 
@@ -132,8 +132,8 @@ def _never_holds(question: Question) -> Diagnostic:
     return Diagnostic("never-holds", message, first, help=help_)
 
 
-def _not_determined(question: Question, found: Eliminated) -> Diagnostic:
-    listed = ", ".join(f"`{s}`" for s in sorted(found.free, key=str))
+def _not_determined(question: Question, elimination: Eliminated) -> Diagnostic:
+    listed = ", ".join(f"`{s}`" for s in sorted(elimination.free, key=str))
     message = f"the quantity of the question `{question.name}` is not determined: it depends on {listed}"
     help_ = "say in which position it is wanted, with `when`"
     return Diagnostic("not-determined", message, question.written.whole, help=help_)

@@ -1,0 +1,29 @@
+"""Sentences on stability without an equation for the position."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.questions.texts.stability_alone import check_stability, is_about_stability
+from lagrange.answers.references import reference_of_solution
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment
+from tests.support.shared import solved
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("The upright position is stable for W*l < c*b^2 and unstable for W*l > c*b^2.", Verdict.EQUIVALENT),
+        ("stable as long as c*b^2 > W*l", Verdict.EQUIVALENT),
+        ("stable for W*l > c*b^2", Verdict.WRONG),
+        ("stable for W*l < 2*c*b^2", Verdict.WRONG),
+    ],
+)
+def test_the_upright_pendulum_between_springs(line: str, verdict: Verdict) -> None:
+    """V'' = b² c − W l at the top."""
+    solution = solved("inverted-pendulum-springs")
+    assert is_about_stability(line)
+    answer = check_stability([Fragment.of(line)], solution, reference_of_solution(solution))
+    assert answer is not None
+    assert answer.verdict is verdict
