@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import gc
 import sys
-from pathlib import PurePath
 from typing import TYPE_CHECKING
 
 import click
@@ -217,6 +216,8 @@ def _checking(problem: Problem, answer_file: str | None, equations: tuple[str, .
     given = stated_equations(equations)
     if answer_file is None:
         return lambda examiner: examiner.check(given)
+    from pathlib import PurePath
+
     from lagrange.answers.submissions import answer_to
 
     source, ending = answer_source(answer_file), PurePath(answer_file).suffix

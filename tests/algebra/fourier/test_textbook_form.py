@@ -281,8 +281,11 @@ def test_forms(expression: sp.Expr, expected: sp.Expr) -> None:
 
 
 def test_one_product_of_sines_has_one_coefficient() -> None:
-    """(R - r) cos θ, and not R cos θ - r cos θ; a force of several waves keeps its terms."""
-    assert textbook_form(r * cos(theta) - R * cos(theta)) == -(R - r) * cos(theta)
+    """(R - l) cos θ, and not R cos θ - l cos θ; what may have either sign stays apart."""
+    joined = textbook_form(l * cos(theta) - R * cos(theta))
+    assert joined.is_Mul
+    assert sp.expand(joined - (l - R) * cos(theta)) == 0
+    assert textbook_form((m * g + N) * cos(theta)) == m * g * cos(theta) + N * cos(theta)
 
 
 def test_roots_of_sums_with_negative_exponents() -> None:
