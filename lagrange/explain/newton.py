@@ -124,7 +124,7 @@ def _force(reaction: Reaction) -> list[Prose]:
     called, single = constraints_called([reaction.name]), reaction.single
     if _is_tension(reaction) and single is not None:
         by = reaction.constraint.by
-        keeper = f", {KEEPERS[by]}," if by is not None else ""
+        keeper = f", {KEEPERS[by]}," if by is not None and by.value not in called else ""
         if reaction.symbol_of_force is None:
             what: tuple[Part, ...] = ("a tension. It is ", math(single.factor * reaction.multiplier))
         else:

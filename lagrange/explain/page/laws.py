@@ -59,8 +59,22 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
-    ]
+        *(prose("The component of the force on ", the(b.name), " along ", math(unit), " is balanced by what keeps "
+                f"{the(b.name)} from moving along it, which does no virtual work and is not shown.")
+          for b in bodies if (unit := _held(b)) is not None),
+    ]  # fmt: skip
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def _held(body: FreeBody) -> sp.Symbol | None:
+    """The fixed direction in which the particle cannot be placed elsewhere, although a force acts along it."""
+    applied = body.applied.fixed()
+    for unit, force, *moved in zip(
+        applied.triad.units, applied.components, *(p.fixed().components for p in body.particle.partials), strict=True
+    ):
+        if force != 0 and not any(moved):
+            return unit
+    return None
 
 
 def _together(blocks: Sequence[Block]) -> list[Block]:

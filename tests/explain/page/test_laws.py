@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Rule
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
 from tests.support.derivation_text import said_in
 
 
@@ -18,3 +22,21 @@ from tests.support.derivation_text import said_in
 )
 def test_what_is_said_of_reactions(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule, on_page=True)
+
+
+TABLE = """title: A string through a hole in a table
+parameters: [m, M, L, g]
+coordinates: [r, phi, z]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {A: {mass: m, position: r*e_r}, B: {mass: M, position: -z*k}}
+constraints: {string: {equation: r + z = L, by: string, reaction: S}}
+gravity: -g*k
+"""
+
+
+def test_a_weight_that_a_table_balances_is_accounted_for() -> None:
+    """Newton's law of A has a component along k that no coordinate moves along, and no reaction shown has one."""
+    found = report(read_problem(Source("table.yaml", TABLE)), complete=False)
+    page = " ".join(terminal.text(found.derivation, found.notation, 80).split())
+    assert "The component of the force on A along 𝐤 is balanced by what keeps A from moving along it" in page
+    assert "The string constraint keeps a length constant: its reaction is the tension S" in page
