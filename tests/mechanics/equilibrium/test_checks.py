@@ -39,9 +39,8 @@ def test_virtual_work_with_twice_the_forces_fails(name: str) -> None:
     assert passed(replace(resting, work=work))[FORCES] is False
 
 
-@pytest.mark.parametrize("name", ["roberval-balance", "inverted-pendulum-springs"])
-def test_an_equilibrium_that_is_stated_elsewhere_fails(name: str) -> None:
-    resting = at_rest(name)
+def test_an_equilibrium_that_is_stated_elsewhere_fails() -> None:
+    resting = at_rest("roberval-balance")
     [(k, relation)] = [(k, r) for k, b in enumerate(resting.branches) for r in b.relations if r.rhs.free_symbols]
     moved = replace(resting.branches[k], relations=(replace(relation, rhs=relation.rhs / 2),))
     branches = (*resting.branches[:k], moved, *resting.branches[k + 1 :])
