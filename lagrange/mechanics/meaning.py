@@ -194,7 +194,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         if to == sp.oo and not any(e.free_symbols & constants for e in limit):
             continue  # of what the problem is about nothing is left
         if to == sp.oo and _only_stops(limit, equations, view):
-            continue  # what is very heavy is not accelerated, which nobody needs to be told
+            continue  # what is very heavy is not accelerated: trivial
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost

@@ -1,4 +1,4 @@
-"""Wrong answers in a text, each worked out from a wrong model, and the physical cause that they are told."""
+"""Wrong answers in a text, each worked out from a wrong model, and the physical cause that the feedback names."""
 
 from __future__ import annotations
 
