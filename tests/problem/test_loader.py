@@ -14,12 +14,7 @@ from lagrange.problem.model import (
 )
 from lagrange.problem.sources import decode
 from tests.support.chance import examples
-from tests.support.problem_texts import HEAD, mistakes, places, read, readings
-
-PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
-BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
-ROD = "constraints: {rod: x^2 + y^2 = l^2}\n"
-ALL = HEAD + PARTICLES + BODY + ROD
+from tests.support.problem_texts import ALL, HEAD, PARTICLES, mistakes, places, read, readings
 
 x, y, theta = (sp.Symbol(n, real=True) for n in ("x", "y", "theta"))
 m, l, g, k, c, F, R, mu, A, C, I_G = sp.symbols("m l g k c F R mu A C I_G", positive=True)

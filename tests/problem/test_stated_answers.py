@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from tests.support.problem_texts import HEAD, places, read
-
-PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
-BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
-ROD = "constraints: {rod: x^2 + y^2 = l^2}\n"
-ALL = HEAD + PARTICLES + BODY + ROD
+from tests.support.problem_texts import ALL, places, read
 
 
 def test_answers() -> None:

@@ -15,6 +15,10 @@ HEAD = """title: Example
 parameters: [m, l, g, k, c, F, R, mu, A, C, I_G]
 coordinates: [x, y, theta]
 """
+PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
+BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
+ROD = "constraints: {rod: x^2 + y^2 = l^2}\n"
+ALL = HEAD + PARTICLES + BODY + ROD
 
 
 def read(text: str) -> Problem:

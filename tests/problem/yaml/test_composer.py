@@ -12,12 +12,8 @@ from lagrange.core.vectors import Vector
 from lagrange.problem.limits import MAX_BYTES
 from lagrange.problem.loader import load, read_problem
 from lagrange.problem.sources import decode
-from tests.support.problem_texts import HEAD, mistakes, places, read
+from tests.support.problem_texts import ALL, HEAD, mistakes, places, read
 
-PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
-BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
-ROD = "constraints: {rod: x^2 + y^2 = l^2}\n"
-ALL = HEAD + PARTICLES + BODY + ROD
 x, y, theta = (sp.Symbol(n, real=True) for n in ("x", "y", "theta"))
 m, l, g, k, c, F, R, mu, A, C, I_G = sp.symbols("m l g k c F R mu A C I_G", positive=True)
 
