@@ -317,7 +317,7 @@ def newton_equations(
     )
     others = {q for r in reactions for q in r.others}
     idle = {
-        q: sp.Add(*(r.force * r.others[q] for r in reactions if q in r.others), given)
+        q: sp.Add(*(r.force * r.others[q] * r.per_force for r in reactions if q in r.others), given)
         for q, given in zip(configuration.slots.coordinates, _given(configuration) if others else (), strict=False)
         if q in others
     }
@@ -407,7 +407,7 @@ def _reaction(
     if rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod)
     else:
-        single = None if others else single_force(shown, by, acts, placed, configuration, constraint.side)
+        single = single_force(shown, by, acts, placed, configuration, constraint.side, is_whole=not others)
     unnamed = Reaction(
         constraint=constraint,
         row=row,
@@ -547,7 +547,7 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
             work = (textbook_form(moment.dot(about)) * variation(q) for q, about in turned if not about.is_zero)
             shares[r.name] = sp.Add(shares.get(r.name, sp.S.Zero), *work)
             drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
-    on_others = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
+    on_others = sp.Add(*(a * reaction.per_force * variation(q) for q, a in reaction.others.items()))
     is_known = reaction.directions is not None and (shares or on_others != 0)
     virtual = sp.Add(*shares.values(), on_others) if is_known else virtual_displacement(reaction.row, slots)
     solved = dict(elimination.solved(slots))

@@ -88,17 +88,21 @@ def single_force(
     placed: Placed | None,
     configuration: Configuration,
     side: int | None = None,
+    *,
+    is_whole: bool = True,
 ) -> SingleForce | None:
     """The single force that a reaction is, if it is not that of a rod; None if it is none.
 
-    acts  the forces and moments for λ = 1; None if they are not known
-    side  of a one-sided constraint: the force is positive where it pushes or pulls to that side
+    acts      the forces and moments for λ = 1; None if they are not known
+    side      of a one-sided constraint: the force is positive where it pushes or pulls to that side
+    is_whole  whether these are all; a string also acts on the coordinate of a pulley without mass, x + p = L, and
+              has one tension all the same
     """
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
         tension = _tension(keeping, by, acts, placed, configuration)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
-    if acts is None or placed is None or by is Keeper.GEAR:
+    if acts is None or placed is None or by is Keeper.GEAR or not is_whole:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
 
@@ -315,7 +319,7 @@ def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None
     if unit is None:
         return None
     signs = {x.toward if x.share.is_positive else -x.toward for x in placing if x.toward is not None}
-    signs = signs or {-1 if x.share.is_positive else 1 for x in placing}
+    signs = signs or {-1 if x.share.is_positive else 1 for x in lengths}
     if len(signs) != 1:
         return None
     [sign] = signs
