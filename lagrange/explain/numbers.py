@@ -55,7 +55,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule is Rule.STATEMENT:
             yield replace(step, body=(*step.body, *_given(values, digits)))
-        elif step.rule is Rule.RESULT:
+        elif step.rule in (Rule.RESULT, Rule.MEANING):
             yield replace(step, body=tuple(_with_values(b, values, digits, bare, angles) for b in step.body))
         elif step.rule not in RESULTS:
             yield step
@@ -173,7 +173,7 @@ def _blocks(
 
 
 def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Block:
-    """The box at the head, with the number beside each quantity that has one."""
+    """The box at the head, and constant accelerations, with the number beside each quantity that has one."""
     if not isinstance(block, Display):
         return block
     return replace(block, equations=tuple(_with_value(e, values, digits, bare, angles) for e in block.equations))

@@ -34,6 +34,8 @@ LONGEST = 120
 """The most operations of the equations in the result at the head."""
 MOST = 8
 """The most equations there."""
+LONGER = 3
+"""How many times longer than equations with constraints constant accelerations may be that take their place there."""
 LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
 LONGEST_CONDITIONS = 16
@@ -99,7 +101,8 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
-        if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
+        longer = LONGER if len(equations) > solution.classification.degrees_of_freedom else 1
+        if whole and sum(map(_operations, solved)) <= longer * sum(map(_operations, equations)):
             held = {prime(q, 2) for q in _held(view.configuration)}
             kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):

@@ -127,3 +127,18 @@ find: equilibrium
     assert "the equilibria:" in shown
     assert shown.count("or ") == 3
     assert "stable, or" in shown
+
+
+def test_constant_accelerations_have_their_numbers(problem: Callable[[str], Problem]) -> None:
+    """A block on a table and a load on a pulley without mass: (M + 4m) h'' = M g, x'' = -2 h''."""
+    text = """title: A load on a moving pulley
+axes: {j: down}
+parameters: {m: {value: 4 kg}, M: {value: 2 kg}, g: {value: 9.81 m/s^2}, L: positive}
+coordinates: {x: {unit: m}, p: {unit: m}, h: {unit: m}}
+particles: {A: {mass: m, position: -x*i}, B: {mass: M, position: h*j}}
+constraints: {rope: {equation: x + 2*p = L, reaction: S}, hook: {equation: h - p = 0.3, reaction: T, by: string}}
+gravity: g*j
+"""
+    told = box(report(problem(text), complete=False))
+    assert "ḧ = M g/(M + 4m)    that is ḧ = 1.09 m/s²" in told
+    assert "S = 2M m g/(M + 4m)    that is S = 8.72 N" in told

@@ -353,21 +353,38 @@ def test_a_bar_between_two_points_of_a_line_pulls(problem: Read, equation: str, 
     assert sp.simplify(force - tension) == 0
 
 
-def test_tensions_of_a_double_atwood_machine(problem: Read) -> None:
-    """m a = T − m g for each weight by hand: T_1 = 2 T_2 = 8 m_1 m_2 m_3 g/(4 m_2 m_3 + m_1 (m_2 + m_3))."""
-    text = """title: Three weights on two pulleys
+ATWOOD = """title: Three weights on two pulleys
 axes: {j: down}
 parameters: {m_1: {value: 4}, m_2: {value: 3}, m_3: {value: 2}, g: {value: 10}, L: positive, l: positive}
 coordinates: [x, p, y, z]
-particles:
+gravity: g*j
+"""
+FROM_THE_PULLEY = """particles:
   A: {mass: m_1, position: x*j}
   P: {position: p*j}
   B: {mass: m_2, position: (p + y)*j}
   C: {mass: m_3, position: (p + z)*j}
 constraints: {upper: {equation: L = x + p, reaction: T_1}, lower: {equation: y + z = l, reaction: T_2}}
-gravity: g*j
 """
-    reactions = as_object(report(problem(text)))["reactions"]
+FROM_ABOVE = """particles: {A: {mass: m_1, position: x*j}, B: {mass: m_2, position: y*j}, C: {mass: m_3, position: z*j}}
+constraints:
+  upper: {equation: %s, reaction: T_1, by: string}
+  lower: {equation: %s, reaction: T_2, by: string}
+"""
+
+
+@pytest.mark.parametrize(
+    "weights",
+    [
+        FROM_THE_PULLEY,
+        FROM_ABOVE % ("x + p = L", "(y - p) + (z - p) = l"),  # p moves no particle: a pulley without mass
+        FROM_ABOVE % ("L = x + p", "l/2 = y/2 + z/2 - p"),
+    ],
+)
+def test_tensions_of_a_double_atwood_machine(problem: Read, weights: str) -> None:
+    """m a = T − m g for each weight by hand: T_1 = 2 T_2 = 8 m_1 m_2 m_3 g/(4 m_2 m_3 + m_1 (m_2 + m_3))."""
+    found = as_object(report(problem(ATWOOD + weights)))
     expected = 8 * 4 * 3 * 2 * 10 / (4 * 3 * 2 + 4 * 5)
-    assert reactions["upper"]["number"] == pytest.approx(expected)
-    assert reactions["lower"]["number"] == pytest.approx(expected / 2)
+    assert found["reactions"]["upper"]["number"] == pytest.approx(expected)
+    assert found["reactions"]["lower"]["number"] == pytest.approx(expected / 2)
+    assert all(c["passed"] for c in found["checks"])
