@@ -7,7 +7,7 @@ another (x2 = x1 + ...): they are inserted into one another here, and must not b
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -16,14 +16,14 @@ import sympy as sp
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.core.expression_size import Sizes
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import Slots, t
 from lagrange.expressions.limits import MAX_LAYERS, MAX_SIZE
 from lagrange.expressions.reader import Scope
 from lagrange.problem.declared_names import canonical
 from lagrange.problem.frames import coordinate
 from lagrange.problem.keys import CHOICE
 from lagrange.problem.load_context import LoadContext, size
-from lagrange.problem.model import Choice, Speed
+from lagrange.problem.model import Choice, Constraint, Speed
 from lagrange.problem.sections import RATE, SUBSTITUTION, Section, entries_of, items_of, mapping_of, scalar_of
 from lagrange.problem.yaml.nodes import Node, Scalar
 
@@ -100,6 +100,28 @@ def _choice(name: str, key: Scalar, node: Node, context: LoadContext) -> Choice:
         _check_old(items, chosen, context)
         return Choice(name, chosen, None, key.span)
     return Choice(name, chosen, _substitution(what, key.span, substitute, chosen, context), key.span)
+
+
+def choice_relative_to_motion(constraints: Sequence[Constraint], slots: Slots) -> Choice | None:
+    """The coordinates that moving constraints leave, φ = ω t and z = a x² leave x; None if that is not read off.
+
+    Where something rests relative to what moves can be said in these only.
+    """
+    substitute: dict[sp.Symbol, sp.Expr] = {}
+    for c in constraints:
+        sides = [(q, e) for q, e in ((c.lhs, c.rhs), (c.rhs, c.lhs)) if q in slots.coordinates and not e.has(q)]
+        free = [(q, e) for q, e in sides if q not in substitute]
+        if c.kinematic or c.side is not None or not free:
+            return None
+        q, e = free[0]
+        substitute = {old: value.xreplace({q: e}) for old, value in substitute.items()}
+        substitute[q] = e.xreplace(substitute)
+    moving = {t, *slots.prescribed}
+    kept = tuple(q for q in slots.coordinates if q not in substitute)
+    explicit = all(e.free_symbols.isdisjoint(substitute) for e in substitute.values())
+    if not kept or not explicit or all(e.free_symbols.isdisjoint(moving) for e in substitute.values()):
+        return None
+    return Choice("relative", kept, substitute)
 
 
 def _chosen(items: tuple[Node, ...], what: str, context: LoadContext) -> tuple[sp.Symbol, ...]:

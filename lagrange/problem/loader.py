@@ -20,7 +20,7 @@ from lagrange.core.effort import allowed_for
 from lagrange.core.symbols import CONSTANT
 from lagrange.expressions.reader import Scope
 from lagrange.problem.constraints import read_constraints
-from lagrange.problem.coordinate_choices import read_choices, read_speeds
+from lagrange.problem.coordinate_choices import choice_relative_to_motion, read_choices, read_speeds
 from lagrange.problem.declarations import (
     first_scope,
     note_unused,
@@ -153,6 +153,8 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     read = problem
     problem = diagnostics.attempt(lambda: with_dimensions_compared(read, diagnostics.report)) or problem
     find = _find(root.get("find"), problem, diagnostics)
+    if Find.LINEARIZATION in find and not choices and (relative := choice_relative_to_motion(constraints, scope.slots)):
+        problem = replace(problem, choices=(relative,))
     if Find.IMPACT in find and impact is None and not root.has("impact"):
         message = "an impact is asked for, and the file has no `impact`"
         help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"

@@ -31,6 +31,10 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork,
 from lagrange.mechanics.equilibrium.limits import LONGEST_UNSOLVED, MOST_TRIVIAL_COORDINATES
 
 ZERO = sp.S.Zero
+_RELATIVE = (
+    "give coordinates that go along with it: `generalized_coordinates: {relative: {coordinates: [x], "
+    "substitute: {phi: Omega*t}}}`"
+)
 
 
 def equilibria_of_motion(form: MatrixForm, motion: EquationsOfMotion) -> Equilibrium:
@@ -81,7 +85,8 @@ def check_rest(configuration: Configuration) -> None:
             raise NotCoveredError(f"small oscillations with `{row.name}`, which is not linear in the velocities,")
         symbols = {s for e in row.form for s in e.free_symbols}
         if row.drift != 0 or any(is_time(s, configuration) for s in symbols):
-            raise NotCoveredError(f"small oscillations in coordinates that the moving constraint `{row.name}` binds")
+            what = f"small oscillations in coordinates that the moving constraint `{row.name}` binds"
+            raise NotCoveredError(what, cure=_RELATIVE)
 
 
 def is_time(symbol: sp.Symbol, configuration: Configuration) -> bool:
