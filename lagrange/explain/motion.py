@@ -89,7 +89,7 @@ def _principle(configuration: Configuration) -> sp.Expr:
     for load in configuration.loads:
         if load.elsewhere:
             terms.append(-DotProduct(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
-    potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
+    potential = variation(configuration.potential_letter) if configuration.potential != 0 else ZERO
     coordinates = configuration.slots.coordinates
     given = zip(coordinates, given_forces(configuration), strict=False)
     terms += [-given_force(q) * variation(q) for q, f in given if f != 0]

@@ -36,6 +36,7 @@ from lagrange.explain.words import (
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.principle import given_forces
+from lagrange.mechanics.energy_symbols import lagrangian_letter
 from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
 
 _ADJECTIVES = ("horizontal", "vertical")
@@ -259,21 +260,22 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
             blocks += [prose(f"The {force} on {the(f.on)} and its point of application are"), display(*lines)]
     blocks += moments_on(configuration, rough)
     blocks += explain_links(configuration)
-    blocks += _beside_energies(configuration)
+    blocks += _beside_energies(problem, configuration)
     if configuration.potential != 0 and with_potential and not configuration.is_outright:
         blocks += [
             prose("The potential energy is"),
-            display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
+            display(Equation((configuration.potential_letter, configuration.potential), label="potential")),
         ]
     return blocks
 
 
-def _beside_energies(configuration: Configuration) -> list[Block]:
+def _beside_energies(problem: Problem, configuration: Configuration) -> list[Block]:
     """A given Lagrangian; potentials with velocities and generalized forces, with the Q_k that they amount to."""
     X = configuration.velocity_part
     if configuration.is_outright:
-        L = Equation((sp.Symbol("L", real=True), X - configuration.potential), label="given-lagrangian")
-        return [prose("The Lagrangian is given:"), display(L)]
+        L = lagrangian_letter(problem.scope.names())
+        given = Equation((L, X - configuration.potential), label="given-lagrangian")
+        return [prose("The Lagrangian is given:"), display(given)]
     forces = given_forces(configuration)
     pairs = zip(configuration.slots.coordinates, forces, strict=False)
     lines = [Equation((given_force(q), textbook_form(f)), label=f"given-{q.name}") for q, f in pairs if f != 0]

@@ -6,6 +6,7 @@ valid in the language of problem files, so that what is printed with them can be
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -81,6 +82,11 @@ class EnergySymbols:
         return known
 
 
+def lagrangian_letter(taken: Collection[str]) -> sp.Symbol:
+    """L, or another letter where that is taken."""
+    return _symbol(free_letter("L", "Lambda", "L_agr", taken=taken))
+
+
 def energy_symbols(solution: Solution) -> EnergySymbols:
     """The letters that a problem leaves free."""
     problem = solution.problem
@@ -90,13 +96,13 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
         forces |= {s.name for s in solution.law.newton.single_forces}
     taken = {*problem.scope.names(), *chosen, *forces}
     if states_potential(solution):
-        taken.add("V")
+        taken.add(solution.own.configuration.potential_letter.name)
     coordinates = [*(q.name for q in problem.slots.coordinates), *chosen]
     points = [p.name for p in solution.own.configuration.points]
     return EnergySymbols(
         kinetic=_symbol(free_letter("T", "K", "T_kin", taken=taken)),
         potential=_symbol(free_letter("V", "U", "V_pot", taken=taken)),
-        lagrangian=_symbol(free_letter("L", "Lambda", "L_agr", taken=taken)),
+        lagrangian=lagrangian_letter(taken),
         hamiltonian=_symbol(free_letter("H", "H_am", taken=taken)),
         routhian=_symbol(free_letter("R", "L_R", taken=taken)),
         momenta=free_letter("p", "P", "p_gen", taken=taken, of=coordinates),

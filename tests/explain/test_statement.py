@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from lagrange.document.derivation import Display, Rule
 from lagrange.document.math_writer import unicode
+from lagrange.explain.report import report
+from lagrange.problem.model import Problem
+from lagrange.render import terminal
 from tests.support.derivation_text import words
 from tests.support.shared import reported
 
@@ -31,3 +36,29 @@ def test_the_statement_says_what_the_file_writes_for_short() -> None:
     assert [unicode(s) for s in line.sides] == ["n", "sin θ i − cos θ j"]
     forces = reported("chapter6/ex02-fixed-surface").derivation.steps[0]
     assert "F_x, F_y and F_z are unspecified functions of x, y, z, ẋ, ẏ, ż and t." in words(forces)
+
+
+def page(problem: Problem) -> str:
+    told = report(problem, complete=False)
+    return " ".join(terminal.text(told.derivation, told.notation, 100).split())
+
+
+def test_a_length_called_l_and_a_speed_called_v(problem: Callable[[str], Problem]) -> None:
+    """The Lagrangian and the potential energy have other letters, and the same ones in all steps."""
+    chain = """title: A chain
+parameters: [rho, L, g]
+coordinates: [x]
+lagrangian: "rho*L*x'^2/2 + rho*g*x^2/2"
+"""
+    assert "The Lagrangian is given: Λ = ½ L ρ ẋ² + ½ g ρ x² (1)" in page(problem(chain))
+    spring = """title: A spring
+parameters: {m: positive, k: positive, V: positive, l: positive, c: positive}
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {s: {spring: k, between: [O, P], length: l}, drag: {on: P, vector: c*V*i}}
+find: [equilibrium]
+"""
+    found = page(problem(spring))
+    assert "The potential energy is U = ½ k" in found
+    assert "have a potential U, and an equilibrium is stable if U has a strict minimum" in found
+    assert "with the force c V at (9) and −c V at (10)" in found  # and not k [(c V + k l)/k − l]

@@ -13,6 +13,9 @@ from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 
+INNER_FRACTION = 4
+"""As many operations is a fraction within a factor as hard to read."""
+
 
 def shortest_form(e: sp.Expr) -> sp.Expr:
     """The expression in the shortest of its forms."""
@@ -24,10 +27,19 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
     if not roots and e.has(sp.sin, sp.cos):
         above, below = sp.fraction(sp.together(e))
         forms.append(textbook_form(above) / textbook_form(below))
+        factors = (f.as_base_exp() for f in sp.Mul.make_args(e))
+        forms.append(sp.Mul(*(textbook_form(base) ** exponent for base, exponent in factors)))
     if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
         forms.append(textbook_form(e))
     candidates = [_as_tangents(f) for f in forms]
-    return min(candidates, key=lambda f: (count_operations(f), forms.index(f) if f in forms else 0))
+    return min(candidates, key=lambda f: (_length(f), forms.index(f) if f in forms else 0))
+
+
+def _length(e: sp.Expr) -> int:
+    """Operations, and the worth of some for each fraction within a factor: (a² + g²)/(g l), and not (a²/g + g)/l."""
+    sums = (f.as_base_exp()[0] for product in e.atoms(sp.Mul) for f in product.args)
+    inner = {a for s in sums if s.is_Add for a in s.args if not sp.fraction(a)[1].is_number}
+    return count_operations(e) + INNER_FRACTION * len(inner)
 
 
 def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:

@@ -91,7 +91,7 @@ def _principle(configuration: Configuration) -> sp.Expr:
     terms = [DotProduct(VectorSymbol(f"F_{name}"), VectorSymbol(f"delta(r_{name})")) for name in acting]
     turned = [r.name for r in configuration.rotations if configuration.moments_on(r.name)]
     terms += [DotProduct(VectorSymbol(f"M_{name}"), VectorSymbol(f"delta(pi_{name})")) for name in turned]
-    potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
+    potential = variation(configuration.potential_letter) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, -potential)
 
 
@@ -327,7 +327,7 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     """The second variation at each equilibrium."""
     if second is None or all(not s.minors for s in second.verdicts):
         return
-    V = math(sp.Symbol("V", real=True))
+    V = math(equilibrium.configuration.potential_letter)
     start = ("The forces have a potential ", V, ", and an equilibrium is stable if ", V, " has a strict minimum there.")
     one = len(second.coordinates) == 1
     turned = any(s.minors and s.free for s in second.verdicts)

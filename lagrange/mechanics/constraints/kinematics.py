@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, partial, prime, t
+from lagrange.core.symbols import Slots, free_letter, partial, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
@@ -43,6 +43,9 @@ from lagrange.mechanics.constraints.variable_mass import (
     variable_masses,
 )
 from lagrange.problem.model import AppliedForce, AppliedMoment, GeneralizedForce, Potential, Problem, Range
+
+
+POTENTIAL_LETTER = sp.Symbol("V", real=True)
 
 
 @record
@@ -99,6 +102,7 @@ class Configuration:
     generalized  shape (n,), or none: the generalized forces that the file gives as such
     is_outright  whether the file gives the Lagrangian: then there are no masses, and −V is its part without velocities
     variable_masses  the particles whose mass varies; their reactive forces are among the loads
+    potential_letter  V, or another letter where the file uses that otherwise
     """
 
     name: str
@@ -116,6 +120,7 @@ class Configuration:
     generalized: tuple[sp.Expr, ...] = ()
     is_outright: bool = False
     variable_masses: tuple[VariableMass, ...] = ()
+    potential_letter: sp.Symbol = POTENTIAL_LETTER
 
     @property
     def slots(self) -> Slots:
@@ -282,6 +287,7 @@ def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Conf
         generalized=_given_forces(problem),
         is_outright=problem.lagrangian is not None,
         variable_masses=variable_masses(problem),
+        potential_letter=sp.Symbol(free_letter("V", "U", "V_pot", taken=problem.scope.names()), real=True),
     )
 
 

@@ -10,10 +10,12 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
@@ -38,7 +40,8 @@ def _force(spring: StretchedSpring, b: Branch, e: Equilibrium) -> sp.Expr | None
             return None
     except (NotAlgebraicError, DivisionByZeroError):
         return None
-    return shortest_form(first)
+    quotient = sp.cancel(sp.together(first)) if count_operations(first) <= LARGEST_FACTORED else first
+    return min(map(shortest_form, (first, quotient)), key=count_operations)
 
 
 def _without_squares(e: sp.Expr) -> sp.Expr:

@@ -20,6 +20,8 @@ sin, cos, tan = sp.sin, sp.cos, sp.tan
         (a * sin(alpha) ** 2 + a * cos(alpha) ** 2, a),
         (sp.sqrt(sin(alpha) ** 2 + cos(alpha) ** 2 + b), sp.sqrt(1 + b)),
         (a * b, a * b),
+        ((a**2 + b**2) * cos(alpha) / (a * b), (a**2 + b**2) * cos(alpha) / (a * b)),  # and not (a²/b + b) cos α/a
+        (b / (a * (a + b - a * cos(alpha) ** 2)), b / (a * (b + a * sin(alpha) ** 2))),
     ],
 )
 def test_the_form_is_shorter_and_has_the_same_value(long: sp.Expr, short: sp.Expr) -> None:
