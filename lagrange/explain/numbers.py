@@ -152,6 +152,8 @@ def _blocks(
     step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[Sides], angles: Angles
 ) -> Iterator[Block]:
     for block in step.body:
+        if isinstance(block, Display) and any(_is_found_in_numbers(e) for e in block.equations):
+            block = replace(block, equations=tuple(_measured_there(e, values, digits, bare) for e in block.equations))
         yield block
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
@@ -186,6 +188,8 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
         said = (math(*bound.sides, relation=bound.relation), ", " if more else "", *more)
         before = (*equation.condition, ", " if equation.condition else "", "that is ")
         return equation if same else replace(equation, condition=(*before, *said))
+    if _is_found_in_numbers(equation):
+        return _measured_there(equation, values, digits, bare)
     measured = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
     if measured is None or measured.sides[0] != equation.sides[0] or not isinstance(measured.sides[0], sp.Expr):
         return equation
@@ -197,6 +201,16 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
+def _is_found_in_numbers(equation: Equation) -> bool:
+    return isinstance(equation.sides[-1], sp.Float)
+
+
+def _measured_there(equation: Equation, values: Values, digits: int, bare: Collection[Sides]) -> Equation:
+    """A result that has no formula, with its unit in its place: t ≈ 0.5616 s."""
+    measured = _in_numbers(equation, values, digits, bare) if _is_found_in_numbers(equation) else None
+    return equation if measured is None else replace(equation, sides=measured.sides, relation=measured.relation)
+
+
 def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collection[Sides] = ()) -> Equation | None:
     """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
 
@@ -205,10 +219,9 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
     if equation.relation != "=":
         return _bound(equation, values, digits) if equation.relation == "≤" and len(sides) == 2 else None
-    found_in_numbers = bool(sides) and isinstance(sides[-1], sp.Float) and bool(values.units)
     if len(sides) != len(equation.sides):
         return None
-    if not found_in_numbers and not any(s.free_symbols & values.parameters for s in sides):
+    if not _is_found_in_numbers(equation) and not any(s.free_symbols & values.parameters for s in sides):
         return None
     right = values.quantity(sides[-1])
     if right is None:

@@ -6,6 +6,7 @@ import json
 import math
 import subprocess
 import sys
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.explain.report import Report, report
 from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
 from lagrange.render import html, latex, markdown, terminal
 from lagrange.render.json import render
 from tests.support.paths import PROBLEMS, ROOT
@@ -202,3 +204,16 @@ def test_given_values_stand_in_the_statement() -> None:
     found = report(read_problem(Source("p.yaml", text)))
     page = " ".join(terminal.text(found.derivation, found.notation, 120).split())
     assert "Given: α = 30°, g = 9.81 m/s², l = 0.3 m and m = 2 kg." in page
+
+
+def test_what_has_no_formula_stands_as_a_number_alone(problem: Callable[[str], Problem]) -> None:
+    """The fall of a pendulum from the horizontal: √(l/(2g)) ∫ dθ/√cos θ = 2.6220576 √(l/(2g))."""
+    text = (
+        "title: Fall\nparameters: {m: {value: 1 kg}, l: {value: 0.9 m}, g: {value: 9.81 m/s^2}}\ncoordinates: [theta]\n"
+        "particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}\ngravity: -g*j\n"
+        "initial: {theta: 90 deg, theta': 0}\nask: {time: {quantity: t, when: theta = 0}}\n"
+    )
+    told = report(problem(text), complete=False)
+    page = terminal.text(told.derivation, told.notation, 100)
+    assert page.count("t ≈ 0.5616 s") == 2  # at the head and in its step; 2.6220576 √(0.9/19.62) = 0.56158
+    assert "t = 0.56" not in page

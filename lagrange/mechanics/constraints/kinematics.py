@@ -44,7 +44,6 @@ from lagrange.mechanics.constraints.variable_mass import (
 )
 from lagrange.problem.model import AppliedForce, AppliedMoment, GeneralizedForce, Potential, Problem, Range
 
-
 POTENTIAL_LETTER = sp.Symbol("V", real=True)
 
 
