@@ -29,6 +29,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, partial, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
@@ -82,6 +83,7 @@ class Meaning:
     terms  two terms of the first equation of motion, and the unit that all of its terms have
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
+    freed     the equations of motion without the coordinates whose velocities constraints give
     """
 
     view: InCoordinates
@@ -91,6 +93,7 @@ class Meaning:
     terms: tuple[sp.Expr, sp.Expr, str] | None
     constant: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     turning: Turning | None = None
+    freed: WithEliminatedRates | None = None
 
 
 def meaning(solution: Solution) -> Meaning | None:
@@ -107,6 +110,7 @@ def meaning(solution: Solution) -> Meaning | None:
         _units(solution, view),
         constant_accelerations(view),
         turning(view),
+        without_given_rates(view),
     )
 
 
@@ -346,6 +350,25 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
     pairs = zip(slots.accelerations, accelerations, strict=True)
     solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
     return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
+
+
+def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
+    """The equations of motion with the velocities put in that constraints on velocities give: of a ball that rolls in a
+    bowl, where (R - r) phi' + r psi' = 0, the one equation 7 (R - r) phi'' + 5 g sin(phi) = 0.
+
+    None where that leaves a coordinate whose velocity is put in, or does not make the equations shorter.
+    """
+    motion = view.motion
+    if motion is None or motion.closed is not None or not motion.final or view.in_speeds is not None:
+        return None
+    coordinates, rows = view.configuration.slots.coordinates, view.configuration.rows
+    used = [r for r in rows if r.finite is None and r.nonlinear is None]
+    given = [coordinates[d] for d in motion.elimination.dependent if any(r.coefficients[d] != 0 for r in used)]
+    freed = closed(motion, given).closed if used else None
+    if freed is None or any(e.expression.has(q) for e in freed.equations for q in given):
+        return None
+    before, after = (sum(count_operations(e.expression) for e in es) for es in (motion.final, freed.equations))
+    return freed if after < before else None
 
 
 def square_of(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
+from lagrange.core.symbols import CONSTANT, Unspecified, base, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
@@ -53,7 +53,7 @@ def explain_meaning(
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
-    body: list[Block] = [*_in_short(meaning, stated)]
+    body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated)]
     body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
     body += _accelerations(meaning)
     body += _one_way(meaning)
@@ -98,6 +98,18 @@ def _are_shown(stated: StatedEquations, shown: Sequence[sp.Expr]) -> bool:
 def _in_sines(e: sp.Expr) -> sp.Expr:
     """With cot and tan as the quotients that they are."""
     return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+
+
+def _freed(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
+    """The equations without the coordinates that roll along: `Without ψ: ψ'' = −[(R − r)/r] φ'' leaves ...`"""
+    freed = meaning.freed
+    if freed is None or meaning.constant or (stated and _are_shown(stated, [e.expression for e in freed.equations])):
+        return
+    accelerations = [math(v, e) for v, e in freed.rates.items() if v not in freed.velocities]
+    names = listed(math(base(v)) for v in freed.velocities)
+    leaves = plural(len(accelerations), " leaves", " leave")
+    yield prose(Emphasis("Without "), *names, Emphasis(":"), " by the constraints, ", *listed(accelerations), leaves)
+    yield display(*(Equation((e.expression, sp.S.Zero)) for e in freed.equations), boxed=True)
 
 
 _CALLED = {

@@ -23,7 +23,7 @@ from lagrange.explain.page.meaning import StatedEquations, operations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.meaning import constant_accelerations
+from lagrange.mechanics.meaning import constant_accelerations, without_given_rates
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.valued import values_in
 
@@ -98,6 +98,10 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
     view = solution.chosen
     equations = kept.get(Rule.EQUATIONS_OF_MOTION)
+    freed = without_given_rates(view) if equations else None
+    if freed is not None and all((e.label or "").startswith(("motion", "with")) for e in equations or ()):
+        constraints = [e for e in equations or () if (e.label or "").startswith("with")]
+        kept[Rule.EQUATIONS_OF_MOTION] = [Equation((e.expression, sp.S.Zero)) for e in freed.equations] + constraints
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)

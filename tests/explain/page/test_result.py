@@ -142,3 +142,22 @@ gravity: g*j
     told = box(report(problem(text), complete=False))
     assert "ḧ = M g/(M + 4m)    that is ḧ = 1.09 m/s²" in told
     assert "S = 2M m g/(M + 4m)    that is S = 8.72 N" in told
+
+
+def test_a_ball_that_rolls_in_a_bowl_has_one_equation(problem: Callable[[str], Problem]) -> None:
+    """By energy, ½ m (1 + 2/5) (R − r)² φ'² − m g (R − r) cos φ: 7 (R − r) φ'' + 5 g sin φ = 0."""
+    text = """title: A ball in a bowl
+parameters: {m: positive, r: positive, R: positive, g: positive}
+coordinates: [phi, psi]
+bodies:
+  ball: {mass: m, inertia: 2*m*r^2/5, position: "(R - r)*(sin(phi)*i - cos(phi)*j)", angle: psi}
+constraints: {rolling: "(R - r)*phi' + r*psi' = 0"}
+gravity: -g*j
+"""
+    told = report(problem(text), complete=False)
+    assert "│  7 (R − r) φ̈ + 5g sin φ = 0" in box(told)
+    assert "│  (R − r) φ̇ + r ψ̇ = 0" in box(told)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "Without ψ: by the constraints, ψ̈ = −[(R − r)/r] φ̈ leaves" in page
+    pulled = text.replace("gravity:", "forces: {spring: {potential: psi^2*m}}\ngravity:")
+    assert "ψ̈" in box(report(problem(pulled), complete=False))  # ψ itself stays in the equation
