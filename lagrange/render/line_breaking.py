@@ -129,7 +129,7 @@ class Breaker:
 
 
 def outermost(code: str) -> list[str]:
-    """The terms of a marked sum, cut before their signs; brackets are not cut."""
+    """The terms of a marked sum, cut before their signs; brackets are not cut, nor is a quotient before its bar."""
     if not code.startswith(START):
         return [plain(code)]
     parts = [""]
@@ -144,7 +144,13 @@ def outermost(code: str) -> list[str]:
                 parts.append("")
         else:
             parts[-1] += token
-    return [part.strip() for part in parts]
+    pieces: list[str] = []
+    for part in parts:
+        if pieces and part.startswith("/"):
+            pieces[-1] += part.strip()
+        else:
+            pieces.append(part.strip())
+    return pieces
 
 
 def _segment(tokens: Sequence[str]) -> str:

@@ -103,3 +103,5 @@ def test_a_long_fraction_is_broken_before_its_line():
 def test_outermost_terms():
     x, y, z = sp.symbols("x y z")
     assert outermost(Writer(UNICODE).marked(x * (y + z) - y)) == ["x (y + z)", "− y"]
+    quotient = (x - y) * (x + y) / (z * (x + z))
+    assert outermost(Writer(UNICODE).marked(quotient)) == ["(x − y) (x + y)/(z (x + z))"]

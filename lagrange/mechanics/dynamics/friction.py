@@ -383,6 +383,10 @@ def place_of_contact(friction: Friction, reaction: Reaction, opposite: str, orig
     if not there:
         message = f"the reaction of `{reaction.name}` does not act at the `at` of the friction `{friction.name}`"
         help_ = "give the point that the constraint keeps on the surface"
+        reversed_ = [replace(r, partials=tuple(-w for w in r.partials)) for r in original.rotations]
+        turned = replace(original, rotations=tuple(reversed_))
+        if acts_at(reaction, friction.on, opposite or next(iter(others), ""), friction.at, turned):
+            help_ = f"it would if `{friction.on}` turned the other way: change the sign of its `angle`"
         raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
     return friction.at
 
