@@ -8,7 +8,7 @@ the parameters leave that open, it becomes a condition if the coordinate is no a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -30,12 +30,15 @@ def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) 
     """The branch without the points outside of the ranges; None where all of them are."""
     if b.left or b.special or not b.points:
         return b
-    kept = tuple(p for p in b.points if not is_outside(p, ranges, solution))
+    positive = [c.lhs - c.rhs for c in b.conditions if c.relation == ">"]
+    positive += [c.rhs - c.lhs for c in b.conditions if c.relation == "<"]
+    kept = tuple(p for p in b.points if not is_outside(p, ranges, solution, positive))
     if not kept:
         return None
     known = tuple(c for q, r in ranges.items() for c in _known(q, r, solution))
-    conditions = [*b.conditions, *(c for q, r in ranges.items() for c in _conditions(q, r, kept, solution))]
-    return replace(b, points=kept, implied=(*b.implied, *known), conditions=tuple(dict.fromkeys(conditions)))
+    more = [c for q, r in ranges.items() for c in _conditions(q, r, kept, solution, positive)]
+    conditions = tuple(dict.fromkeys([*b.conditions, *more]))
+    return replace(b, points=kept, implied=(*b.implied, *known), conditions=conditions)
 
 
 def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr, ...], bool]:
@@ -50,33 +53,36 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
     return (sp.sin(q - limits.low), sp.sin(limits.high - q)), False
 
 
-def is_outside(point: Values, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> bool:
-    """Whether a coordinate is certainly outside of its range at a point."""
-    return any(_is_outside(q, r, point, solution) for q, r in ranges.items())
+def is_outside(
+    point: Values, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet, positive: Sequence[sp.Expr] = ()
+) -> bool:
+    """Whether a coordinate is certainly outside of its range at a point, where some expressions are positive."""
+    return any(_is_outside(q, r, point, solution, positive) for q, r in ranges.items())
 
 
-def _is_outside(q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet) -> bool:
-    """Whether a coordinate is certainly outside of its range at a point."""
+def _is_outside(
+    q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]
+) -> bool:
     tested, complement = distances(q, limits, q in solution.letters.angles)
-    signs = [_sign(e, point, solution) for e in tested]
+    signs = [_sign(e, point, solution, positive) for e in tested]
     if complement:
         return bool(signs) and all(s == 1 for s in signs)
     return -1 in signs
 
 
-def _sign(e: sp.Expr, point: Values, solution: SolutionSet) -> int | None:
+def _sign(e: sp.Expr, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> int | None:
     """The strict sign of an expression at a point; None: it is not known, 0: it vanishes."""
     try:
         value = solution.at(point, sp.expand_trig(e))
         if value.has(sp.zoo, sp.nan):
             return None
-        return 0 if value == 0 or is_zero(value) else sign_of(value)
+        return 0 if value == 0 or is_zero(value) else sign_of(value, positive)
     except (NotAlgebraicError, DivisionByZeroError):
         return None
 
 
 def _conditions(
-    q: sp.Symbol, limits: Range, points: tuple[Values, ...], solution: SolutionSet
+    q: sp.Symbol, limits: Range, points: tuple[Values, ...], solution: SolutionSet, positive: Sequence[sp.Expr]
 ) -> Iterator[SignCondition]:
     """What has to hold for a coordinate that is no angle to be in its range."""
     if q in solution.letters.angles or len(points) != 1:
@@ -87,7 +93,7 @@ def _conditions(
         except (NotAlgebraicError, DivisionByZeroError):
             continue
         if not value.free_symbols & {*solution.unknowns} and count_operations(value) <= LONGEST_CONDITION:
-            yield from not_negative(value) or ()
+            yield from not_negative(value, positive) or ()
 
 
 def _known(q: sp.Symbol, limits: Range, solution: SolutionSet) -> Iterator[SignCondition]:

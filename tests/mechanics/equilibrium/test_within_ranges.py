@@ -94,6 +94,21 @@ def test_a_range_that_depends_on_a_parameter_is_a_condition() -> None:
     assert as_object(result)["equilibrium_conditions"] == [["a*k >= m*g"]]
 
 
+def test_the_conditions_of_a_branch_tell_on_which_side_it_lies() -> None:
+    """On a table that turns, (k − m w²) r = k l for r > 0; k l/(m w² − k) has r < 0 where k > m w²."""
+    result = solved("""title: Mass on a turning table
+parameters: {m: positive, k: positive, l: positive, w: positive}
+coordinates: {r: {range: [0, 10]}}
+particles: {P: {mass: m, position: r*cos(w*t)*i + r*sin(w*t)*j}}
+forces: {s: {spring: k, between: [O, P], length: l}}
+find: linearization
+""")
+    [branch] = result.solution.own.linearization.branches
+    assert [str(r.rhs) for r in branch.relations] == ["k*l/(k - m*w**2)"]
+    conditions = {f"{c.lhs} {c.relation} {c.rhs}" for c in branch.conditions}
+    assert conditions == {"k > m*w**2", "10*k ≥ k*l + 10*m*w**2"}
+
+
 @pytest.mark.parametrize("assume", ["acute", "{range: [1 deg, 89 deg]}"])
 def test_an_acute_angle_needs_no_conditions(assume: str) -> None:
     text = f"""title: Block on a wedge
