@@ -29,6 +29,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, partial, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
@@ -369,6 +370,27 @@ def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
         return None
     before, after = (sum(count_operations(e.expression) for e in es) for es in (motion.final, freed.equations))
     return freed if after < before else None
+
+
+def held_values(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that a constraint fixes by itself, r = R, each with its value; rates and accelerations are 0."""
+    slots = configuration.slots
+    moving = {*slots.coordinates, *slots.prescribed, t}
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for f in configuration.finite_constraints:
+        occurring = f.free_symbols & moving
+        if len(occurring) != 1 or not occurring <= {*slots.coordinates}:
+            continue
+        [q] = occurring
+        slope = partial(f, q)
+        if slope.is_nonzero and not slope.has(q):
+            values |= {q: sp.expand(q - f / slope), prime(q): sp.S.Zero, prime(q, 2): sp.S.Zero}
+    return values
+
+
+def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """An expression with `held_values` put in; unspecified functions keep their arguments."""
+    return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))
 
 
 def square_of(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:

@@ -20,7 +20,7 @@ from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
-from lagrange.mechanics.meaning import Limit, Meaning
+from lagrange.mechanics.meaning import Limit, Meaning, held_values, where_held
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def explain_meaning(
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
-    body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated)]
+    body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
     body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
     body += _accelerations(meaning)
     body += _one_way(meaning)
@@ -110,6 +110,20 @@ def _freed(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     leaves = plural(len(accelerations), " leaves", " leave")
     yield prose(Emphasis("Without "), *names, Emphasis(":"), " by the constraints, ", *listed(accelerations), leaves)
     yield display(*(Equation((e.expression, sp.S.Zero)) for e in freed.equations), boxed=True)
+
+
+def _with_held(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
+    """The equations with what is constant put in: `With r = R: R θ'' − g sin θ = 0.`"""
+    motion, held = meaning.view.motion, held_values(meaning.view.configuration)
+    if motion is None or meaning.constant or not held:
+        return
+    before = [e.expression for e in motion.final]
+    after = [where_held(e, held) for e in before]
+    changed = [e for e, old in zip(after, before, strict=True) if e != old and e != 0]
+    if changed and not (stated and _are_shown(stated, after)):
+        used = {base(s) for e in before for s in e.free_symbols if s in held}
+        values = [math(q, held[q]) for q in sorted(used, key=str)]
+        yield prose(Emphasis("With "), *listed(values), ": ", *listed(math(e, sp.S.Zero) for e in changed), ".")
 
 
 _CALLED = {

@@ -7,23 +7,22 @@ only as far as they are short.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime, t
+from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import StatedEquations, operations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
-from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.meaning import constant_accelerations, without_given_rates
+from lagrange.mechanics.meaning import constant_accelerations, held_values, where_held, without_given_rates
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.valued import values_in
 
@@ -102,12 +101,15 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if freed is not None and all((e.label or "").startswith(("motion", "with")) for e in equations or ()):
         constraints = [e for e in equations or () if (e.label or "").startswith("with")]
         kept[Rule.EQUATIONS_OF_MOTION] = [Equation((e.expression, sp.S.Zero)) for e in freed.equations] + constraints
+    held = held_values(view.configuration)
+    for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
+        kept[rule] = _where_held(kept.get(rule, []), held)
+    equations = kept[Rule.EQUATIONS_OF_MOTION]
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
         longer = LONGER if len(equations) > solution.classification.degrees_of_freedom else 1
         if whole and sum(map(_operations, solved)) <= longer * sum(map(_operations, equations)):
-            held = {prime(q, 2) for q in _held(view.configuration)}
             kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
@@ -116,13 +118,14 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
             kept[rule] = others
 
 
-def _held(configuration: Configuration) -> Iterator[sp.Symbol]:
-    """The coordinates that a constraint fixes by itself: the distance from a plane."""
-    moving = {*configuration.slots.coordinates, t}
-    for f in configuration.finite_constraints:
-        occurring = f.free_symbols & moving
-        if len(occurring) == 1 and t not in occurring:
-            yield occurring.pop()
+def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
+    """The lines with what is constant put in, as r = R is; as they are where nothing else is in them."""
+    there = []
+    for e in lines:
+        sides = tuple(where_held(s, held) if isinstance(s, sp.Expr) else s for s in e.sides)
+        if len({*sides}) > 1:
+            there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
+    return there or lines
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:

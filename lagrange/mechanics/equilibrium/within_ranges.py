@@ -60,9 +60,7 @@ def is_outside(
     return any(_is_outside(q, r, point, solution, positive) for q, r in ranges.items())
 
 
-def _is_outside(
-    q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]
-) -> bool:
+def _is_outside(q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> bool:
     tested, complement = distances(q, limits, q in solution.letters.angles)
     signs = [_sign(e, point, solution, positive) for e in tested]
     if complement:

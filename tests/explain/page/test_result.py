@@ -161,3 +161,16 @@ gravity: -g*j
     assert "Without ψ: by the constraints, ψ̈ = −[(R − r)/r] φ̈ leaves" in page
     pulled = text.replace("gravity:", "forces: {spring: {potential: psi^2*m}}\ngravity:")
     assert "ψ̈" in box(report(problem(pulled), complete=False))  # ψ itself stays in the equation
+
+
+def test_a_coordinate_that_is_held_has_its_value(problem: Callable[[str], Problem]) -> None:
+    """Polar coordinates with r = R: R θ'' = g sin θ, N = m g cos θ − m R θ'²."""
+    text = (
+        "title: A skier\nparameters: {m: positive, R: positive, g: positive}\ncoordinates: [r, theta]\n"
+        "particles: {S: {mass: m, position: r*sin(theta)*i + r*cos(theta)*j}}\ngravity: -g*j\n"
+        "constraints: {hill: {equation: r >= R, reaction: N}}\n"
+    )
+    told = report(problem(text), complete=False)
+    assert "│  R θ̈ − g sin θ = 0" in box(told)
+    assert "│  N = m g cos θ − m R θ̇²" in box(told)
+    assert "With r = R: R θ̈ − g sin θ = 0." in terminal.text(told.derivation, told.notation, 100)
