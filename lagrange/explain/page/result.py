@@ -119,13 +119,15 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
 
 
 def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
-    """The lines with what is constant put in, as r = R is; as they are where nothing else is in them."""
+    """The lines with what is constant put in, as r = R is, and without that itself; as they are where it occurs in no
+    other line.
+    """
     there = []
     for e in lines:
         sides = tuple(where_held(s, held) if isinstance(s, sp.Expr) else s for s in e.sides)
-        if len({*sides}) > 1:
-            there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
-    return there or lines
+        there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
+    left = [e for e in there if len({*e.sides}) > 1]
+    return left if any(e not in lines for e in left) else lines
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
