@@ -315,6 +315,8 @@ class Writer:
         head = self.style.function(name)
         if power is not None:
             head = self.style.power(head, power).code
+        if self.style.by_hand and name in _OF_ANGLES and (angle := _in_degrees(arguments[0])) is not None:
+            return self.style.applied(head, self.piece(angle).code, power is not None)
         codes = [self._argument(a).code for a in arguments]
         bare = self._bare(arguments[0]) if self.style.by_hand and name in BARE else None
         if bare is None:
@@ -379,6 +381,15 @@ class Writer:
         """Whether its long list of arguments is the declared one and can be omitted: F_x for F_x(x, y, x', t)."""
         declared = tuple(str(a) for a in function.arguments) == function.argument_names
         return declared and len(function.arguments) > LONGEST_LIST and function.name not in self._ambiguous
+
+
+_OF_ANGLES = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+
+
+def _in_degrees(angle: sp.Expr) -> sp.Expr | None:
+    """20° for π/9, which has no sine in roots that anybody writes; None for what is no whole number of degrees."""
+    degrees = 180 * angle / sp.pi if angle.is_number else sp.S.NaN
+    return sp.Mul(degrees, UnitSymbol("°", positive=True), evaluate=False) if degrees.is_Integer else None
 
 
 def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:

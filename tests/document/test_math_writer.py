@@ -274,6 +274,14 @@ def test_a_denominator_with_sines_takes_the_constants_above_it():
     assert unicode(W * sp.sin(beta) / sp.sin(alpha + beta)) == "W sin β/sin(α + β)"
 
 
+def test_angles_that_are_numbers_stand_in_degrees():
+    ninth = sp.cos(sp.pi / 9)
+    assert unicode(2 - 3 * ninth) == "2 − 3 cos 20°"
+    assert unicode(ninth**2) == "cos²20°"
+    assert text(ninth) == "cos(pi/9)"
+    assert unicode(sp.sin(sp.pi / 7)) == "sin(π/7)"
+
+
 def test_vectors_are_bold():
     assert latex(VectorSymbol("r_P''")) == r"\ddot{\mathbf{r}}_{P}"
     assert latex(VectorSymbol("omega_B")) == r"\boldsymbol{\omega}_{B}"

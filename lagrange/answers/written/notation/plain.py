@@ -91,6 +91,9 @@ _SPOKEN = re.compile(
 )
 _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
 _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
+_DEGREES_OF_FUNCTION = re.compile(
+    r"(?<![A-Za-z])(sin|cos|tan|cot|sec|csc) *([0-9]+(?:\.[0-9]+)?)\s*(?:°|(?:deg|degs|degrees?)\b)"
+)
 _EXPONENTIAL = re.compile(
     rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))"
 )
@@ -105,6 +108,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft = Draft(fragment)
     characters(draft)
     special(draft, scope)
+    draft.replace(_DEGREES_OF_FUNCTION, lambda m: f"{m[1]}({m[2]}{_IN_RADIANS})")  # cos 20° − 2 is no product
     draft.apply(units_in_si(draft.text, scope))
     draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else _IN_RADIANS)
     draft.apply(_exponentials(draft.text, scope))

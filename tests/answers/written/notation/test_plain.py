@@ -44,3 +44,13 @@ def test_names_of_rates(name: str, rate: bool) -> None:
 def test_a_velocity_by_its_name() -> None:
     assert is_velocity("x", "'", PLANE)
     assert not is_velocity("k", "", PLANE)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["m*x'' = k*cos 20° - k", "m*x'' = k cos20° - k", "m*x'' = k*cos 20 deg - k", "m*x'' = k*cos(20 degrees) - k"],
+)
+def test_the_degrees_belong_to_the_angle(text: str) -> None:
+    """cos 20° is cos(π/9), and not (cos 20)°."""
+    expected = read_as_written(Fragment.of("m*x'' = k*cos(pi/9) - k"), PLANE)
+    assert read_as_written(Fragment.of(text), PLANE).components == expected.components
