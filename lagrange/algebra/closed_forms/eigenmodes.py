@@ -154,8 +154,16 @@ def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Exp
         return None
     a, b, c = coefficients
     # h is positive where its sign is known, so that p − h, the smaller root, comes first.
-    half = _factored_roots(square_root(b**2 - 4 * a * c)) / sp.factor(2 * a)
+    half = _factored_roots(_root_of_discriminant(a, b, c)) / sp.factor(2 * a)
     return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
+
+
+def _root_of_discriminant(a: sp.Expr, b: sp.Expr, c: sp.Expr) -> sp.Expr:
+    """√(b² − 4 a c): with the square as it is, where multiplied out it has no factor and is longer."""
+    root = square_root(b**2 - 4 * a * c)
+    kept = sp.factor(b) ** 2 - 4 * sp.factor(a * c)
+    is_bare = root.is_Pow and root.exp == sp.S.Half and root.base.is_Add
+    return sp.sqrt(kept) if is_bare and count_operations(kept) < count_operations(root.base) else root
 
 
 def without_minus(e: sp.Expr) -> sp.Expr:

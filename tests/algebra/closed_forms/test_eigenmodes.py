@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 from mpmath import matrix, mp, mpf
 
+from lagrange.algebra.closed_forms.eigenmodes import closed_roots
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from tests.support.linearized_systems import (
     SYSTEMS,
@@ -108,3 +109,14 @@ def test_a_cubic_equation_stays_an_equation() -> None:
     polynomial = sp.Poly(f.factor.xreplace({x: x * g / l}), x).monic()
     assert polynomial.all_coeffs() == [1, -9, 18, -6]
     assert s.judgement.stability.verdict is StabilityVerdict.STABLE
+
+
+def test_the_square_under_the_root_stays_where_that_is_shorter() -> None:
+    """A pendulum below a cart on a spring: M l w² − ((M + m) g + k l) w + g k = 0."""
+    M, m, k, l, g = sp.symbols("M m k l g", positive=True)
+    w = sp.Symbol("w")
+    b = (M + m) * g + k * l
+    first, second = closed_roots(sp.expand(M * l * w**2 - b * w + g * k), w)
+    assert sp.sqrt((M * g + g * m + k * l) ** 2 - 4 * M * g * k * l) in first.atoms(sp.Pow)
+    assert sp.expand(first + second - b / (M * l)) == 0
+    assert sp.expand(sp.expand(first * second) - g * k / (M * l)) == 0
