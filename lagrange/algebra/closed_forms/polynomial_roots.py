@@ -45,10 +45,12 @@ def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def square_root(e: sp.Expr) -> sp.Expr:
-    """√e with squares taken out of the root, up to sign."""
+    """√e with squares taken out of the root, up to sign; real where e is positive, as √(−1/(b − c)) = 1/√(c − b) is."""
     above, below = sp.fraction(sp.factor(e) if count_operations(e) <= LARGEST_FACTORED else e)
     outside, inside = _square_part(above)
     outside_below, inside_below = _square_part(below)
+    if -1 in (sign_of(inside), sign_of(inside_below)):
+        inside, inside_below = sp.expand(-inside), sp.expand(-inside_below)
     return outside / outside_below * sp.sqrt(inside) / sp.sqrt(inside_below)
 
 
@@ -85,9 +87,9 @@ def polynomial_roots(f: sp.Expr, x: sp.Symbol) -> list[Value] | None:
     step = gcd(*degrees)
     coefficient = {n // step: c for (n,), c in poly.terms()}
     roots = _low_degree(coefficient, max(degrees) // step)
-    if roots is None or step == 1:
-        return roots
-    return [r for v in roots for r in _powers(v, int(step))]
+    if roots is not None and step > 1:
+        roots = [r for v in roots for r in _powers(v, int(step))]
+    return None if roots is None or any(r.value.has(sp.I) for r in roots) else roots
 
 
 def _low_degree(c: dict[int, sp.Expr], degree: int) -> list[Value] | None:

@@ -14,7 +14,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 
 INNER_FRACTION = 4
-"""As many operations is a fraction within a factor as hard to read."""
+"""As many operations is a fraction within a fraction as hard to read."""
 
 
 def shortest_form(e: sp.Expr) -> sp.Expr:
@@ -36,8 +36,9 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
 
 
 def _length(e: sp.Expr) -> int:
-    """Operations, and the worth of some for each fraction within a factor: (a² + g²)/(g l), and not (a²/g + g)/l."""
-    sums = (f.as_base_exp()[0] for product in e.atoms(sp.Mul) for f in product.args)
+    """Operations, and the worth of some for each fraction within a fraction: (a² + g²)/(g l), not (a²/g + g)/l."""
+    quotients = (product for product in e.atoms(sp.Mul) if not sp.fraction(product)[1].is_number)
+    sums = (f.as_base_exp()[0] for product in quotients for f in product.args)
     inner = {a for s in sums if s.is_Add for a in s.args if not sp.fraction(a)[1].is_number}
     return count_operations(e) + INNER_FRACTION * len(inner)
 

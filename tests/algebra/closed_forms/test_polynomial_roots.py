@@ -14,6 +14,7 @@ a, b, c = sp.symbols("a b c", positive=True)
 RELATIONS = {"≥": sp.Ge, "≤": sp.Le, ">": sp.Gt, "<": sp.Lt, "≠": sp.Ne}
 SOLVED = [
     a * x - b, p * x + b, x**2 - a, x**2 + a, x**2 - p, a * x**2 + p * x - c, a * x**2 + p * x + c, -a * x**2 + b * x + c,
+    (b - c) * x**2 - a, (b**2 - c**2) * x**2 + a**2, (a - b) * x**4 + c,
     x**3 - a, x**3 - p, x**3 + a, x**4 - a, x**4 + a, x**4 - p * x**2 - a, x**4 - 3 * a * x**2 + a**2,
 ]  # fmt: skip
 
@@ -36,6 +37,7 @@ def test_the_roots_are_all_real_roots(f: sp.Expr) -> None:
             float(r) for r in sp.Poly(f.xreplace(there), x).nroots(n=20, maxsteps=200) if abs(sp.im(r)) < 1e-12
         )
         assert ours == pytest.approx(theirs, rel=1e-9)
+        assert not any(v.value.has(sp.I) for v in found)
         for v in real:
             if v.stated is not None:
                 assert (v.value**v.power - v.stated).xreplace(there).evalf(20) == pytest.approx(0, abs=1e-9)
