@@ -166,10 +166,11 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
 
 
 def _valued(reaction: Reaction, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
-    """The force, and what it is in terms of the multiplier, unless the file names it."""
-    if reaction.given is not None or reaction.single is None:
+    """The force, and what it is in terms of the multiplier, unless the file names it and equations are written in it."""
+    if reaction.single is None or (reaction.given is not None and reaction.directions is not None):
         return (symbol,)
-    return symbol, reaction.single.factor * reaction.multiplier
+    factor = reaction.single.factor
+    return (symbol,) if factor == 1 else (symbol, factor * reaction.multiplier)
 
 
 def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:

@@ -327,7 +327,8 @@ def _single(name: str, reactions: Reactions, values: Values | None, write: Write
     result["force"] = size
     if name in reactions.units:
         result["direction"] = write(shown(reactions.units[name]))
-    return result | contact | quantity(reactions.sizes[name], values, write)
+    number = quantity(reactions.sizes[name], values, write)
+    return result | contact | number | ({"unit": "N"} if number and values is not None and values.units else {})
 
 
 def _reactions_at_rest(

@@ -407,7 +407,8 @@ def _reaction(
     if rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod)
     else:
-        single = single_force(shown, by, acts, placed, configuration, constraint.side, is_whole=not others)
+        written = row if placed is None else shown  # where nothing is placed, only a root shows a distance
+        single = single_force(written, by, acts, placed, configuration, constraint.side, is_whole=not others)
     unnamed = Reaction(
         constraint=constraint,
         row=row,
@@ -549,7 +550,8 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
             drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
     on_others = sp.Add(*(a * reaction.per_force * variation(q) for q, a in reaction.others.items()))
     is_known = reaction.directions is not None and (shares or on_others != 0)
-    virtual = sp.Add(*shares.values(), on_others) if is_known else virtual_displacement(reaction.row, slots)
+    of_form = reaction.per_force * virtual_displacement(reaction.row, slots)
+    virtual = sp.Add(*shares.values(), on_others) if is_known else sp.expand_mul(of_form)
     solved = dict(elimination.solved(slots))
 
     def vanishes(work: sp.Expr) -> bool | None:

@@ -314,7 +314,7 @@ def _is_called_string(name: str) -> bool:
 
 def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None:
     """T = −k λ; the sign by what the string holds up, otherwise because the terms are lengths."""
-    placing = [x for x in lengths if x.on]
+    placing = [x for x in lengths if x.on] or [x for x in lengths if x.toward is not None]
     unit = _unit_share(constant, [x.share for x in placing])
     if unit is None:
         return None
@@ -324,7 +324,7 @@ def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None
         return None
     [sign] = signs
     names = [x.on for x in placing]
-    for x in placing:
+    for x in placing if all(names) else ():
         if x.unit is not None and abs(x.share) == unit and names.count(x.on) == 1:  # one part of the string pulls there
             direction = x.unit if x.share.is_positive == (sign == 1) else -x.unit
             return SingleForce(ForceKind.TENSION, sign * unit, x.on, direction, x.opposite)
@@ -370,8 +370,8 @@ def _length(share: sp.Expr, rest: sp.Expr, placed: Placed | None, configuration:
 
 def _distance(share: sp.Expr, square: sp.Expr, placed: Placed | None, configuration: Configuration) -> Length | None:
     """√S of f, S = c d·d with the distance |d| of two points."""
-    if placed is None:
-        return Length(share, -1, shown=False)
+    if placed is None:  # points that the coordinates do not place freely, as the end of a boom that turns
+        return Length(share, -1, shown=True)
     distance = _squared_distance(square, placed, configuration)
     if distance is None:
         return None

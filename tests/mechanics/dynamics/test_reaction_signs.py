@@ -24,6 +24,7 @@ from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load
 from lagrange.problem.model import Constraint, Friction, Problem
+from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.support.paths import PROBLEMS
 
@@ -388,3 +389,30 @@ def test_tensions_of_a_double_atwood_machine(problem: Read, weights: str) -> Non
     assert found["reactions"]["upper"]["number"] == pytest.approx(expected)
     assert found["reactions"]["lower"]["number"] == pytest.approx(expected / 2)
     assert all(c["passed"] for c in found["checks"])
+
+
+@pytest.mark.parametrize(
+    "cable",
+    ["norm(r_B - h*j) = c", "c = norm(r_B - h*j)", "norm(r_B - h*j) <= c", "2*norm(h*j - r_B) = 2*c"],
+)
+def test_a_boom_held_by_a_cable(problem: Read, cable: str) -> None:
+    """Moments about the foot, with the lever arm h l cos θ/c of the cable: T = (W + G/2) c/h."""
+    text = f"""title: A boom
+parameters: {{W: positive, G: positive, l: positive, h: positive, c: positive}}
+coordinates: {{theta: {{range: [-90 deg, 90 deg]}}}}
+let: {{e: "cos(theta)*i + sin(theta)*j"}}
+particles: {{B: {{position: l*e}}}}
+bodies: {{boom: {{position: l/2*e, angle: theta}}}}
+constraints: {{cable: {{equation: "{cable}", reaction: T}}}}
+forces: {{load: {{on: B, vector: -W*j}}, own: {{on: boom, vector: -G*j}}}}
+find: [equilibrium]
+"""
+    found = report(problem(text))
+    force = parse_expr(as_object(found)["reactions"]["cable"]["force"])
+    W, G, h, c = sp.symbols("W G h c")
+    assert sp.simplify(force - (W + G / 2) * c / h) == 0
+    page = terminal.text(found.derivation, found.notation, 100)
+    factor = {"n": "tension T = −λ", "c": "tension T", "2": "tension T = −2λ"}[cable[0]]
+    assert f"{factor}, positive" in " ".join(page.split())
+    assert "(h l T cos θ/" in page  # the work of the reaction in δθ, positive for T > 0
+    assert "−(h l T cos θ/" not in page
