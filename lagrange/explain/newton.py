@@ -166,7 +166,7 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
 
 
 def _valued(reaction: Reaction, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
-    """The force, and what it is in terms of the multiplier, unless the file names it and equations are written in it."""
+    """The force, and what it is in terms of λ, unless the file names it and equations are written in it."""
     if reaction.single is None or (reaction.given is not None and reaction.directions is not None):
         return (symbol,)
     factor = reaction.single.factor
