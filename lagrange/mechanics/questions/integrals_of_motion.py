@@ -12,19 +12,23 @@ equations of motion, exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
+from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
-from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
-from lagrange.mechanics.questions.results import IntegralKind, UsedIntegral
+from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION, LONGEST_INTEGRATED
+from lagrange.mechanics.questions.results import AnswerBranch, IntegralKind, UsedIntegral
 from lagrange.mechanics.questions.states import Meanings, Place, Values
 
 
@@ -125,3 +129,53 @@ def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: Place) -> bool:
     except DivisionByZeroError:
         return False
     return before is not None and after is not None and after > before
+
+
+# -- questions that one integral answers by itself, in whatever state the system is ------------------------------------
+
+
+@record
+class ByIntegral:
+    """The integral, and the answers; `verified` if they satisfy the condition exactly."""
+
+    integral: UsedIntegral
+    branches: tuple[AnswerBranch, ...]
+    verified: bool | None = True
+
+
+def multiple_of_integral(
+    quantity: sp.Expr, called: sp.Expr, integrals: Sequence[UsedIntegral], moving: Collection[sp.Symbol]
+) -> ByIntegral | None:
+    """The value of a multiple of an integral; None where the quantity is none.
+
+    called  the quantity as the file has it
+    """
+    for i in integrals:
+        if count_operations(i.expression) >= LONGEST_EQUATION:
+            continue
+        ratio = sp.cancel(quantity / i.expression)
+        if ratio.free_symbols.isdisjoint(moving):
+            value = shortest_form(ratio * i.value)
+            return ByIntegral(i, (AnswerBranch(called, value, (value,)),))
+    return None
+
+
+def parameter_of_integral(
+    when: Sequence[sp.Expr],
+    parameter: sp.Symbol | None,
+    called: sp.Expr,
+    integrals: Sequence[UsedIntegral],
+    moving: Collection[sp.Symbol],
+) -> ByIntegral | None:
+    """The parameter for which an integral has a given value; None where the condition mentions no integral."""
+    if parameter is None or len(when) != 1 or count_operations(when[0]) >= LONGEST_EQUATION:
+        return None
+    for i in integrals:
+        rest = sp.expand(when[0] - i.expression)
+        if not rest.free_symbols.isdisjoint(moving):
+            continue
+        found = eliminated([rest + i.value], parameter, [parameter], [], called)
+        branches = tuple(b for b in found.branches if not (parameter.is_positive and -1 in map(sign_of, b.values)))
+        if branches and found.solved and not found.free:
+            return ByIntegral(i, branches, found.verified)
+    return None

@@ -19,7 +19,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
@@ -33,7 +32,7 @@ from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_mot
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import shown, under_one_root
-from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
 from lagrange.mechanics.questions.quadrature import number_between, speed_stated, time_between, time_between_speeds
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
@@ -172,7 +171,7 @@ class _Search:
             asked = self._in_time() or self._by_quadrature()
             if asked is not None:
                 return asked if asked.answered else self._in_numbers() or asked
-        elif not self.question.when and self.question.by is None and (constant := self._constant()) is not None:
+        elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
         if self.question.by != t and t not in self.quantity.free_symbols:
             for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
@@ -227,18 +226,16 @@ class _Search:
         return [s for s in (*self.slots.coordinates, *self.slots.velocities) if s not in self.setting.initial]
 
     def _constant(self) -> Asked | None:
-        """The answer where the quantity is a multiple of an integral; None where it is none."""
-        moving = {*self.place.moving}
-        for i in self.setting.integrals:
-            if count_operations(i.expression) >= LONGEST_EQUATION:
-                continue
-            ratio = sp.cancel(self.quantity / i.expression)
-            if ratio.free_symbols & moving:
-                continue
-            value = shortest_form(ratio * i.value)
-            branch = AnswerBranch(self.question.quantity, value, (value,))
-            return replace(self._asked(Route.INTEGRALS, How.EXACT, [i]), branches=(shown(branch),))
-        return None
+        """The answer where an integral alone gives it: its multiple, or a parameter in its value."""
+        question, integrals, moving = self.question, self.setting.integrals, {*self.place.moving}
+        if question.when:
+            found = parameter_of_integral(self.when, self.parameter, question.quantity, integrals, moving)
+        else:
+            found = multiple_of_integral(self.quantity, question.quantity, integrals, moving)
+        if found is None:
+            return None
+        asked = self._asked(Route.INTEGRALS, How.EXACT, [found.integral])
+        return replace(asked, branches=tuple(map(shown, found.branches)), verified=found.verified)
 
     @property
     def _is_about_time(self) -> bool:

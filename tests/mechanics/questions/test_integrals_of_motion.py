@@ -7,6 +7,7 @@ import math
 import pytest
 import sympy as sp
 
+from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
 from lagrange.mechanics.questions.results import How
 from lagrange.mechanics.solution import solve
 from tests.mechanics.test_book_questions import Read
@@ -27,3 +28,40 @@ def test_the_time_to_a_turning_point_that_the_energy_gives(problem: Read) -> Non
     assert time.how is How.EXACT
     value = time.branches[0].rhs
     assert float(value.xreplace(dict.fromkeys(value.free_symbols, sp.S.One))) == pytest.approx(1 + math.pi / 2)
+
+
+ORBIT = """title: Escape
+parameters: {m: positive, mu: positive, a: positive, v: positive, b: positive}
+coordinates: [r, phi]
+particles: {S: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j"}}
+forces: {attraction: {potential: -m*mu/r}}
+initial: {r: a, phi: 0, r': 0, phi': v/a}
+"""
+
+
+@pytest.mark.parametrize(
+    ("when", "speed"),
+    [
+        ("energy = 0", "sqrt(2*mu/a)"),  # ½ v² = μ/a
+        ("2*energy = -m*mu/b", None),  # twice the integral is not seen to be one
+        ("energy = -m*mu/(2*b)", "sqrt(mu*(2*b - a)/(a*b))"),  # vis viva, v² = μ (2/a − 1/b)
+        ("m*r^2*phi' = m*b*a", "b"),  # the angular momentum
+    ],
+)
+def test_the_speed_for_which_an_integral_has_a_value(problem: Read, when: str, speed: str) -> None:
+    [asked] = solve(problem(ORBIT + f'ask: {{escape: {{quantity: v, when: "{when}"}}}}\n')).asked
+    if speed is None:
+        assert not asked.branches
+        return
+    assert asked.how is How.EXACT
+    [branch] = asked.branches
+    there = {"m": 2.0, "mu": 3.0, "a": 1.5, "b": 4.0}
+    found = branch.rhs.evalf(subs={s: there[s.name] for s in branch.rhs.free_symbols})
+    assert float(found) == pytest.approx(float(sp.sympify(speed).evalf(subs=there)))
+
+
+def test_what_is_no_integral_is_left_to_others() -> None:
+    x, v, c = sp.symbols("x v c", positive=True)
+    assert multiple_of_integral(x, x, [], {x}) is None
+    assert parameter_of_integral([v - c], c, c, [], {v}) is None
+    assert parameter_of_integral([v], None, c, [], {v}) is None
