@@ -12,7 +12,16 @@ x = sp.Symbol("x", real=True)
 a, b, g, place, speed = sp.symbols("a b g x_0 v_0", positive=True)
 
 
-@pytest.mark.parametrize("acceleration", [a * t - g, a / (1 + b * t) - g, g - b * prime(x) * t**0 / (1 + b * t)])
+@pytest.mark.parametrize(
+    "acceleration",
+    [
+        a * t - g,
+        a / (1 + b * t) - g,
+        g - b * prime(x) * t**0 / (1 + b * t),
+        (a - g * prime(x)) / (1 - b * t),  # a rocket with drag
+        (a + a * t - g * prime(x)) / (5 - b * t),
+    ],
+)
 def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleration: sp.Expr) -> None:
     found = of_rates_in_time(x, acceleration, place, speed)
     assert found is not None
