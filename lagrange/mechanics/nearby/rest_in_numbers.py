@@ -105,7 +105,13 @@ def _reached(
             scale = max([1, *map(abs, linear.balance), *map(abs, pulls)])
             if max(map(abs, [*slack, *off])) < CHECKED_REMAINDER * scale:
                 return _at_rest(configuration, values, about, linear, used, pulls)
-        steep = _stiffness(linear, used, pulls or [zero] * len(used))
+        else:  # the reactions that balance the forces best, by least squares
+            normal = [[sum(x * y for x, y in zip(a, b, strict=True)) for b in forms] for a in forms]
+            along = [sum(x * e for x, e in zip(a, linear.balance, strict=True)) for a in forms]
+            pulls = solution(about.reals, normal, along) if forms else []
+            if pulls is None:
+                return None
+        steep = _stiffness(linear, used, pulls)
         table = [[*steep[k], *(-a[k] for a in forms)] for k in range(n)]
         table += [[*slope, *(zero for _ in forms)] for slope in slopes]
         right = [-e for e in linear.balance] + [-f for f in off]
