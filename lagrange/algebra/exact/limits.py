@@ -33,8 +33,8 @@ HIGHEST_REAL_POWER = 10**4
 LARGEST_ROUNDED = 10**100
 # Newton's iteration doubles the digits in each step once it converges: after 30 steps it does not.
 NEWTON_STEPS = 30
-# Constraints from which on its steps are taken in sixteen digits, and the pivots, beside the squares of a row, that these
-# can be trusted with: each step gains ten digits at least.
+# Constraints from which on its steps are taken in sixteen digits, and the pivots, beside the squares of a row, with
+# which these can be trusted: each step gains ten digits at least.
 FEWEST_ROUGH_STEPS = 6
 LEAST_ROUGH_PIVOT = 1e-6
 

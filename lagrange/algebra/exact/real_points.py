@@ -364,8 +364,10 @@ def _rough_step(J: list[list[Any]], f: list[Any]) -> list[Any] | None:
     entries = [[(k, float(x)) for k, x in enumerate(row) if x] for row in J]
     known = [dict(row) for row in entries]
     try:
-        work = [[sum(x * s[k] for k, x in row if k in s) for s in known] for row in entries]
-        work = [[*row, float(x)] for row, x in zip(work, f, strict=True)]
+        work = [
+            [*(sum(x * s[k] for k, x in row if k in s) for s in known), float(z)]
+            for row, z in zip(entries, f, strict=True)
+        ]
         for c in range(m):
             best = max(range(c, m), key=lambda r: abs(work[r][c]))
             if not abs(work[best][c]) > LEAST_ROUGH_PIVOT * sum(x * x for x in known[c].values()):
@@ -382,8 +384,8 @@ def _rough_step(J: list[list[Any]], f: list[Any]) -> list[Any] | None:
     except (OverflowError, ZeroDivisionError):
         return None
     step = [0.0] * n
-    for row, z in zip(entries, y, strict=True):
-        for k, x in row:
+    for sparse, z in zip(entries, y, strict=True):
+        for k, x in sparse:
             step[k] -= x * z
     return [_mp.mpf(x) for x in step] if all(map(isfinite, step)) else None
 

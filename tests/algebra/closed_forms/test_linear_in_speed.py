@@ -33,6 +33,8 @@ def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleratio
         assert float(rate.diff(t).subs(values)) == pytest.approx(float(acceleration.subs(prime(x), rate).subs(values)))
 
 
-@pytest.mark.parametrize("acceleration", [-x * t, -t * prime(x) ** 2, -g * prime(x), a * t - g * prime(x) / (1 - b * t)])
+@pytest.mark.parametrize(
+    "acceleration", [-x * t, -t * prime(x) ** 2, -g * prime(x), a * t - g * prime(x) / (1 - b * t)]
+)
 def test_other_equations_are_left(acceleration: sp.Expr) -> None:
     assert of_rates_in_time(x, acceleration, place, speed) is None
