@@ -64,9 +64,10 @@ def _in_powers(b: sp.Expr, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[
 
     def since_start(p: sp.Expr) -> sp.Expr | None:
         """∫_0^t R^p dt; None where p + 1 may vanish."""
-        if p == -1:
+        higher = sp.cancel(p + 1)
+        if higher == 0:
             return start / slope * sp.log(ratio)
-        return start * (ratio ** (p + 1) - 1) / (slope * (p + 1)) if sign_of(sp.cancel(p + 1)) in (1, -1) else None
+        return sp.cancel(start / (slope * higher)) * (ratio**higher - 1) if sign_of(higher) in (1, -1) else None
 
     way, rate = since_start(-kappa), speed * ratio ** (-kappa)
     total = place if way is None else place + speed * way
