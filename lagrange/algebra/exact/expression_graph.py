@@ -352,7 +352,8 @@ def _without_positive(base: sp.Expr) -> list[tuple[sp.Expr, int]] | None:
     if not base.is_Add and not base.is_Mul:
         return None
     above, below = sp.fraction(sp.together(base))
-    rest, taken = [], []
+    rest: list[tuple[sp.Expr, int]] = []
+    taken: list[tuple[sp.Expr, int]] = []
     for part, sign in ((above, 1), (below, -1)):
         for f in sp.Mul.make_args(part):
             b, n = f.as_base_exp()
