@@ -15,9 +15,10 @@ from lagrange.problem.model import Find, Problem
 
 _COVERED = (
     "`find: motion` gives the equations in JSON, `find: linearization` the linear ones about the motion of `initial`, "
+    "`find: equilibrium` a position of rest in numbers, "
     "`lagsolve export` and `lagsolve simulate` the motion in numbers"
 )
-COVERED = {Find.CONSTRAINTS, Find.MOTION, Find.LINEARIZATION, Find.STEADY}
+COVERED = {Find.CONSTRAINTS, Find.MOTION, Find.LINEARIZATION, Find.STEADY, Find.EQUILIBRIUM}
 
 
 def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterator[Callable[[Solution], Solution]]:
@@ -35,6 +36,8 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
         yield lambda s: _with_long_equations(s, on_stage)
     if {Find.LINEARIZATION, Find.STEADY} & wanted:
         yield lambda s: _with_linear_motion(s, on_stage)
+    if Find.EQUILIBRIUM in wanted:
+        yield lambda s: _with_rest(s, on_stage)
 
 
 def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
@@ -60,6 +63,18 @@ def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> 
     motion = linear_motion(problem, configuration)
     checks = check_linear_motion(problem, configuration, motion)
     return replace(solution, linear_motion=motion, checks=(*solution.checks, *checks))
+
+
+def _with_rest(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
+    """The solution with the position of equilibrium near the one that the file gives."""
+    from lagrange.mechanics.equilibrium.checks import check_statics
+    from lagrange.mechanics.nearby.rest_in_numbers import check_rest, rest_in_numbers
+
+    on_stage("equilibrium")
+    problem, configuration = solution.problem, solution.own.configuration
+    check_statics(problem, configuration)
+    rest = rest_in_numbers(problem, configuration)
+    return replace(solution, rest_in_numbers=rest, checks=(*solution.checks, *check_rest(rest)))
 
 
 def with_long_reactions(solution: Solution) -> Solution:

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
     from lagrange.mechanics.nearby.long_equations import LongEquations
     from lagrange.mechanics.nearby.long_reactions import LongReactions
+    from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
@@ -139,6 +140,7 @@ class Solution:
     long_equations   the equations of motion in abbreviations, where nothing is eliminated because it would fill pages
     at_start         accelerations and reactions at t = 0, in numbers, for such a system
     linear_motion    the linear equations about the motion that the file gives, in numbers, for such a system
+    rest_in_numbers  a position of equilibrium, in numbers, for such a system
     long_reactions   reactions that are too long as functions of position and velocity
     given_up         the stage at which the work was given up, and why; later results are missing
     """
@@ -159,6 +161,7 @@ class Solution:
     long_equations: LongEquations | None = None
     at_start: StateInNumbers | None = None
     linear_motion: LinearMotion | None = None
+    rest_in_numbers: RestInNumbers | None = None
     long_reactions: LongReactions | None = None
     given_up: str = ""
 

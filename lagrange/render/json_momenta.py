@@ -54,6 +54,11 @@ def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
         entries["at_start"] = at_state(solution.at_start) | {"multipliers": multipliers}
     if solution.linear_motion is not None:
         entries["linear_motion"] = linear_motion(solution.linear_motion, write)
+    if (rest := solution.rest_in_numbers) is not None:
+        words = {True: "stable", False: "unstable", None: None}
+        place = {"coordinates": {q.name: float(x) for q, x in rest.position.items()}, "how": "numerical"}
+        forces = {"multipliers": {name: float(x) for name, x in rest.multipliers.items()}}
+        entries["equilibrium_in_numbers"] = [place | {"stability": words[rest.stable]} | forces]
     if solution.long_reactions is not None:
         entries["long_reactions"] = long_reactions(solution.long_reactions, write)
     if solution.impact is not None:

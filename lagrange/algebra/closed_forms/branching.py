@@ -298,6 +298,7 @@ class _BranchSearch:
         irreducible = factors(e)
         if irreducible is None:
             return None
+        irreducible = [self._without_equal_roots(p) for p in irreducible]
         # A factor without unknowns is generically not zero and may be divided by. That it might vanish is a branch of
         # its own, asked once at the start, when the equation is still the one that was given.
         pieces = [(p, False) for p in irreducible if self.letters.unknowns_in(p)]
@@ -308,6 +309,16 @@ class _BranchSearch:
         if len(pieces) == 1 and pieces[0][0] in (e, -e):
             return None
         return pieces
+
+    def _without_equal_roots(self, e: sp.Expr) -> sp.Expr:
+        """A − B for √A − √B: two distances are equal where their squares are."""
+        terms = sp.Add.make_args(e)
+        if len(terms) != 2 or not all(s in self.letters.roots for s in (terms[0], -terms[1])):
+            terms = terms[::-1]
+        if len(terms) != 2 or not all(s in self.letters.roots for s in (terms[0], -terms[1])):
+            return e
+        parts = numerator(self.letters.roots[terms[0]] - self.letters.roots[-terms[1]])
+        return e if parts is None or parts[0] == 0 else parts[0]
 
     def _circular(self, e: sp.Expr) -> bool:
         return any(s in e.free_symbols for a in self.letters.angles.values() for s in a.letters)

@@ -6,6 +6,10 @@ The equation is linear in the speed v = q'. With the integrating factor μ = exp
 
 The antiderivatives come from the table, with real logarithms of what is positive at t = 0: log X(t) is written as
 log (X(t)/X(0)), so that a rocket has v = u log (m_0/m) − g t. They hold until X vanishes.
+
+Where B = −c/X with X = X_0 + s t, as with drag beside the jet, μ is a power of R = X/X_0, and with κ = c/s
+
+    ∫ R^p dt = X_0 (R^(p+1) − 1)/(s (p + 1)) .
 """
 
 from __future__ import annotations
@@ -28,6 +32,8 @@ def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -
     integral = _since_start(-factor)
     if integral is None:
         return None
+    if (powers := _in_powers(factor, source, place, speed)) is not None:
+        return powers
     mu = sp.powsimp(sp.exp(sp.logcombine(integral))) if integral != 0 else sp.S.One
     driven = _since_start(mu * source)
     if driven is None:
@@ -37,6 +43,42 @@ def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -
     if way is None:
         return None
     return place + _with_ratios(way), sp.factor(rate) if rate.is_rational_function(t) else _with_ratios(rate)
+
+
+def _in_powers(b: sp.Expr, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+    """q(t) and q'(t) where −B = c/X with X linear in t, κ = c/s no number, and A a sum of powers of X."""
+    c, x = sp.fraction(sp.cancel(-b))
+    if t in c.free_symbols or not x.is_polynomial(t) or sp.degree(x, t) != 1:
+        return None
+    slope, start = x.diff(t), x.xreplace({t: sp.S.Zero})
+    kappa = sp.cancel(c / slope)
+    if kappa.is_number or sign_of(start) not in (1, -1):
+        return None
+    letter = sp.Dummy("x", real=True)
+    above, below = sp.fraction(sp.cancel(a.xreplace({t: (letter - start) / slope})))
+    if not above.is_polynomial(letter) or len(sp.Poly(below, letter).terms()) != 1:
+        return None
+    [((power,), scale)] = sp.Poly(below, letter).terms()
+    shares = [(n - power, share / scale) for (n,), share in sp.Poly(above, letter).terms() if share != 0]
+    ratio = sp.expand(x / start)
+
+    def since_start(p: sp.Expr) -> sp.Expr | None:
+        """∫_0^t R^p dt; None where p + 1 may vanish."""
+        higher = sp.cancel(p + 1)
+        if higher == 0:
+            return start / slope * sp.log(ratio)
+        return sp.cancel(start / (slope * higher)) * (ratio**higher - 1) if sign_of(higher) in (1, -1) else None
+
+    way, rate = since_start(-kappa), speed * ratio ** (-kappa)
+    total = place if way is None else place + speed * way
+    for n, share in shares:
+        further, divisor = since_start(sp.Integer(n + 1)), sp.factor(kappa + n + 1)
+        if way is None or further is None or sign_of(divisor) not in (1, -1):
+            return None
+        amount = sp.cancel(share * start ** (n + 1) / (slope * divisor))
+        rate += amount * (ratio ** (n + 1) - ratio ** (-kappa))
+        total += amount * (further - way)
+    return total, rate
 
 
 def _since_start(e: sp.Expr) -> sp.Expr | None:

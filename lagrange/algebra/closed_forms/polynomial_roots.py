@@ -7,6 +7,7 @@ polynomials in the parameters; a leading coefficient of unknown sign is assumed 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from math import gcd
 
 import sympy as sp
@@ -21,11 +22,16 @@ def factors(e: sp.Expr) -> list[sp.Expr] | None:
     """The irreducible factors of a polynomial, each once; None where it is too large."""
     if not can_be_factored(e):
         return None
+    return [*_factors(e)]
+
+
+@lru_cache(maxsize=256)  # each case of an equation, and each answer to it, tries the same polynomials
+def _factors(e: sp.Expr) -> tuple[sp.Expr, ...]:
     try:
         _, powers = sp.factor_list(e)
     except (sp.PolynomialError, NotImplementedError):
-        return [e]
-    return [f for f, _ in powers]
+        return (e,)
+    return tuple(f for f, _ in powers)
 
 
 def can_be_factored(e: sp.Expr) -> bool:
@@ -131,6 +137,7 @@ def _powers(v: Value, n: int) -> Iterator[Value]:
         yield Value(sign * root, (*v.conditions, *conditions))
 
 
+@lru_cache(maxsize=256)
 def factored_quotient(e: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms and factors, if it is short."""
     if count_operations(e) > LARGEST_FACTORED:

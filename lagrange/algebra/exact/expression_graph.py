@@ -232,6 +232,9 @@ class Graph(Nodes):
 
     def growth(self, e: sp.Expr, base: sp.Expr, exponent: sp.Expr) -> int:
         """The node of b^(c + Σ c_j m_j): b^c times one random function of b and m_j for each j."""
+        if (split := _without_positive(base)) is not None:  # (1 + q t/m)^n is (m + q t)^n m^(-n)
+            powers = tuple(self.visit(sp.Pow(b, n * exponent)) for b, n in split)
+            return self.new(Op.MULTIPLY, powers, powers, e)
         terms = self.terms(exponent)
         # The constant part is a power of its own, so that b^(n + 1) = b b^n holds.
         constant = terms.pop(sp.S.One, sp.S.Zero)
@@ -342,6 +345,24 @@ def _add(graph: Graph, e: sp.Add) -> int:
 def _multiply(graph: Graph, e: sp.Mul) -> int:
     needs = graph.visited(e.args)
     return graph.new(Op.MULTIPLY, needs, needs, e)
+
+
+def _without_positive(base: sp.Expr) -> list[tuple[sp.Expr, int]] | None:
+    """A sum or product as one without positive symbols for factors, and these with their powers; None without any."""
+    if not base.is_Add and not base.is_Mul:
+        return None
+    above, below = sp.fraction(sp.together(base))
+    rest: list[tuple[sp.Expr, int]] = []
+    taken: list[tuple[sp.Expr, int]] = []
+    for part, sign in ((above, 1), (below, -1)):
+        for f in sp.Mul.make_args(part):
+            b, n = f.as_base_exp()
+            positive = b.is_Symbol and b.is_positive and n.is_Integer
+            (taken if positive else rest).append((b, sign * int(n)) if positive else (f, sign))
+    if not taken:
+        return None
+    left = sp.Mul(*(f**sign for f, sign in rest))
+    return [*([(left, 1)] if left != 1 else []), *taken]
 
 
 def _power(graph: Graph, e: sp.Pow) -> int:

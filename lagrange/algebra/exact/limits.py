@@ -33,6 +33,10 @@ HIGHEST_REAL_POWER = 10**4
 LARGEST_ROUNDED = 10**100
 # Newton's iteration doubles the digits in each step once it converges: after 30 steps it does not.
 NEWTON_STEPS = 30
+# Constraints from which on its steps are taken in sixteen digits, and the pivots, beside the squares of a row, with
+# which these can be trusted: each step gains ten digits at least.
+FEWEST_ROUGH_STEPS = 6
+LEAST_ROUGH_PIVOT = 1e-6
 
 # Fields and points (`sampler`). Points of one field share its primes' chance of error, and drawing a prime costs more
 # than drawing a point: four points a field, eight fields in turn.
@@ -65,6 +69,9 @@ MOST_TRIED_BLOCKS = 400
 # Sets of so many constraints looked at: all fours of fifty.
 MOST_COMBINATIONS = 230_000
 LARGEST_BLOCK = 4
+# Lengths s = √(x² + ...) of the same coordinates, as of the six legs of a platform: beyond, points are real, where the
+# roots exist, and not of a field, where 2^6 draws find one.
+MOST_SHARED_ROOTS = 3
 CHOICES_OF_UNKNOWNS = 20
 # Operations of a rule x = R(θ + φ) that is substituted in angles [32].
 LONGEST_RULE = 60

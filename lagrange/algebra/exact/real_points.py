@@ -17,6 +17,7 @@ will do. Reference: Gauss–Newton for underdetermined systems in any book on nu
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import isfinite
 from operator import mul
 from random import Random
 from typing import Any, Self
@@ -26,10 +27,12 @@ from mpmath.ctx_mp import MPContext
 
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, Term, UnsupportedError
 from lagrange.algebra.exact.limits import (
+    FEWEST_ROUGH_STEPS,
     HIGHEST_REAL_POWER,
     LARGEST_REAL_ANGLE,
     LARGEST_REAL_EXPONENT,
     LARGEST_ROUNDED,
+    LEAST_ROUGH_PIVOT,
     NEWTON_STEPS,
 )
 from lagrange.algebra.exact.points import Operation, Point
@@ -65,7 +68,7 @@ class Reals:
 
     def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> list[Any]:
         """row − factor · other."""
-        return [x - factor * y for x, y in zip(row, other, strict=True)]
+        return [x - factor * y if y else x for x, y in zip(row, other, strict=True)]  # sparse in a large system
 
     def inverse(self, x: Any) -> Any:
         """1/x. Raises ZeroDivisorError."""
@@ -341,11 +344,50 @@ def _iterate(
         if max(abs(x) for x in f) < tiny:
             point.move(dict(zip(coordinates, values, strict=True)))
             return True
-        step = _smallest_step(trial, [[trial.at(n) for n in row] for row in jacobian], f)
+        J = [[trial.at(n) for n in row] for row in jacobian]
+        step = _rough_step(J, f) or _smallest_step(trial, J, f)
         if step is None:
             return False
         values = [x + dx for x, dx in zip(values, step, strict=True)]
     return False
+
+
+def _rough_step(J: list[list[Any]], f: list[Any]) -> list[Any] | None:
+    """The smallest step in numbers of sixteen digits; None where these do not suffice.
+
+    It takes a few steps more, of which each is ten times as fast in a large closed chain. How far the point is from the
+    surface is measured in eighty digits all the same.
+    """
+    m, n = len(J), len(J[0])
+    if not FEWEST_ROUGH_STEPS <= m <= n:
+        return None
+    entries = [[(k, float(x)) for k, x in enumerate(row) if x] for row in J]
+    known = [dict(row) for row in entries]
+    try:
+        work = [
+            [*(sum(x * s[k] for k, x in row if k in s) for s in known), float(z)]
+            for row, z in zip(entries, f, strict=True)
+        ]
+        for c in range(m):
+            best = max(range(c, m), key=lambda r: abs(work[r][c]))
+            if not abs(work[best][c]) > LEAST_ROUGH_PIVOT * sum(x * x for x in known[c].values()):
+                return None
+            work[c], work[best] = work[best], work[c]
+            top = work[c]
+            for row in work[c + 1 :]:
+                if row[c]:
+                    factor = row[c] / top[c]
+                    row[c:] = [x - factor * y for x, y in zip(row[c:], top[c:], strict=True)]
+        y = [0.0] * m
+        for c in reversed(range(m)):
+            y[c] = (work[c][m] - sum(x * z for x, z in zip(work[c][c + 1 : m], y[c + 1 :], strict=True))) / work[c][c]
+    except (OverflowError, ZeroDivisionError):
+        return None
+    step = [0.0] * n
+    for sparse, z in zip(entries, y, strict=True):
+        for k, x in sparse:
+            step[k] -= x * z
+    return [_mp.mpf(x) for x in step] if all(map(isfinite, step)) else None
 
 
 def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | None:
@@ -367,4 +409,11 @@ def _smallest_step(point: Any, J: list[list[Any]], f: list[Any]) -> list[Any] | 
 
 
 def _products(rows: list[list[Any]]) -> list[list[Any]]:
-    return [[sum(map(mul, r, s)) for s in rows] for r in rows]
+    """Rows times rows; symmetric, and each constraint contains few of the coordinates of a large system."""
+    entries = [{k: x for k, x in enumerate(row) if x} for row in rows]
+    products = [[_mp.mpf(0)] * len(rows) for _ in rows]
+    for m, r in enumerate(entries):
+        for n in range(m + 1):
+            s = entries[n]
+            products[m][n] = products[n][m] = sum((x * s[k] for k, x in r.items() if k in s), _mp.mpf(0))
+    return products

@@ -27,6 +27,7 @@ from lagrange.algebra.exact.limits import (
     LARGEST_BLOCK,
     LONGEST_RULE,
     MOST_COMBINATIONS,
+    MOST_SHARED_ROOTS,
     MOST_TRIED_BLOCKS,
 )
 from lagrange.algebra.exact.points import Point
@@ -116,6 +117,8 @@ def triangular_order(
         search = _OrderSearch(Graph(), constraints, coordinates, fresh)
         while (blocks := search.peeled()) is not None:
             order = SolutionOrder(tuple(blocks), _explicit(blocks, coordinates))
+            if _roots_of_shared(order) > MOST_SHARED_ROOTS:
+                return None
             roots, failing = _tried(order, fresh)
             if failing is None:
                 if coordinates and any(u not in coordinates for b in blocks for u in b.unknowns):
@@ -178,6 +181,16 @@ def _contradicts(block: SolvedBlock, fresh: Fresh) -> bool:
             return False
         return False
     return False
+
+
+def _roots_of_shared(order: SolutionOrder) -> int:
+    """How many constraints have roots of what earlier ones have fixed: k of them exist at 2^-k of a field's points."""
+    blocks = zip(order.blocks, order.own, strict=True)
+    return sum(not own and any(_has_root(f) for f in b.constraints) for b, own in blocks)
+
+
+def _has_root(f: sp.Expr) -> bool:
+    return any(p.exp.is_Rational and not p.exp.is_Integer and p.free_symbols for p in f.atoms(sp.Pow))
 
 
 def _tried(order: SolutionOrder, fresh: Fresh) -> tuple[int, SolvedBlock | None]:

@@ -16,6 +16,7 @@ from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
 from lagrange.answers.questions.texts.labels import without_place
 from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
 from lagrange.answers.questions.texts.supports import supports_of
+from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
@@ -50,6 +51,10 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
         from lagrange.answers.questions.linear_motion import check_linear_motion
 
         return Judgement(check_linear_motion(answer, solution), problem=solution.problem)
+    if (rest := solution.rest_in_numbers) is not None and not _with_accelerations(answer, solution):
+        from lagrange.answers.questions.positions_in_numbers import compared_with_rest
+
+        return Judgement(compared_with_rest([answer], rest, solution), statics=True, problem=solution.problem)
     if any(v.response is not None for v in solution.views):
         return _response(answer, solution, judge)
     if any(v.hamiltonian is not None for v in solution.views):
@@ -79,6 +84,13 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
 def _only(verdict: AnswerVerdict, solution: Solution) -> Judgement:
     """The verdict on an answer to one question, where there is nothing else."""
     return Judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,), problem=solution.problem)
+
+
+def _with_accelerations(answer: Sequence[Fragment], solution: Solution) -> bool:
+    """Whether a text has equations of motion."""
+    reference = reference_of_solution(solution)
+    readings = (read_answer(f, reference.scope) for f in answer)
+    return any({*e.free_symbols} & {*solution.problem.slots.accelerations} for r in readings for e in r.components)
 
 
 def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:

@@ -210,8 +210,10 @@ def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragm
 def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
-    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
+    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers, compared_with_rest
 
+    if solution.rest_in_numbers is not None:
+        return compared_with_rest(alternatives, solution.rest_in_numbers, solution)
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     if not equilibria:  # small oscillations are about an equilibrium too
         equilibria = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]

@@ -17,6 +17,7 @@ from lagrange.answers.written.decimals import as_written
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import Decimal
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
+from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
 from lagrange.mechanics.results import Solution
 
 _EXACT = 1e-12
@@ -37,7 +38,7 @@ def compared_in_numbers(
         if in_numbers is None or in_numbers.numerical is None:
             continue
         readings = [[read_answer(f, reference.scope) for f in a] for a in alternatives]
-        stated = [_stated(a, in_numbers, dict(reference.values)) for a in readings]
+        stated = [_stated(a, in_numbers.unknowns, dict(reference.values)) for a in readings]
         if any(s is None for s in stated):
             continue
         matches = [{n for n, p in enumerate(in_numbers.positions) if s and _is_at(s, p, in_numbers)} for s in stated]
@@ -52,14 +53,33 @@ def compared_in_numbers(
     return verdict
 
 
+def compared_with_rest(
+    alternatives: Sequence[Sequence[Fragment]], rest: RestInNumbers, solution: Solution
+) -> AnswerVerdict:
+    """The verdict where one position of a large system is known: right if it is stated, otherwise undecided."""
+    reference = reference_of_solution(solution)
+    readings = [read_answer(f, reference.scope) for a in alternatives for f in a]
+    if errors := tuple(d for r in readings if r.error for d in r.error.diagnostics):
+        return AnswerVerdict(Verdict.UNREADABLE, unreadable=errors, name="equilibrium")
+    stated = _stated(readings, tuple(rest.position), dict(reference.values)) if len(alternatives) == 1 else None
+    holds = stated is not None and all(
+        abs(number - float(rest.position[u])) <= width + _EXACT * (1 + abs(number))
+        for u, (number, width) in stated.items()
+    )
+    verdict = Verdict.EQUIVALENT if holds else Verdict.UNDECIDED
+    equations = tuple(EquationVerdict(r.text, verdict) for r in readings)
+    why = "" if holds else "this is not the position found near that of `initial`, and others were not looked for"
+    return AnswerVerdict(verdict, equations, name="equilibrium", diagnosis=why)
+
+
 def _stated(
-    readings: Sequence[Reading], in_numbers: EquilibriaInNumbers, values: Mapping[sp.Symbol, sp.Expr]
+    readings: Sequence[Reading], unknowns: Sequence[sp.Symbol], values: Mapping[sp.Symbol, sp.Expr]
 ) -> StatedNumbers | None:
     """The unknowns with their numbers and half a unit of the last place; None if the equations are not of this form."""
     stated: dict[sp.Symbol, tuple[float, float]] = {}
     for r in readings:
         components = r.with_decimals or r.components
-        unknown = {s for e in components for s in e.free_symbols} & {*in_numbers.unknowns}
+        unknown = {s for e in components for s in e.free_symbols} & {*unknowns}
         if len(components) != 1 or len(unknown) != 1:
             return None
         [e], [u] = components, unknown

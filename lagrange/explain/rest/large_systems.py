@@ -18,6 +18,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.accelerations import StateInNumbers
 from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
 from lagrange.mechanics.nearby.long_equations import LongEquations
+from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
 from lagrange.mechanics.nearby.stable_range import StableRange
 from lagrange.mechanics.results import Solution
 
@@ -41,6 +42,8 @@ def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[St
         yield _start(solution.at_start, solution.own.configuration)
     if solution.linear_motion is not None:
         yield _linear(solution.linear_motion)
+    if solution.rest_in_numbers is not None:
+        yield _rest(solution.rest_in_numbers, solution.own.configuration)
 
 
 def _start(state: StateInNumbers, configuration: Configuration) -> Step:
@@ -57,6 +60,26 @@ def _start(state: StateInNumbers, configuration: Configuration) -> Step:
         rows = (r for r in configuration.rows if r.name in state.multipliers)
         body.append(display(*(Equation((r.multiplier, _short(state.multipliers[r.name]))) for r in rows)))
     return Step(Rule.EQUATIONS_OF_MOTION, "The accelerations at the start", tuple(body))
+
+
+def _rest(rest: RestInNumbers, configuration: Configuration) -> Step:
+    """The position of equilibrium, its stability, the multipliers."""
+    body: list[Block] = [
+        prose("With the accelerations zero the equations of motion are conditions of equilibrium. Newton's iteration, "
+              "begun at the position of `initial`, leads in SI units to"),
+        display(*(Equation((q, _short(x))) for q, x in rest.position.items()), boxed=True),
+    ]  # fmt: skip
+    if rest.stable is not None:
+        kind = "a minimum: it is stable" if rest.stable else "no minimum: it is unstable"
+        body.append(prose(f"There the potential energy, under the constraints, has {kind}. "
+                          "Other positions of equilibrium were not looked for.", detail=Detail.BRIEF))  # fmt: skip
+    else:
+        body.append(prose("Other positions of equilibrium were not looked for.", detail=Detail.BRIEF))
+    if rest.multipliers:
+        body.append(prose("The multipliers are there, in SI units,"))
+        rows = (r for r in configuration.rows if r.name in rest.multipliers)
+        body.append(display(*(Equation((r.multiplier, _short(rest.multipliers[r.name]))) for r in rows)))
+    return Step(Rule.EQUILIBRIUM, "Equilibrium", tuple(body))
 
 
 def _constraints(classification: Classification) -> Step:

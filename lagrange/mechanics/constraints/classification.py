@@ -213,6 +213,8 @@ def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) 
     function of q and t, and all of them together are equivalent to finite relations.
     """
     rows, slots, finite = system.rows, system.slots, system.surface.constraints
+    if rows and all(r.finite is not None for r in rows):
+        return Flag((rank,), rank)  # differentials of the finite relations, whose derived system is the same
     pfaffian = [r for r in rows if r.nonlinear is None]
     forms = [r.form for r in pfaffian]
     if quasi is not None:

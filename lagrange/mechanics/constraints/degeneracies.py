@@ -60,8 +60,10 @@ def check_consistent(constraints: Sequence[Constraint], system: ConstrainedSyste
     linear = [(c, row) for c, row in zip(constraints, system.rows, strict=True) if row.nonlinear is None]
     constraints, rows = [c for c, _ in linear], [row for _, row in linear]
     geometric = [c for c in constraints if not c.kinematic]
-    clash = [geometric[k] for k in surface.contradictory()]
-    if not clash or has_real_point(surface):
+    # A real point refutes a contradiction; to look for one in a large closed chain takes several times as long.
+    possible = surface.exact or has_real_point(surface)
+    clash = [] if possible else [geometric[k] for k in surface.contradictory()]
+    if not clash:
         _check_regular(geometric, rows, surface)
         pairs = _clash_of_rates(linear, surface)
         _check_no_condition(pairs, surface.coordinates)

@@ -183,8 +183,11 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     if value.has(sp.zoo, sp.nan) or count_operations(value) > 4 * LARGEST_FACTORED:
         return None
     numerator, denominator = sp.fraction(sp.cancel(sp.together(value)))
-    numerators = [numerator, letters.reduced(numerator)]
-    if in_parameters:
+    try:
+        numerators = [numerator, letters.reduced(numerator)]
+    except sp.PolynomialError:  # a root of roots, such as the rate of a body drawn to two centres
+        numerators = [numerator]
+    if in_parameters and len(numerators) > 1:
         numerators.append(resolved(numerators[1], b.common))
     divisor = letters.write(sp.factor(denominator))
     forms = []

@@ -15,18 +15,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import combinations, islice
 
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import Slots, partial
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, of_independent
+from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm
 
 ZERO = sp.S.Zero
+
+MOST_CHOICES_OF_DEPENDENT = 10
+"""Sets of coordinates that are tried as dependent ones: those of three of five."""
 
 
 def reduced_form(motion: EquationsOfMotion) -> MatrixForm:
@@ -73,13 +78,34 @@ def only(configuration: Configuration, coordinates: Sequence[sp.Symbol]) -> Conf
 
 
 def independent_first(motion: EquationsOfMotion) -> Elimination:
-    """The displacements of coordinates that occur through their velocities only in terms of the others."""
+    """The displacements of coordinates that occur through their velocities only in terms of the others.
+
+    Which of them depend on the others is open where they are many: of a disc that rolls, x' and y' follow from the
+    heading and the spin, which both may be constant, where x' and the heading would give nothing but rolling straight
+    on. Those are taken with which T contains fewest coordinates.
+    """
     configuration = motion.configuration
     written = [motion.principle.textbook.form(d) for d in motion.principle.coefficients]
     used = {s for e in (*written, *(a for r in configuration.rows for a in r.form)) for s in e.free_symbols}
     coordinates = configuration.slots.coordinates
     absent = [k for k, q in enumerate(coordinates) if q not in used]
-    return eliminate(configuration.rows, len(coordinates), configuration.states, absent)
+    rows, states = configuration.rows, configuration.states
+    usual = eliminate(rows, len(coordinates), states, absent)
+    if len(absent) <= len(usual.dependent):
+        return usual
+    kinetic = kinetic_energy(configuration)
+
+    def occurring(solved: Elimination) -> int:
+        energy = kinetic.xreplace(rates_of_dependent(solved, configuration.slots))
+        return sum(states.is_zero(partial(energy, coordinates[k])) is not True for k in solved.independent)
+
+    fewest, best = occurring(usual), usual
+    for first in islice(combinations(absent, len(usual.dependent)), MOST_CHOICES_OF_DEPENDENT):
+        if {*first} != {*usual.dependent}:
+            other = eliminate(rows, len(coordinates), states, first)
+            if (number := occurring(other)) < fewest:
+                fewest, best = number, other
+    return best
 
 
 def rates_of_dependent(solved: Elimination, slots: Slots) -> dict[sp.Symbol, sp.Expr]:

@@ -95,7 +95,7 @@ class Family:
 
     def relations(self, b: Branch) -> tuple[Relation, ...]:
         """What determines one of its branches."""
-        return (*b.equations, *(_without_root(v, value) for v, value in self.rates.items()))
+        return (*b.equations, *(_without_root(v, value) for v, value in _rates_on(b, self.rates).items()))
 
 
 @record
@@ -151,8 +151,9 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
 
     def family(rates: Mapping[sp.Symbol, sp.Expr], at_rest: Equilibrium) -> Family:
         branches, complete = branches_at_rest(at_rest)
+        known: dict[Any, SmallOscillations | None] = {}
         at = tuple(
-            _about(b, form, cyclic, at_rest, small, *letters, rates) if n < MOST_EQUILIBRIA else None
+            _about(b, form, cyclic, at_rest, small, *letters, rates, known) if n < MOST_EQUILIBRIA else None
             for n, b in enumerate(branches)
         )
         of_others = replace(motion, configuration=remaining)
@@ -166,7 +167,9 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     complete = branches_at_rest(general)[1]
     rates = [slots.velocities[k] for k in cyclic]
     conditions = [c.expression for c in general.conditions]
-    solved = _rate_from(conditions, rates, 1 if complete else 2)
+    condition, solved = _condition_for_rate(conditions, rates, complete)
+    if solved is not None and len(conditions) > 1 and any(b.left for b in resting(solved).branches):
+        solved = None
     if solved is None or (complete and not _has_several(conditions, rates)):
         alone = [rate for b in general.branches if (rate := _rate_at_any_position(b, rates))]
         with_position = _only(general, lambda b: _rate_at_any_position(b, rates) is None)
@@ -176,9 +179,9 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         )
     else:
         [(rate, value)] = solved.items()
-        complete = complete or _determines(conditions[0], rate, general)
+        complete = complete or _determines(condition, rate, general)
         denominator = sp.fraction(sp.together(value))[1]
-        whatever = _at_any_rate(general, partial(conditions[0], rate))
+        whatever = _at_any_rate(general, partial(condition, rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
         known = [b.equations for b in whatever.branches]
         others_at = ((r, _only(resting(r), lambda b: b.equations not in known)) for r in excluded)
@@ -256,13 +259,27 @@ def _signs_in_ranges(configuration: Configuration, expressions: Sequence[sp.Expr
     return known
 
 
-def _rate_from(
-    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], degree: int
-) -> dict[sp.Symbol, sp.Expr] | None:
-    """A constant rate from a single condition that is linear in it, or, of degree 2, in its square."""
-    if len(conditions) != 1:
-        return None
-    [condition] = conditions
+def _condition_for_rate(
+    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], complete: bool
+) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr] | None]:
+    """A condition that a constant rate is found from, and this rate; None where there is none.
+
+    complete  whether the conditions are solved for the coordinates; otherwise the rate may be given by its square, and
+              by one of several conditions if no other one contains it: the orbit of a satellite, φ'² = F(r, θ), where
+              sin θ cos θ = 0 says how it points
+    """
+    if len(conditions) == 1:
+        return conditions[0], _rate_from(conditions[0], rates, 1 if complete else 2)
+    for n, condition in enumerate(() if complete else conditions):
+        others = {s for m, e in enumerate(conditions) if m != n for s in e.free_symbols}
+        solved = _rate_from(condition, [v for v in rates if v not in others], 2)
+        if solved is not None:
+            return condition, solved
+    return ZERO, None
+
+
+def _rate_from(condition: sp.Expr, rates: Sequence[sp.Symbol], degree: int) -> dict[sp.Symbol, sp.Expr] | None:
+    """A constant rate from a condition that is linear in it, or, of degree 2, in its square."""
     for rate in rates:
         slope = partial(condition, rate)
         if slope != 0 and rate not in slope.free_symbols:
@@ -310,6 +327,13 @@ def _rate_at_any_position(b: Branch, rates: Sequence[sp.Symbol]) -> dict[sp.Symb
             case [slope, middle, rest] if middle == 0 and (square := textbook_form(-rest / slope)).is_positive:
                 return {rate: sp.sqrt(square)}
     return None
+
+
+def _rates_on(b: Branch, rates: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """The given rates where a branch places some coordinates: φ'(r, θ) at θ = 0."""
+    placed: dict[sp.Basic, sp.Basic] = {r.lhs: r.rhs for r in b.relations if r.lhs.is_Symbol}
+    inside = {s for e in rates.values() for s in e.free_symbols}
+    return {v: textbook_form(e.xreplace(placed)) if placed.keys() & inside else e for v, e in rates.items()}
 
 
 def _without_root(v: sp.Symbol, value: sp.Expr) -> Relation:
@@ -396,19 +420,28 @@ def _about(
     omega: sp.Symbol,
     exponent: sp.Symbol,
     rates: Mapping[sp.Symbol, sp.Expr],
+    known: dict[Any, SmallOscillations | None],
 ) -> SmallOscillations | None:
-    """The linear equations about the steady motions of one branch, at constant momenta."""
+    """The linear equations about the steady motions of one branch, at constant momenta.
+
+    known  those of earlier branches, by their matrices and conditions: of a satellite that points in or out alike
+    """
     if b.left or b.special or not names or len(names) > MOST_OSCILLATING:
         return None
     try:
-        matrices = reduced_matrices(b, form, cyclic, resting, rates)
+        matrices = reduced_matrices(b, form, cyclic, resting, _rates_on(b, rates))
+        if matrices is None:  # the fourth root of r² + l² is no letter, the root of a root is
+            matrices = reduced_matrices(b, form, cyclic, resting, rates)
     except (DivisionByZeroError, ZeroDivisionError):
         return None
     if matrices is None:
         return None
     size = len(names)
     shape = tuple(tuple(sp.Integer(i == j) for j in range(size)) for i in range(size))
-    return oscillations(tuple(range(size)), shape, matrices, b, resting, names, omega, exponent)
+    like = (matrices, b.conditions)
+    if like not in known:
+        known[like] = oscillations(tuple(range(size)), shape, matrices, b, resting, names, omega, exponent)
+    return known[like]
 
 
 def reduced_matrices(

@@ -17,6 +17,8 @@ CHECKED_REMAINDER = 1e-30
 ROUNDED_TO_ZERO = 1e-55
 # Steps in which the exponents of a linear system are found.
 MOST_ROOT_STEPS = 200
+# Steps in which a position of rest is found; none moves a coordinate by more than 1.
+REST_STEPS = 60
 # The denominator of a fraction that is written as one.
 LARGEST_DENOMINATOR = 100
 # Imaginary part of a root, beside its size, below which it is real: of roots with 28 digits.

@@ -22,6 +22,7 @@ SYSTEMS = [
     (("theta - 2*phi", "a*sin(theta) - b*sin(phi)"), "theta phi"),
     (("y", "x*(k/(x^2 + y^2)^(3/2) - 3*n^2)"), "x y"),  # Hill's moon: y = 0 is put in under the root
     (("y - a", "x*(sqrt(x^2 + y^2) - b)"), "x y"),
+    (("x*sin(theta)*(sqrt(x^2 + 2*l*x*cos(theta) + l^2) - sqrt(x^2 - 2*l*x*cos(theta) + l^2))", "x - a"), "x theta"),
     (("a*sin(theta) - P*cos(theta)", "b*sin(phi) - P*cos(phi)"), "theta phi"),
     (("k*x - k*(y - x) - a", "k*(y - x) - b"), "x y"),
     (("x - l*sin(theta)", "sin(theta)*(a*cos(theta) - b)"), "x theta"),

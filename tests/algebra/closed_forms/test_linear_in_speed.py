@@ -12,7 +12,15 @@ x = sp.Symbol("x", real=True)
 a, b, g, place, speed = sp.symbols("a b g x_0 v_0", positive=True)
 
 
-@pytest.mark.parametrize("acceleration", [a * t - g, a / (1 + b * t) - g, g - b * prime(x) * t**0 / (1 + b * t)])
+@pytest.mark.parametrize(
+    "acceleration",
+    [
+        a * t - g,
+        a / (1 + b * t) - g,
+        g - b * prime(x) * t**0 / (1 + b * t),
+        (a - g * prime(x)) / (1 - b * t),  # a rocket with drag
+    ],
+)
 def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleration: sp.Expr) -> None:
     found = of_rates_in_time(x, acceleration, place, speed)
     assert found is not None
@@ -25,6 +33,8 @@ def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleratio
         assert float(rate.diff(t).subs(values)) == pytest.approx(float(acceleration.subs(prime(x), rate).subs(values)))
 
 
-@pytest.mark.parametrize("acceleration", [-x * t, -t * prime(x) ** 2, -g * prime(x)])
+@pytest.mark.parametrize(
+    "acceleration", [-x * t, -t * prime(x) ** 2, -g * prime(x), a * t - g * prime(x) / (1 - b * t)]
+)
 def test_other_equations_are_left(acceleration: sp.Expr) -> None:
     assert of_rates_in_time(x, acceleration, place, speed) is None

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from lagrange.algebra.exact.real_points import _smallest_step
+from lagrange.algebra.exact.real_points import _rough_step, _smallest_step
 from lagrange.algebra.exact.zero_test import Fields, InadmissibleError, Point, Surface
 from lagrange.core.symbols import Sign
 
@@ -57,3 +57,16 @@ def test_a_system_too_steep_for_a_step() -> None:
             return None
 
     assert _smallest_step(Rounded(), [[1], [10**99]], [1, 1]) is None
+
+
+def test_a_rough_step_is_the_smallest_one_in_sixteen_digits() -> None:
+    """Of six sparse equations; none where two of them are alike, or where there are few."""
+    number = real_point().number
+    rows = [[number((3 * i + k) % 7 - 3 if (i + k) % 3 else 0) for k in range(9)] for i in range(6)]
+    off = [number(i - 2) for i in range(6)]
+    exact, rough = _smallest_step(real_point(), rows, off), _rough_step(rows, off)
+    assert exact is not None
+    assert rough is not None
+    assert [float(x) for x in rough] == pytest.approx([float(x) for x in exact])
+    assert _rough_step([*rows[:5], rows[0]], off) is None
+    assert _rough_step(rows[:5], off[:5]) is None

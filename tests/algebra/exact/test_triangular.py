@@ -67,3 +67,15 @@ def test_a_linkage_that_folds() -> None:
     for seed in range(20):
         surface = Surface(bars, [theta, phi, psi], fields=Fields(seed))
         assert surface.is_zero(sin(theta - phi) / sin(theta - psi)) is False
+
+
+@pytest.mark.parametrize(("number", "exact"), [(2, True), (6, False)])
+def test_many_lengths_of_the_same_coordinates_have_real_points(number: int, exact: bool) -> None:
+    """In a field six roots exist at one of 64 points, each drawn as a whole: a platform on six legs took minutes."""
+    lengths = sp.symbols(f"s:{number}", positive=True)
+    legs = [s - sp.sqrt((x - n) ** 2 + (y + n**2) ** 2 + l**2) for n, s in enumerate(lengths)]
+    surface = Surface(legs, [x, y, *lengths], fields=Fields(1))
+    assert surface.exact is exact
+    assert all(surface.is_zero(s**2 - (x - n) ** 2 - (y + n**2) ** 2 - l**2) for n, s in enumerate(lengths))
+    assert surface.rank([[sp.diff(f, q) for q in (x, y, *lengths)] for f in legs]) == number
+    assert surface.contradictory() == ()

@@ -335,3 +335,12 @@ def test_a_symbol_that_is_not_negative_keeps_its_sign() -> None:
     """√(v⁴ + 8 v²) = v √(v² + 8) for v ≥ 0, and not for every real v."""
     for v, same in ((sp.Symbol("v", nonnegative=True), True), (sp.Symbol("v", real=True), False)):
         assert is_zero(sp.sqrt(v**4 + 8 * v**2) - v * sp.sqrt(v**2 + 8)) is same
+
+
+def test_positive_factors_of_a_base_are_powers_of_their_own() -> None:
+    """(1 + q t/m)^n = (m + q t)^n m^(-n), as books write the speed of a rocket with drag in one way or the other."""
+    m, q, b, t = sp.symbols("m q b t", positive=True)
+    ratio, mass = 1 + q * t / m, m + q * t
+    assert is_zero(ratio ** (b / q) - mass ** (b / q) / m ** (b / q)) is True
+    assert is_zero(ratio ** ((b + q) / q) - mass ** (b / q + 1) / m ** (b / q + 1)) is True
+    assert is_zero(ratio ** (b / q) - mass ** (b / q) / m ** (b / q + 1)) is False

@@ -295,6 +295,46 @@ def test_a_condition_without_a_closed_position_gives_the_square_of_the_rate() ->
     assert found.complete
 
 
+SATELLITE = """coordinates: [r, phi, theta]
+parameters: [m, K]
+let: {A: 1/20, B: 1/5}
+bodies: {sat: {mass: m, inertia: 11/50, position: "r*cos(phi)*i + r*sin(phi)*j", angle: phi + theta}}
+forces:
+  field: {potential: "-K*m/r - K/(2*r^3)*(A + B + 11/50 - 3*(A*cos(theta)^2 + B*sin(theta)^2))"}
+"""
+
+
+def test_a_satellite_points_to_the_earth_on_its_orbit() -> None:
+    """The rate, and the exponents of small deviations, against the motion at constant momentum, differentiated."""
+    found = found_in(SATELLITE)
+    [family] = found.families
+    radial = next(n for n, b in enumerate(family.about.branches) if not b.special and b.relations[0].rhs == 0)
+    m, K, A, B, C, r = 1.3, 2.1, 0.05, 0.2, 0.22, 1.1
+    given = {"m": m, "K": K, "A": A, "B": B, "C": C, "r": r}
+    [square] = [x.rhs for x in family.relations(family.about.branches[radial]) if x.lhs.is_Pow]
+    rate = sqrt(number(square, **given))
+    assert m * r * rate**2 == pytest.approx(K * m / r**2 + 1.5 * K / r**4 * (B + C - 2 * A))
+    momentum = (m * r**2 + C) * rate
+
+    def acceleration(state: np.ndarray) -> np.ndarray:
+        r, theta, out, turning = state
+        rate = (momentum - C * turning) / (m * r**2 + C)
+        inward = K * m / r**2 + 1.5 * K / r**4 * (A + B + C - 3 * (A * cos(theta) ** 2 + B * sin(theta) ** 2))
+        couple = -3 * K / r**3 * (B - A) * sin(theta) * cos(theta)
+        faster = (-couple - 2 * m * r * out * rate) / (m * r**2)
+        return np.array([out, turning, r * rate**2 - inward / m, couple / C - faster])
+
+    h, at = 1e-5, np.array([r, 0, 0, 0])
+    slopes = np.array([(acceleration(at + h * e) - acceleration(at - h * e)) / (2 * h) for e in np.eye(4)]).T
+    of_radial = family.about.at[radial]
+    assert of_radial is not None
+    tables = (of_radial.system.mass, of_radial.system.damping, of_radial.system.stiffness)
+    M, D, S = (np.array([[number(e, **given) for e in row] for row in x]) for x in tables)
+    first = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, S), -np.linalg.solve(M, D)]])
+    assert np.poly(first) == pytest.approx(np.poly(slopes), rel=1e-6, abs=1e-6)
+    assert not [b for b in family.about.branches if b.left]
+
+
 GIMBALS = """coordinates: [phi, theta, psi]
 parameters: [g]
 bodies:
