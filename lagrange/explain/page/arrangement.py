@@ -92,6 +92,10 @@ from lagrange.explain.page.quasi_velocities import (
     short_in_speeds,
 )
 from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.shorter.choices import in_few_lines
+from lagrange.explain.page.shorter.counts import counted_shortly
+from lagrange.explain.page.shorter.displacements import with_one_list
+from lagrange.explain.page.shorter.rolling import explain_at_sight, integrates_at_sight
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -132,6 +136,7 @@ def page(
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
+    arranged = counted_shortly(solution, [*in_few_lines([*with_one_list([*arranged])])])
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -221,7 +226,8 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
-    step = explain_meaning(said, conserved, stated, shown, solution.problem)
+    at_sight = integrates_at_sight(solution)
+    step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -259,6 +265,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     classification, law = solution.classification, solution.law
     geometric = is_plainly_geometric(classification)
     free = not classification.constraints
+    at_sight = not free and not geometric and integrates_at_sight(solution)
     laws = has_vector_laws(solution)
     vectors = geometric and laws
     newton = law.newton if law is not None else None
@@ -270,8 +277,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
     own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
-        if (geometric or free) and step.rule in ABOUT_CONSTRAINTS:
-            if geometric and step.rule is Rule.CONSTRAINT:
+        if (geometric or free or at_sight) and step.rule in ABOUT_CONSTRAINTS:
+            if at_sight and step.rule is Rule.CONSTRAINT:
+                yield without_component(solution.problem, explain_at_sight(solution))
+            elif geometric and step.rule is Rule.CONSTRAINT:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)

@@ -42,6 +42,8 @@ def explain_meaning(
     stated: StatedEquations = (),
     labels: Collection[str | None] | None = None,
     problem: Problem | None = None,
+    *,
+    finite: bool = False,
 ) -> Step | None:
     """The step; None where there is nothing to say.
 
@@ -49,12 +51,13 @@ def explain_meaning(
     stated     the equations of motion in another form, known to be right
     labels     of the equations on the page; None: all of them
     problem    for its initial state
+    finite     whether the constraints are finite relations: of momenta that these bind nothing is said
     """
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
     body: list[Block] = [*_in_short(meaning, stated)]
-    body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
+    body += _conserved(conserved, meaning.view.conserved, labels, unbound=speeds or finite)
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
@@ -82,6 +85,8 @@ def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
         stated_by_rates = tuple((defined(a), defined(b), *more) for a, b, *more in stated)
         if _are_shown(stated_by_rates, [defined(e) for e in form.equations.expressions]):
             return
+    if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
+        return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
@@ -109,14 +114,14 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, in_speeds: bool
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, unbound: bool
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
-    bound = {} if in_speeds else {q: p for q, p in conserved.bound.items() if q not in taken}
+    bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
     if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
         conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)

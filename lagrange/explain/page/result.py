@@ -36,6 +36,8 @@ MOST = 8
 """The most equations there."""
 LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
+LONGEST_ACCELERATION = 20
+"""The most operations of a constant acceleration there, instead of the equations that it solves."""
 LONGEST_CONDITIONS = 16
 """The most operations of the conditions beside an answer to a question."""
 
@@ -99,9 +101,11 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
-        if whole and sum(map(_operations, solved)) <= sum(map(_operations, equations)):
-            held = {prime(q, 2) for q in _held(view.configuration)}
-            kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
+        held = {prime(q, 2) for q in (*_held(view.configuration), *_eliminated(view))}
+        told = [e for e in solved if e.sides[0] not in held] or solved
+        short = sum(map(_operations, solved)) <= sum(map(_operations, equations))
+        if whole and (short or all(_operations(e) <= LONGEST_ACCELERATION for e in told)):
+            kept[Rule.EQUATIONS_OF_MOTION] = told
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
             kept.pop(rule, None)
@@ -116,6 +120,11 @@ def _held(configuration: Configuration) -> Iterator[sp.Symbol]:
         occurring = f.free_symbols & moving
         if len(occurring) == 1 and t not in occurring:
             yield occurring.pop()
+
+
+def _eliminated(view: InCoordinates) -> tuple[sp.Symbol, ...]:
+    """The coordinates that a choice determines by a velocity: the angle of a rolling wheel."""
+    return () if view.is_own else view.coordinates.through_rates
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
