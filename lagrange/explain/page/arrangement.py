@@ -92,10 +92,13 @@ from lagrange.explain.page.quasi_velocities import (
     short_in_speeds,
 )
 from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.shorter.at_sight import explain_at_sight, integrates_at_sight
 from lagrange.explain.page.shorter.choices import in_few_lines
 from lagrange.explain.page.shorter.counts import counted_shortly
 from lagrange.explain.page.shorter.displacements import with_one_list
-from lagrange.explain.page.shorter.rolling import explain_at_sight, integrates_at_sight
+from lagrange.explain.page.shorter.forces import in_accelerations
+from lagrange.explain.page.shorter.held import with_held_values
+from lagrange.explain.page.shorter.oscillations import in_one_box
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -136,7 +139,8 @@ def page(
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
-    arranged = counted_shortly(solution, [*in_few_lines([*with_one_list([*arranged])])])
+    arranged = with_held_values(solution, [*with_one_list([*arranged])])
+    arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -345,8 +349,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            view = next(v for v in solution.views if v.name == step.choice)
             named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
-            yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
+            shorter = (in_accelerations(solution, s, view) for s in named)
+            yield from (s for s in shorter if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
             yield with_only_coordinate(solution, _integrability_shortly(solution, step))
         elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:

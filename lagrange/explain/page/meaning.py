@@ -138,7 +138,8 @@ def _conserved(
     short = all(count_operations(i.expression) <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
-        yield from _without_accelerations(step.body)
+        jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in conserved.integrals)
+        yield from _without_accelerations(step.body, always=jacobi)
         return
     for integral, proof in zip(conserved.integrals, proofs, strict=True):
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
@@ -204,15 +205,18 @@ def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
     return sp.Add(*(a for a, factors in bases if not factors & {*zero}))
 
 
-def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
-    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side."""
+def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[Block]:
+    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side.
+
+    always  no balance at all: Jacobi's integral is the one that counts
+    """
     blocks = list(body)
     for n, block in enumerate(blocks):
         last = block.equations[-1] if isinstance(block, Display) else None
         if last is None or not (last.label or "").startswith("energy-rate"):
             continue
         rate = last.sides[-1]
-        if isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols):
+        if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)
             words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)

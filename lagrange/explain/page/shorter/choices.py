@@ -6,8 +6,9 @@ solved for a velocity. Each follows from the one before at sight: the page has t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import sympy as sp
 
@@ -20,15 +21,21 @@ from lagrange.explain.words import capital, plural
 
 LONGEST = 8
 """The most operations of a relation that is written in its sentence."""
+LONGEST_PRINCIPLE = 45
+"""The most operations of the principle written out before the equations, where these are its brackets."""
 _RULES = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION)
 
 
 def in_few_lines(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, those in chosen coordinates shorter."""
+    shown: dict[object, str] = {}
     for step in steps:
         if step.choice and not step.folded and step.rule in _RULES:
             body = _velocities_solved(_displacements_solved(_without_announcement([*step.body])))
-            step = replace(step, body=tuple(_kinematics_at_once(body)))
+            step = replace(step, body=tuple(_brackets_once(_kinematics_at_once(body, shown), steps)))
+        elif not step.folded:
+            lines = (e for b in step.body if isinstance(b, Display) and _is_kinematic(b) for e in b.equations)
+            shown |= {e.sides: e.label for e in lines if e.label}
         yield step
 
 
@@ -50,11 +57,17 @@ def _announces(block: Prose) -> bool:
 
 def _displacements_solved(body: list[Block]) -> list[Block]:
     """`In a virtual displacement δψ = (1/R) δs` without the equation of which this is the solution."""
-    at = next((n for n, b in enumerate(body) if isinstance(b, Prose) and b.parts == ("In a virtual displacement",)), None)
+    at = next(
+        (n for n, b in enumerate(body) if isinstance(b, Prose) and b.parts == ("In a virtual displacement",)), None
+    )
     if at is None or len(body) < at + 4:
         return body
     solving, solved = body[at + 2], body[at + 3]
-    if not isinstance(solving, Prose) or not _words(solving).startswith("Solving for") or not isinstance(solved, Display):
+    if (
+        not isinstance(solving, Prose)
+        or not _words(solving).startswith("Solving for")
+        or not isinstance(solved, Display)
+    ):
         return body
     where = _condition(solving)
     if solving.parts[-1] != " gives":
@@ -96,9 +109,7 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
             return [*body[:at], words, *body[at + 3 :]]
     if not are_short(pairs):
         return body
-    lines = (
-        replace(v, condition=(Math(a.sides),)) for v, a in zip(velocities, accelerations, strict=True)
-    )
+    lines = (replace(v, condition=(Math(a.sides),)) for v, a in zip(velocities, accelerations, strict=True))
     return [*body[: at + 1], display(*lines), *body[at + 2 :]]
 
 
@@ -110,13 +121,38 @@ def _ends(block: Block, words: str) -> bool:
     return isinstance(block, Prose) and str(block.parts[-1]).endswith(words)
 
 
-_ROTATION = ("The virtual rotation of the body", "The virtual rotations of the bodies")
+def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
+    """A long principle not written out, where nothing is left to be done but to read off its brackets."""
+    at = next((n for n, b in enumerate(body) if _words(b) == "and d'Alembert's principle "), None)
+    if at is None or len(body) < at + 4:
+        return body
+    reads, written, vanish, box = body[at : at + 4]
+    if not isinstance(written, Display) or not isinstance(box, Display) or not box.boxed:
+        return body
+    [line, *more] = written.equations
+    used = any(p.label == line.label for s in steps for b in s.body for p in _parts(b) if isinstance(p, Ref))
+    if more or used or _length(line) <= LONGEST_PRINCIPLE or not isinstance(vanish, Prose):
+        return body
+    assert isinstance(reads, Prose)
+    refs = [p for p in reads.parts if isinstance(p, Ref)]
+    words = prose("Substitute these in d'Alembert's principle ", *refs, ". ", *vanish.parts)
+    return [*body[:at], words, box, *body[at + 4 :]]
 
 
-def _kinematics_at_once(body: list[Block]) -> list[Block]:
-    """Accelerations, virtual displacements and rotations of bodies in one display."""
+def _parts(block: Block) -> Iterator[Part]:
+    if isinstance(block, Prose):
+        yield from block.parts
+    elif isinstance(block, Display):
+        yield from (p for e in block.equations for p in e.condition)
+
+
+def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list[Block]:
+    """Accelerations, virtual displacements and rotations of bodies in one display.
+
+    before  the labels of those that the page has shown in the file's coordinates, by their sides
+    """
     places = [n for n, b in enumerate(body) if isinstance(b, Display) and _is_kinematic(b)]
-    if len(places) not in (2, 3) or any(b - a != 2 for a, b in zip(places, places[1:], strict=False)):
+    if len(places) not in (2, 3) or any(b - a != 2 for a, b in pairwise(places)):
         return body
     shown = [b for n in places if isinstance(b := body[n], Display)]
     kinds = [_kind(b) for b in shown]
@@ -129,6 +165,16 @@ def _kinematics_at_once(body: list[Block]) -> list[Block]:
     moved = plural(len(shown[1].equations), "the virtual displacement", "the virtual displacements")
     turned = plural(len(shown[-1].equations), "the virtual rotation", "the virtual rotations")
     whats = [first, moved, turned] if len(shown) == 3 else [first, turned]
+    known = [before.get(e.sides) for e in shown[0].equations]
+    if all(known):
+        refs = listed(Ref(label) for label in known if label)
+        verb = " is" if len(known) == 1 else " are"
+        given = prose(f"{capital(first)}{verb} given by ", *refs, ". ",
+                      capital(f"{moved} and, formed" if len(shown) == 3 else f"{turned}, formed"),
+                      " like the angular velocity with δ for d/dt, ",
+                      f"{turned} are" if len(shown) == 3 else "is" if len(shown[-1].equations) == 1 else "are")  # fmt: skip
+        rest = [e for b in shown[1:] for e in b.equations]
+        return [*body[: places[0] - 1], given, display(*rest), *body[places[-1] + 1 :]]
     what = f"{', '.join(whats[:-1])} and, formed like the angular velocity with δ for d/dt, {whats[-1]}"
     return [*body[: places[0] - 1], prose(f"{capital(what)} are"), display(*lines), *body[places[-1] + 1 :]]
 
