@@ -99,6 +99,9 @@ from lagrange.explain.page.shorter.displacements import with_one_list
 from lagrange.explain.page.shorter.forces import in_accelerations
 from lagrange.explain.page.shorter.held import with_held_values
 from lagrange.explain.page.shorter.oscillations import in_one_box
+from lagrange.explain.page.shorter.relations import with_symbol_first
+from lagrange.explain.page.shorter.response import response_shortly
+from lagrange.explain.page.shorter.springs import with_lengths
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -141,6 +144,7 @@ def page(
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
     arranged = with_held_values(solution, [*with_one_list([*arranged])])
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
+    arranged = with_lengths([*response_shortly(solution, [*with_symbol_first([*arranged])])])
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -247,6 +251,8 @@ def _is_detour(solution: Solution, step: Step) -> bool:
         return True
     if step.choice or step.rule is not Rule.EQUATIONS_OF_MOTION or own is None or first is None or not first.motion:
         return False
+    if integrates_at_sight(solution) and not first.configuration.rows:
+        return True  # dependent coordinates are only in the way
     if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
         return True
     turning = bool(solution.own.configuration.rotations)  # what turns has long laws enough

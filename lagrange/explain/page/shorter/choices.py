@@ -169,10 +169,11 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
     if all(known):
         refs = listed(Ref(label) for label in known if label)
         verb = " is" if len(known) == 1 else " are"
-        given = prose(f"{capital(first)}{verb} given by ", *refs, ". ",
-                      capital(f"{moved} and, formed" if len(shown) == 3 else f"{turned}, formed"),
-                      " like the angular velocity with δ for d/dt, ",
-                      f"{turned} are" if len(shown) == 3 else "is" if len(shown[-1].equations) == 1 else "are")  # fmt: skip
+        verb = "is" if len(known) == 1 else "are"
+        like = "formed like the angular velocity with δ for d/dt"
+        are = "is" if len(shown[-1].equations) == 1 else "are"
+        begins = f"{moved} and, {like}, {turned} are" if len(shown) == 3 else f"{turned}, {like}, {are}"
+        given = prose(f"{capital(first)} {verb} given by ", *refs, f". {capital(begins)}")
         rest = [e for b in shown[1:] for e in b.equations]
         return [*body[: places[0] - 1], given, display(*rest), *body[places[-1] + 1 :]]
     what = f"{', '.join(whats[:-1])} and, formed like the angular velocity with δ for d/dt, {whats[-1]}"
