@@ -101,6 +101,7 @@ from lagrange.explain.page.shorter.held import with_held_values
 from lagrange.explain.page.shorter.oscillations import in_one_box
 from lagrange.explain.page.shorter.relations import with_symbol_first
 from lagrange.explain.page.shorter.response import response_shortly
+from lagrange.explain.page.shorter.sentences import in_fewer_words
 from lagrange.explain.page.shorter.springs import with_lengths
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
@@ -144,7 +145,8 @@ def page(
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
     arranged = with_held_values(solution, [*with_one_list([*arranged])])
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
-    arranged = with_lengths([*response_shortly(solution, [*with_symbol_first([*arranged])])])
+    arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])
+    arranged = in_fewer_words([*arranged])
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 

@@ -16,6 +16,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.page.shorter.sentences import parts_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
 
@@ -23,6 +24,8 @@ LONGEST = 8
 """The most operations of a relation that is written in its sentence."""
 LONGEST_PRINCIPLE = 45
 """The most operations of the principle written out before the equations, where these are its brackets."""
+LONGEST_OF_BODIES = 30
+"""The same where bodies turn, and vectors before it fill lines enough."""
 _RULES = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION)
 
 
@@ -130,20 +133,15 @@ def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     if not isinstance(written, Display) or not isinstance(box, Display) or not box.boxed:
         return body
     [line, *more] = written.equations
-    used = any(p.label == line.label for s in steps for b in s.body for p in _parts(b) if isinstance(p, Ref))
-    if more or used or _length(line) <= LONGEST_PRINCIPLE or not isinstance(vanish, Prose):
+    used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
+    turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
+    longest = LONGEST_OF_BODIES if turning else LONGEST_PRINCIPLE
+    if more or used or _length(line) <= longest or not isinstance(vanish, Prose):
         return body
     assert isinstance(reads, Prose)
     refs = [p for p in reads.parts if isinstance(p, Ref)]
     words = prose("Substitute these in d'Alembert's principle ", *refs, ". ", *vanish.parts)
     return [*body[:at], words, box, *body[at + 4 :]]
-
-
-def _parts(block: Block) -> Iterator[Part]:
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
 
 
 def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list[Block]:

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from lagrange.document.builders import listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.page.shorter.sentences import parts_of
 
 _BEGINS = "Time does not appear in "
 
@@ -61,18 +62,11 @@ def _is_delta(e: Equation) -> bool:
 def _referred(blocks: Sequence[Block], steps: Sequence[Step]) -> bool:
     """Whether anything refers to an equation of these blocks, or uses what they solve for."""
     labels = {e.label for b in blocks if isinstance(b, Display) for e in b.equations if e.label}
-    return any(p.label in labels for s in steps for b in s.body for p in _parts(b) if isinstance(p, Ref))
+    return any(p.label in labels for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
 
 
 def _equations(step: Step) -> Iterator[Equation]:
     yield from (e for b in step.body if isinstance(b, Display) for e in b.equations)
-
-
-def _parts(block: Block) -> Iterator[Part]:
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
 
 
 def _with_sentence(step: Step, forms: Sequence[str]) -> Step:

@@ -2,33 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.document.derivation import Block, Display, Equation, Rule, Step
 
-_RULES = (Rule.RESULT, Rule.FRICTION_AT_REST)
-_TURNED = {"≤": "≥", "=": "="}
+_TURNED = {Rule.RESULT: {"≤": "≥"}, Rule.FRICTION_AT_REST: {"≤": "≥", "=": "="}}
+"""The relations that are turned round, and what they become: at the head no equations, which may be anything."""
 
 
 def with_symbol_first(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, the conditions of rest turned round where a single symbol stands on the right."""
     for step in steps:
-        if step.rule in _RULES and not step.folded:
-            step = replace(step, body=tuple(map(_block, step.body)))
+        relations = _TURNED.get(step.rule, {})
+        if relations and not step.folded:
+            step = replace(step, body=tuple(_block(b, relations) for b in step.body))
         yield step
 
 
-def _block(block: Block) -> Block:
+def _block(block: Block, relations: Mapping[str, str]) -> Block:
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(map(_turned, block.equations)))
+    return replace(block, equations=tuple(_turned(e, relations) for e in block.equations))
 
 
-def _turned(e: Equation) -> Equation:
-    if len(e.sides) != 2 or e.relation not in _TURNED:
+def _turned(e: Equation, relations: Mapping[str, str]) -> Equation:
+    if len(e.sides) != 2 or e.relation not in relations:
         return e
     left, right = e.sides
     if (
@@ -38,4 +39,4 @@ def _turned(e: Equation) -> Equation:
         or right in left.free_symbols
     ):
         return e
-    return replace(e, sides=(right, left), relation=_TURNED[e.relation])
+    return replace(e, sides=(right, left), relation=relations[e.relation])

@@ -11,8 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.operations import count_operations
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Rule, Step
+from lagrange.mechanics.results import Solution
 
 SHORTEST = 10
 """The fewest operations of a length that is not written out again."""
@@ -20,14 +22,24 @@ _RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARI
           Rule.EQUILIBRIUM, Rule.REACTIONS, Rule.SOLVED_REACTIONS)  # fmt: skip
 
 
-def with_lengths(steps: Sequence[Step]) -> Iterator[Step]:
-    """The steps, with the letters of long lengths after these have been stated."""
+def with_lengths(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, with the letters of long lengths after these have been stated: those of the file, if it has any."""
     statement = next((s for s in steps if s.rule is Rule.STATEMENT), None)
-    lengths = {} if statement is None else dict(_lengths(statement))
+    named = {} if statement is None else dict(_lengths(statement))
+    lengths = {radicand: _own_letter(solution, radicand) or letter for radicand, letter in named.items()}
+    stated = {letter.name: lengths[radicand] for radicand, letter in named.items()}
     for step in steps:
         if lengths and step.rule in _RULES and not step.folded:
-            step = replace(step, body=tuple(_block(b, lengths) for b in step.body))
+            step = replace(step, body=tuple(_block(b, lengths, stated) for b in step.body))
         yield step
+
+
+def _own_letter(solution: Solution, radicand: sp.Expr) -> sp.Symbol | None:
+    """The abbreviation of the file that is the root."""
+    for name, value in solution.problem.abbreviations.items():
+        if isinstance(value, sp.Expr) and Surface().is_zero(value**2 - radicand) is True:
+            return sp.Symbol(name, positive=True)
+    return None
 
 
 def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
@@ -45,16 +57,23 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
                 yield value.base, sp.Symbol(name.name, positive=True)
 
 
-def _block(block: Block, lengths: dict[sp.Expr, sp.Symbol]) -> Block:
+def _block(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_line(e, lengths) for e in block.equations))
+    return replace(block, equations=tuple(_line(e, lengths, stated) for e in block.equations))
 
 
-def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol]) -> Equation:
-    if isinstance(e.sides[0], sp.Symbol) and e.sides[0].name in {s.name for s in lengths.values()}:
-        return e
-    return replace(e, sides=tuple(_side(s, lengths) for s in e.sides))
+def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:
+    first = e.sides[0]
+    letter = stated.get(first.name) if isinstance(first, sp.Symbol) else None
+    if letter is not None and isinstance(first, sp.Symbol):
+        return e if letter.name == first.name else replace(e, sides=(letter,))  # the file's own is defined above
+    letters: dict[sp.Basic, sp.Basic] = {sp.Symbol(name, real=True): s for name, s in stated.items()}
+    letters |= {sp.Symbol(name, positive=True): s for name, s in stated.items()}
+    sides = [_side(s, lengths) for s in e.sides]
+    sides = [s.xreplace(letters) if isinstance(s, sp.Expr) else s for s in sides]
+    kept = [s for n, s in enumerate(sides) if n == 0 or s != sides[n - 1]]
+    return replace(e, sides=tuple(kept))
 
 
 def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
