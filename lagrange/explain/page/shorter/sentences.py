@@ -36,8 +36,8 @@ def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block
         follows = body[n + 1] if n + 1 < len(body) else None
         if isinstance(block, Prose):
             yield _words(block, follows)
-        elif isinstance(block, Display) and not block.boxed and _are_steps(block):
-            yield replace(block, equations=tuple(_in_pairs(block.equations, referred)))
+        elif isinstance(block, Display) and not block.boxed and _are_steps(block, referred):
+            yield replace(block, equations=tuple(_in_pairs(block.equations)))
         else:
             yield block
 
@@ -79,9 +79,10 @@ def _length(block: Display) -> int:
     return sum(count_operations(s) for e in block.equations for s in e.sides if isinstance(s, sp.Expr))
 
 
-def _are_steps(block: Display) -> bool:
-    """Whether it has substitutions of coordinates, or displacements without numbers: q = ..., δq = ..., dq = ... dt."""
-    return len(block.equations) > 1 and all(_is_step(e) for e in block.equations)
+def _are_steps(block: Display, referred: Collection[str]) -> bool:
+    """Whether it has substitutions of coordinates, or displacements, to none of which anything refers."""
+    free = not any(e.label in referred for e in block.equations)
+    return free and len(block.equations) > 1 and all(_is_step(e) for e in block.equations)
 
 
 def _is_step(e: Equation) -> bool:
@@ -90,13 +91,12 @@ def _is_step(e: Equation) -> bool:
     return plain and ((e.label or "").startswith("choice-") or (e.label is None and name.startswith(("delta(", "d("))))
 
 
-def _in_pairs(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:
-    """Neighbours of one point, x₁ and y₁, side by side where both are short and nothing refers to them."""
+def _in_pairs(equations: Sequence[Equation]) -> Iterator[Equation]:
+    """Neighbours of one point, x₁ and y₁, side by side where both are short."""
     rest = [*equations]
     while rest:
         pair = rest[:2]
-        alike = len({_index(e) for e in pair}) == 1 and not any(e.label in referred for e in pair)
-        if len(pair) == 2 and alike and are_short(pair):
+        if len(pair) == 2 and len({_index(e) for e in pair}) == 1 and are_short(pair):
             yield paired(pair)[0]
             rest = rest[2:]
         else:
