@@ -7,8 +7,10 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.document.derivation import Block, Display, Equation, Rule, Step
 
+_ASKED = (Rule.RESULT, Rule.QUESTION)
 _TURNED = {Rule.RESULT: {"≤": "≥"}, Rule.FRICTION_AT_REST: {"≤": "≥", "=": "="}}
 """The relations that are turned round, and what they become: at the head no equations, which may be anything."""
 
@@ -16,10 +18,28 @@ _TURNED = {Rule.RESULT: {"≤": "≥"}, Rule.FRICTION_AT_REST: {"≤": "≥", "=
 def with_symbol_first(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, the conditions of rest turned round where a single symbol stands on the right."""
     for step in steps:
+        if step.rule in _ASKED and not step.folded:
+            step = replace(step, body=tuple(_factored(b) for b in step.body))
         relations = _TURNED.get(step.rule, {})
         if relations and not step.folded:
             step = replace(step, body=tuple(_block(b, relations) for b in step.body))
         yield step
+
+
+def _factored(block: Block) -> Block:
+    """Answers with the factors of numerator and denominator in front, where these are sums of several terms."""
+    if not isinstance(block, Display) or not block.boxed:
+        return block
+    return replace(block, equations=tuple(_in_factors(e) for e in block.equations))
+
+
+def _in_factors(e: Equation) -> Equation:
+    value = e.sides[-1]
+    above, below = sp.fraction(value) if isinstance(value, sp.Expr) else (sp.S.One, sp.S.One)
+    if len(e.sides) != 2 or not above.is_Add or not below.is_Add or not value.is_rational_function():
+        return e
+    factored = sp.factor_terms(above) / sp.factor_terms(below)
+    return replace(e, sides=(e.sides[0], factored)) if count_operations(factored) < count_operations(value) else e
 
 
 def _block(block: Block, relations: Mapping[str, str]) -> Block:

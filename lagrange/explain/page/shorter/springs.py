@@ -18,6 +18,8 @@ from lagrange.mechanics.results import Solution
 
 SHORTEST = 10
 """The fewest operations of a length that is not written out again."""
+FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"))
+"""By which radicands may differ where common factors have been divided out."""
 _RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARIZATION, Rule.CONSERVED, Rule.MEANING,
           Rule.EQUILIBRIUM, Rule.REACTIONS, Rule.SOLVED_REACTIONS)  # fmt: skip
 
@@ -77,11 +79,19 @@ def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.S
 
 
 def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
-    if not isinstance(side, sp.Expr) or not side.has(*lengths):
+    if not isinstance(side, sp.Expr) or not side.atoms(sp.Pow):
         return side
-
-    def is_length(e: sp.Basic) -> bool:
-        return isinstance(e, sp.Pow) and e.base in lengths and e.exp.is_Rational and e.exp.q == 2
-
-    rule = {p: lengths[p.base] ** (2 * p.exp) for p in side.atoms(sp.Pow) if is_length(p)}
+    rule = {p: e for p in side.atoms(sp.Pow) if (e := _by_letter(p, lengths)) is not None}
     return side.xreplace(rule)
+
+
+def _by_letter(power: sp.Pow, lengths: dict[sp.Expr, sp.Symbol]) -> sp.Expr | None:
+    """A power of a long root by the letter: of d for the root itself, and √2 d for that of twice the radicand."""
+    if not power.exp.is_Rational or power.exp.q != 2 or count_operations(power.base) <= SHORTEST:
+        return None
+    for radicand, letter in lengths.items():
+        for factor in FACTORS:
+            if power.base == radicand or sp.expand(power.base - factor * radicand) == 0:
+                times = sp.S.One if power.base == radicand else factor
+                return sp.Pow(times, power.exp) * letter ** (2 * power.exp)
+    return None

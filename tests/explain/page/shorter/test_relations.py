@@ -35,3 +35,11 @@ def test_what_stands_well_stays() -> None:
         assert turned(e, Rule.FRICTION_AT_REST) == e
     relation = Equation((mu + P, CONSTANT))
     assert turned(relation, Rule.RESULT) == relation  # f(x) = const at the head
+
+
+def test_an_answer_in_factors() -> None:
+    value = (mu * P * alpha + mu * P) / (P**2 * alpha + P * mu)
+    line = turned(Equation((alpha, value)), Rule.QUESTION)
+    assert line.sides[1] == mu * P * (alpha + 1) / (P * (P * alpha + mu))
+    roots = Equation((alpha, (sp.sqrt(mu + P) + P) / (P + mu)))
+    assert turned(roots, Rule.QUESTION) == roots

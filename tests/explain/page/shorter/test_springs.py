@@ -45,3 +45,9 @@ def test_a_short_length_is_written_out() -> None:
     assert [e.sides for e in lines({}, short, motion)] == [e.sides for e in lines({}, short)] + [
         (c / sp.sqrt(a**2 + l**2), sp.S.Zero)
     ]
+
+
+def test_twice_the_radicand_is_the_same_length() -> None:
+    double = Step(Rule.EQUATIONS_OF_MOTION, "", (display(Equation((a / sp.sqrt(sp.expand(2 * RADICAND)), sp.S.Zero))),))
+    _, moving = lines({}, STATEMENT, double)
+    assert moving.sides[0] == a / (sp.sqrt(2) * sp.Symbol("d_spring", positive=True))
