@@ -165,8 +165,7 @@ def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: 
     slips = "slip impends in every contact at once" if len(contacts) + len(belts) > 1 else "slip impends"
     body: list[Block] = [prose(f"If {slips}, friction has its greatest value, against the direction of the slip.")]
     body += [
-        prose(f"Then the tensions of {the(b.name)} satisfy ", math(b.tight, b.growth * b.slack), ".")
-        for b in belts
+        prose(f"Then the tensions of {the(b.name)} satisfy ", math(b.tight, b.growth * b.slack), ".") for b in belts
     ]
     open_ = [c.name for c in contacts if c.friction.toward is None and c.friction.slip is None]
     if open_:

@@ -105,10 +105,10 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
     pairs = [e for both in zip(velocities, accelerations, strict=True) for e in both]
     end = body[at + 2]
     if half == 1 and sum(map(_length, pairs)) <= LONGEST and isinstance(end, Prose):
-        [ref] = [p for p in solving.parts if isinstance(p, Ref)] or [None]
-        if ref is not None:
+        refs = [p for p in solving.parts if isinstance(p, Ref)]
+        if len(refs) == 1:
             both = listed(math(*e.sides) for e in pairs)
-            words = prose("By ", ref, ", ", *both, ". ", *end.parts)
+            words = prose("By ", *refs, ", ", *both, ". ", *end.parts)
             return [*body[:at], words, *body[at + 3 :]]
     if not are_short(pairs):
         return body

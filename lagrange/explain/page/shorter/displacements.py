@@ -35,14 +35,14 @@ def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
 
 def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[str]:
     """The names of the constraints whose forms a step repeats, if it does nothing else that the page needs."""
-    first, *others = step.body if len(step.body) > 1 else (None, None)
-    shown = others[0] if others else None
+    if len(step.body) < 2:
+        return []
+    first, shown, *rest = step.body
     if not isinstance(first, Prose) or first.parts[:1] != (_BEGINS,) or not isinstance(shown, Display):
         return []
     labels = [e.label or "" for e in shown.equations]
     if not labels or not all(label.startswith("virtual-") for label in labels):
         return []
-    rest = others[1:]
     if rest and not (_are_used_later(after) and not _referred(rest, steps)):
         return []
     return [label.removeprefix("virtual-") for label in labels]

@@ -35,7 +35,9 @@ def _factored(block: Block) -> Block:
 
 def _in_factors(e: Equation) -> Equation:
     value = e.sides[-1]
-    above, below = sp.fraction(value) if isinstance(value, sp.Expr) else (sp.S.One, sp.S.One)
+    if not isinstance(value, sp.Expr):
+        return e
+    above, below = sp.fraction(value)
     if len(e.sides) != 2 or not above.is_Add or not below.is_Add or not value.is_rational_function():
         return e
     factored = sp.factor_terms(above) / sp.factor_terms(below)

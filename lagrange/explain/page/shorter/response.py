@@ -57,7 +57,7 @@ def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbo
     rule = {sp.Symbol(x.name + "'" * n, real=True): sp.Symbol(q.name + "'" * n, real=True)
             for x, q in moved.items() for n in range(3)}  # fmt: skip
     rule |= dict(moved)
-    linear = [sp.expand((e.sides[0] - e.sides[1]).xreplace(rule)) for e in block.equations]  # type: ignore[operator]
+    linear = [sp.expand((e.sides[0] - e.sides[1]).xreplace(rule)) for e in block.equations]
     own = [sp.expand(e.expression) for e in motion.final]
     return len(linear) == len(own) and all(any(sp.expand(a - b) == 0 for b in own) for a in linear)
 
