@@ -13,6 +13,7 @@ from lagrange.document.builders import listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.page.shorter.sentences import parts_of
 
+_LEFT_SIDE = " times the left side of "
 _BEGINS = "Time does not appear in "
 
 
@@ -85,7 +86,10 @@ def _referring(step: Step, rule: dict[str, str]) -> Step:
 
     def block(b: Block) -> Block:
         if isinstance(b, Prose):
-            return replace(b, parts=tuple(map(part, b.parts)), short=tuple(map(part, b.short)))
+            parts = tuple(map(part, b.parts))
+            if parts != b.parts and parts[-1] == ":" and _LEFT_SIDE in parts:
+                parts = (*parts[:-1], ", with δ in place of d:")  # it is a left side with d now
+            return replace(b, parts=parts, short=tuple(map(part, b.short)))
         if isinstance(b, Display):
             return replace(b, equations=tuple(replace(e, condition=tuple(map(part, e.condition))) for e in b.equations))
         return b

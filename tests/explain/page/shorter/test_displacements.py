@@ -42,3 +42,12 @@ def test_the_list_stays_where_the_forms_are_not_shown() -> None:
     bare = Step(Rule.CONSTRAINT, "", (Display((Equation((x, sp.S.Zero)),)),))
     steps = [bare, Step(Rule.DISPLACEMENTS, "", (BEGINS, VIRTUAL))]
     assert [*with_one_list(steps)] == steps
+
+
+def test_a_left_side_that_is_now_one_with_d_is_said_to_be_taken_with_delta() -> None:
+    words = prose("The work is ", "N", " times the left side of ", Ref("virtual-floor"), ":")
+    steps = [CONSTRAINT, Step(Rule.DISPLACEMENTS, "", (BEGINS, VIRTUAL)), Step(Rule.WORKLESS, "", (words,))]
+    _, work = with_one_list(steps)
+    assert work.body == (
+        prose("The work is ", "N", " times the left side of ", Ref("form-floor"), ", with δ in place of d:"),
+    )
