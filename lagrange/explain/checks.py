@@ -79,6 +79,8 @@ def _spot(solution: Solution) -> list[Block]:
         return []
     spot = view.spot
     values = _without_turns(view, {s: e for s, e in spot.values.items() if _matters(view, s)})
+    if not values:
+        return []  # nothing accelerates, whatever the values
     results = [math(a, *_formula(view, a), value) for a, value in spot.accelerations.items()]
     long = len(values) + len(spot.accelerations) > LONGEST_SPOT
     words: list[Part] = ["Try it: ", *_assignments(values), plural(len(values), " gives ", " give ")]

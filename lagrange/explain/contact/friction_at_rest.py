@@ -93,7 +93,7 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
 def _belts(belts: Sequence[BeltLaw]) -> Iterator[Block]:
     """The tensions of each belt, and their bound."""
     for b in belts:
-        yield prose(f"{capital(spoken(b.name))} is a belt on a rough drum, in contact over the angle ",
+        yield prose(f"{capital(the(b.name))} runs over a rough drum and touches it over the angle ",
                     math(b.belt.angle), ". It does not slip towards its tight side as long as ",
                     math(b.tight, b.growth * b.slack, relation="≤"), ".")  # fmt: skip
 
@@ -165,8 +165,7 @@ def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: 
     slips = "slip impends in every contact at once" if len(contacts) + len(belts) > 1 else "slip impends"
     body: list[Block] = [prose(f"If {slips}, friction has its greatest value, against the direction of the slip.")]
     body += [
-        prose(f"Then the tensions of the belt {spoken(b.name)} satisfy ", math(b.tight, b.growth * b.slack), ".")
-        for b in belts
+        prose(f"Then the tensions of {the(b.name)} satisfy ", math(b.tight, b.growth * b.slack), ".") for b in belts
     ]
     open_ = [c.name for c in contacts if c.friction.toward is None and c.friction.slip is None]
     if open_:

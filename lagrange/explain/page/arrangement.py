@@ -92,6 +92,17 @@ from lagrange.explain.page.quasi_velocities import (
     short_in_speeds,
 )
 from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.shorter.at_sight import explain_at_sight, integrates_at_sight
+from lagrange.explain.page.shorter.choices import in_few_lines
+from lagrange.explain.page.shorter.counts import counted_shortly
+from lagrange.explain.page.shorter.displacements import with_one_list
+from lagrange.explain.page.shorter.forces import in_accelerations
+from lagrange.explain.page.shorter.held import with_held_values
+from lagrange.explain.page.shorter.oscillations import in_one_box
+from lagrange.explain.page.shorter.relations import with_symbol_first
+from lagrange.explain.page.shorter.response import response_shortly
+from lagrange.explain.page.shorter.sentences import in_fewer_words
+from lagrange.explain.page.shorter.springs import with_lengths
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -132,6 +143,10 @@ def page(
     solution = _with_best_choice_first(solution)
     arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
+    arranged = with_held_values(solution, [*with_one_list([*arranged])])
+    arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
+    arranged = with_lengths(solution, [*response_shortly(solution, [*with_symbol_first([*arranged])])])
+    arranged = in_fewer_words([*arranged])
     yield from in_pairs([*without_unused(solution, [*said_before([*arranged])])])
 
 
@@ -221,7 +236,8 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
-    step = explain_meaning(said, conserved, stated, shown, solution.problem)
+    at_sight = integrates_at_sight(solution)
+    step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -237,6 +253,8 @@ def _is_detour(solution: Solution, step: Step) -> bool:
         return True
     if step.choice or step.rule is not Rule.EQUATIONS_OF_MOTION or own is None or first is None or not first.motion:
         return False
+    if integrates_at_sight(solution) and not first.configuration.rows:
+        return True  # dependent coordinates are only in the way
     if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
         return True
     turning = bool(solution.own.configuration.rotations)  # what turns has long laws enough
@@ -259,6 +277,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     classification, law = solution.classification, solution.law
     geometric = is_plainly_geometric(classification)
     free = not classification.constraints
+    at_sight = not free and not geometric and integrates_at_sight(solution)
     laws = has_vector_laws(solution)
     vectors = geometric and laws
     newton = law.newton if law is not None else None
@@ -270,8 +289,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
     own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
-        if (geometric or free) and step.rule in ABOUT_CONSTRAINTS:
-            if geometric and step.rule is Rule.CONSTRAINT:
+        if (geometric or free or at_sight) and step.rule in ABOUT_CONSTRAINTS:
+            if at_sight and step.rule is Rule.CONSTRAINT:
+                yield without_component(solution.problem, explain_at_sight(solution))
+            elif geometric and step.rule is Rule.CONSTRAINT:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
@@ -336,8 +357,10 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            view = next(v for v in solution.views if v.name == step.choice)
             named = (with_named_denominators(contact_once(s), names) for s in _reactions(solution, step, newton))
-            yield from (s for s in named if any(isinstance(b, Display) for b in s.body))
+            shorter = (in_accelerations(solution, s, view) for s in named)
+            yield from (s for s in shorter if any(isinstance(b, Display) for b in s.body))
         elif step.rule is Rule.INTEGRABILITY:
             yield with_only_coordinate(solution, _integrability_shortly(solution, step))
         elif step.rule is Rule.ENERGIES and solution.own.configuration.is_outright and not step.choice:

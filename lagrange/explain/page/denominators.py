@@ -14,6 +14,8 @@ from lagrange.document.derivation import Block, Display, Equation, Step
 
 SHORTEST = 12
 """The fewest operations of a denominator that gets a letter."""
+SHORTEST_OF_MANY = 9
+"""The fewest of one that three lines or more share."""
 
 
 def with_named_denominators(step: Step, taken: Collection[str]) -> Step:
@@ -25,7 +27,9 @@ def _named(block: Block, taken: Collection[str]) -> Block:
     if not isinstance(block, Display) or not block.boxed or len(block.equations) < 2:
         return block
     counts = Counter(base for e in block.equations for base in {*_below(e)})
-    shared = [base for base, n in counts.items() if n > 1 and count_operations(base) >= SHORTEST]
+    shared = [
+        b for b, n in counts.items() if n > 1 and count_operations(b) >= (SHORTEST if n == 2 else SHORTEST_OF_MANY)
+    ]
     if len(shared) != 1:
         return block
     [base] = shared

@@ -28,6 +28,8 @@ from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
 
 ZERO = sp.S.Zero
+MOST_NAMED = 3
+"""The most bodies that are named where reactions do work on each of them."""
 LONGEST_FORMS = 12
 """The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
 """Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
@@ -255,6 +257,8 @@ def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator
     does = plural(len(several), "does", "do")
     other = "the other" if len({n for w in several for n in w.working}) == 2 else "another"
     words = f"On {names} taken separately {called} {does} work: what one loses, {other} gains."
+    if len({n for w in several for n in w.working}) > MOST_NAMED:
+        words = "On each of the bodies alone they do work: what one loses, another gains."
     yield prose(*by, " " if by else "", words)
 
 

@@ -42,6 +42,8 @@ def explain_meaning(
     stated: StatedEquations = (),
     labels: Collection[str | None] | None = None,
     problem: Problem | None = None,
+    *,
+    finite: bool = False,
 ) -> Step | None:
     """The step; None where there is nothing to say.
 
@@ -49,12 +51,13 @@ def explain_meaning(
     stated     the equations of motion in another form, known to be right
     labels     of the equations on the page; None: all of them
     problem    for its initial state
+    finite     whether the constraints are finite relations: of momenta that these bind nothing is said
     """
     choice = meaning.view.name
     form = meaning.view.in_speeds
     speeds = form is not None and form.equations is not None
     body: list[Block] = [*_in_short(meaning, stated), *_freed(meaning, stated), *_with_held(meaning, stated)]
-    body += _conserved(conserved, meaning.view.conserved, labels, in_speeds=speeds)
+    body += _conserved(conserved, meaning.view.conserved, labels, unbound=speeds or finite)
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
@@ -82,6 +85,8 @@ def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
         stated_by_rates = tuple((defined(a), defined(b), *more) for a, b, *more in stated)
         if _are_shown(stated_by_rates, [defined(e) for e in form.equations.expressions]):
             return
+    if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
+        return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
@@ -135,14 +140,14 @@ _CALLED = {
 
 
 def _conserved(
-    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, in_speeds: bool
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None, *, unbound: bool
 ) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
-    bound = {} if in_speeds else {q: p for q, p in conserved.bound.items() if q not in taken}
+    bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
     if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
         conserved = replace(conserved, integrals=kept, bound=bound)
         made = explain_conserved(conserved, step.choice)
@@ -159,7 +164,8 @@ def _conserved(
     short = all(count_operations(i.expression) <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
-        yield from _without_accelerations(step.body)
+        jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in conserved.integrals)
+        yield from _without_accelerations(step.body, always=jacobi)
         return
     for integral, proof in zip(conserved.integrals, proofs, strict=True):
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
@@ -225,15 +231,18 @@ def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
     return sp.Add(*(a for a, factors in bases if not factors & {*zero}))
 
 
-def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
-    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side."""
+def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[Block]:
+    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side.
+
+    always  no balance at all: Jacobi's integral is the one that counts
+    """
     blocks = list(body)
     for n, block in enumerate(blocks):
         last = block.equations[-1] if isinstance(block, Display) else None
         if last is None or not (last.label or "").startswith("energy-rate"):
             continue
         rate = last.sides[-1]
-        if isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols):
+        if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)
             words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)

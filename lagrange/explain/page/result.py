@@ -37,6 +37,10 @@ LONGER = 3
 """How many times longer than equations with constraints constant accelerations may be that take their place there."""
 LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
+LONGEST_ACCELERATION = 20
+"""The most operations of a constant acceleration there, instead of the equations that it solves."""
+LONGEST_ROOT = 10
+"""The most operations of a radicand in equations of motion there, where small oscillations are what is asked."""
 LONGEST_CONDITIONS = 16
 """The most operations of the conditions beside an answer to a question."""
 
@@ -72,6 +76,8 @@ def explain_result(
     kept[Rule.IMPACT] = [*_impact(solution)]
     kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
     kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
+    if Rule.LINEARIZATION in kept and _has_long_roots(kept.get(Rule.EQUATIONS_OF_MOTION, ())):
+        kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     while kept and not _is_short(kept.values()):
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
@@ -92,6 +98,12 @@ def explain_result(
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
 
 
+def _has_long_roots(lines: Sequence[Equation]) -> bool:
+    """Whether equations of motion contain long roots: the lengths of springs in large motions."""
+    roots = {p for e in lines for s in e.sides if isinstance(s, sp.Expr) for p in s.atoms(sp.Pow) if p.exp.is_Rational}
+    return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_ROOT for p in roots)
+
+
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     """Constant accelerations instead of equations for them; what is asked for is stated once."""
     asked = [e.sides for e in kept.get(Rule.QUESTION, ())]
@@ -108,9 +120,12 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
+        known = {*held, *(prime(q, 2) for q in _eliminated(view))}
+        told = [e for e in solved if e.sides[0] not in known] or solved
         longer = LONGER if len(equations) > solution.classification.degrees_of_freedom else 1
-        if whole and sum(map(_operations, solved)) <= longer * sum(map(_operations, equations)):
-            kept[Rule.EQUATIONS_OF_MOTION] = [e for e in solved if e.sides[0] not in held] or solved
+        short = sum(map(_operations, solved)) <= longer * sum(map(_operations, equations))
+        if whole and (short or all(_operations(e) <= LONGEST_ACCELERATION for e in told)):
+            kept[Rule.EQUATIONS_OF_MOTION] = told
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
             kept.pop(rule, None)
@@ -128,6 +143,11 @@ def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> lis
         there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
     left = [e for e in there if len({*e.sides}) > 1]
     return left if any(e not in lines for e in left) else lines
+
+
+def _eliminated(view: InCoordinates) -> tuple[sp.Symbol, ...]:
+    """The coordinates that a choice determines by a velocity: the angle of a rolling wheel."""
+    return () if view.is_own else view.coordinates.through_rates
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -187,6 +207,8 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
         return plural(len(lines), "the multiplier", "the multipliers")
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"
+    if rule is Rule.HAMILTON and len(lines) > 1:
+        return "Hamilton's and Routh's functions"
     branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
     several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and any(len(b) > 1 for b in branches)
     return "the equilibria" if several else _CALLED[rule]
@@ -253,14 +275,25 @@ def _in_speeds(steps: list[Step], stated: StatedEquations) -> Iterator[tuple[Rul
 def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
     """What is asked in one set of coordinates."""
     if view.hamiltonian is not None:
-        yield Rule.HAMILTON, [Equation((energy_symbols(solution).hamiltonian, view.hamiltonian.function))]
+        letters = energy_symbols(solution)
+        lines = [Equation((letters.hamiltonian, view.hamiltonian.function))]
+        if view.hamiltonian.routhian is not None:
+            lines.append(Equation((letters.routhian, view.hamiltonian.routhian)))
+        yield Rule.HAMILTON, lines
     if view.is_about_rest:
         from lagrange.explain.page.result_at_rest import result_at_rest
 
         yield from result_at_rest(view)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
-        yield Rule.RESPONSE, [Equation(pair) for pair in pairs]
+        w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates
+        still = [
+            Equation((q, sp.S.Zero), condition=("where ", math(w**2, place)))
+            for q, places in zip(coordinates, view.response.rests, strict=True)
+            for place in places
+            if place.is_positive and count_operations(place) <= LONGEST_CONDITIONS
+        ]
+        yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *still]
     elif view.forced is not None:
         yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
 
@@ -292,6 +325,9 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         from lagrange.mechanics.questions.in_numbers import branches_with
 
         branches = branches_with(asked, values)
+    if asked.mirrored and len(branches) == 2 and branches[0].rhs == -branches[1].rhs:
+        size = branches[0].rhs if branches[0].rhs.is_nonnegative else branches[1].rhs
+        branches = [replace(branches[0], lhs=sp.Abs(branches[0].lhs), rhs=size)]
     for b in branches:
         line = Equation((b.lhs, b.rhs))
         if _operations(line) > LONGEST_ANSWER:

@@ -70,8 +70,11 @@ def _friction(view: InCoordinates) -> Iterator[Equation]:
     if view.rolling is not None:
         yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
     branches = [b for m in view.impending or () for b in m.equilibrium.branches]
+    bounds = [{c.left, c.right} for case in (rest.cases if rest is not None else ()) for c in case]
     for b in branches:
-        lines = _branch(b)
+        lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
+        if not lines:
+            continue
         if rest is not None:
             said = lines[-1].condition
             lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))

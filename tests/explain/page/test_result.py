@@ -31,10 +31,10 @@ def box(r: Report) -> str:
         ("leaving-a-sphere", ("what is asked", "cos θ = 2/3", "θ ≈ 48.19°")),
         ("released-pendulum", ("T = m g (3 − 2 cos α)    when θ = 0",)),
         ("ladder-on-rough-ground", ("the conditions of rest", "tan θ = 2μ/(1 − μ ν)    at the limit")),
-        ("cylinder-on-rough-incline", ("⅓ tan α ≤ μ_s",)),
+        ("cylinder-on-rough-incline", ("μ_s ≥ ⅓ tan α",)),
         ("conical-pendulum", ("steady motions", "cos θ = g/(l φ̇²)    where l φ̇² ≥ g; stable ")),
         ("double-pendulum-small-oscillations", ("small oscillations", "ω₁² = g (2 − √2)/l", "stable")),
-        ("spherical-pendulum-by-routh", ("Hamilton's function", "H = p_θ²")),
+        ("spherical-pendulum-by-routh", ("Hamilton's and Routh's functions", "H = p_θ²", "R = ½ m l² θ̇²")),
         ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
         ("double-atwood", ("= (m₁ − M − m₂ − m₃) g",)),  # whose accelerations are longer
     ],

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import prime
-from lagrange.document.derivation import Display, Rule
+from lagrange.document.derivation import Display, Math, Rule
 from lagrange.mechanics.constraints.displacements import transport_rates, virtual_displacements
 from lagrange.render import terminal
 from tests.support.shared import reported, solved
@@ -31,7 +31,8 @@ def test_displacements_by_a_parameter_are_all_solutions_at_every_heading(name: s
     r = reported(name, complete=False)
     [step] = [s for s in r.derivation.page if s.rule is Rule.DISPLACEMENTS]
     lines = [e for b in step.body if isinstance(b, Display) for e in b.equations]
-    given = {e.sides[0]: e.sides[1] for e in lines if len(e.sides) == 2 and isinstance(e.sides[0], sp.Symbol)}
+    sides = [m.sides for e in lines for m in (e, *(p for p in e.condition if isinstance(p, Math)))]  # two in a line
+    given = {a: b for a, b in (pair for pair in sides if len(pair) == 2) if isinstance(a, sp.Symbol)}
     system = r.solution.own.configuration
     moved = [sp.Symbol(f"delta({q.name})", real=True) for q in system.slots.coordinates]
     values = [sp.sympify({s.name: e for s, e in given.items()}.get(d.name, d)) for d in moved]

@@ -1,0 +1,198 @@
+"""A choice of coordinates that leaves a constraint, in fewer lines.
+
+The full derivation states the constraint that is left for velocities, for displacements, solved for a displacement, and
+solved for a velocity. Each follows from the one before at sight: the page has the first and what is solved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import sympy as sp
+
+from lagrange.core.operations import count_operations
+from lagrange.core.symbols import VectorSymbol
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.page.shorter.sentences import parts_of
+from lagrange.explain.page.system import are_short
+from lagrange.explain.words import capital, plural
+
+LONGEST = 8
+"""The most operations of a relation that is written in its sentence."""
+LONGEST_PRINCIPLE = 45
+"""The most operations of the principle written out before the equations, where these are its brackets."""
+LONGEST_OF_BODIES = 30
+"""The same where bodies turn, and vectors before it fill lines enough."""
+_RULES = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION)
+
+
+def in_few_lines(steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, those in chosen coordinates shorter."""
+    shown: dict[object, str] = {}
+    for step in steps:
+        if step.choice and not step.folded and step.rule in _RULES:
+            body = _velocities_solved(_displacements_solved(_without_announcement([*step.body])))
+            step = replace(step, body=tuple(_brackets_once(_kinematics_at_once(body, shown), steps)))
+        elif not step.folded:
+            lines = (e for b in step.body if isinstance(b, Display) and _is_kinematic(b) for e in b.equations)
+            shown |= {e.sides: e.label for e in lines if e.label}
+        yield step
+
+
+def _words(block: Block | None) -> str:
+    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
+    return first if isinstance(first, str) else ""
+
+
+def _without_announcement(body: list[Block]) -> list[Block]:
+    """No `ψ is eliminated through its velocity`, where the velocity is then solved for."""
+    return [b for b in body if not (isinstance(b, Prose) and _announces(b))]
+
+
+def _announces(block: Prose) -> bool:
+    last = block.parts[-1]
+    return isinstance(last, str) and last.endswith(("eliminated through its velocity.",
+                                                    "eliminated through their velocities."))  # fmt: skip
+
+
+def _displacements_solved(body: list[Block]) -> list[Block]:
+    """`In a virtual displacement δψ = (1/R) δs` without the equation of which this is the solution."""
+    at = next(
+        (n for n, b in enumerate(body) if isinstance(b, Prose) and b.parts == ("In a virtual displacement",)), None
+    )
+    if at is None or len(body) < at + 4:
+        return body
+    solving, solved = body[at + 2], body[at + 3]
+    if (
+        not isinstance(solving, Prose)
+        or not _words(solving).startswith("Solving for")
+        or not isinstance(solved, Display)
+    ):
+        return body
+    where = _condition(solving)
+    if solving.parts[-1] != " gives":
+        return body
+    rest = body[at + 4 :]
+    if rest and isinstance(rest[0], Prose) and str(rest[0].parts[-1]).endswith("free."):
+        rest = rest[1:]
+    begins: tuple[Part, ...] = ("In a virtual displacement", *where)
+    if len(solved.equations) == 1 and _length(solved.equations[0]) <= LONGEST:
+        return [*body[:at], prose(*begins, " ", math(*solved.equations[0].sides), "."), *rest]
+    return [*body[:at], prose(*begins), solved, *rest]
+
+
+def _condition(solving: Prose) -> tuple[Part, ...]:
+    """`, where x ≠ 0,` of `Solving for δx, where x ≠ 0, gives`."""
+    at = next((n for n, p in enumerate(solving.parts) if p == ", where "), None)
+    return () if at is None else (*solving.parts[at:-2], ",") if solving.parts[-2] == "," else solving.parts[at:-1]
+
+
+def _velocities_solved(body: list[Block]) -> list[Block]:
+    """Velocities and accelerations side by side, or in a sentence where there is one of each."""
+    at = next((n for n, b in enumerate(body) if _words(b) == "Solving " and _ends(b, "differentiating, gives")), None)
+    if at is None:
+        return body
+    solving, rates = body[at], body[at + 1]
+    assert isinstance(solving, Prose)
+    assert isinstance(rates, Display)
+    half = len(rates.equations) // 2
+    velocities, accelerations = rates.equations[:half], rates.equations[half:]
+    if len(velocities) != len(accelerations):
+        return body
+    pairs = [e for both in zip(velocities, accelerations, strict=True) for e in both]
+    end = body[at + 2]
+    if half == 1 and sum(map(_length, pairs)) <= LONGEST and isinstance(end, Prose):
+        refs = [p for p in solving.parts if isinstance(p, Ref)]
+        if len(refs) == 1:
+            both = listed(math(*e.sides) for e in pairs)
+            words = prose("By ", *refs, ", ", *both, ". ", *end.parts)
+            return [*body[:at], words, *body[at + 3 :]]
+    if not are_short(pairs):
+        return body
+    lines = (replace(v, condition=(Math(a.sides),)) for v, a in zip(velocities, accelerations, strict=True))
+    return [*body[: at + 1], display(*lines), *body[at + 2 :]]
+
+
+def _length(e: Equation) -> int:
+    return sum(count_operations(s) for s in e.sides if isinstance(s, sp.Expr))
+
+
+def _ends(block: Block, words: str) -> bool:
+    return isinstance(block, Prose) and str(block.parts[-1]).endswith(words)
+
+
+def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
+    """A long principle not written out, where nothing is left to be done but to read off its brackets."""
+    at = next((n for n, b in enumerate(body) if _words(b) == "and d'Alembert's principle "), None)
+    if at is None or len(body) < at + 4:
+        return body
+    reads, written, vanish, box = body[at : at + 4]
+    if not isinstance(written, Display) or not isinstance(box, Display) or not box.boxed:
+        return body
+    [line, *more] = written.equations
+    used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
+    turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
+    longest = LONGEST_OF_BODIES if turning else LONGEST_PRINCIPLE
+    if more or used or _length(line) <= longest or not isinstance(vanish, Prose):
+        return body
+    assert isinstance(reads, Prose)
+    refs = [p for p in reads.parts if isinstance(p, Ref)]
+    words = prose("Substitute these in d'Alembert's principle ", *refs, ". ", *vanish.parts)
+    return [*body[:at], words, box, *body[at + 4 :]]
+
+
+def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list[Block]:
+    """Accelerations, virtual displacements and rotations of bodies in one display.
+
+    before  the labels of those that the page has shown in the file's coordinates, by their sides
+    """
+    places = [n for n, b in enumerate(body) if isinstance(b, Display) and _is_kinematic(b)]
+    if len(places) not in (2, 3) or any(b - a != 2 for a, b in pairwise(places)):
+        return body
+    shown = [b for n in places if isinstance(b := body[n], Display)]
+    kinds = [_kind(b) for b in shown]
+    if kinds not in (["acceleration", "delta", "rotation"], ["acceleration", "rotation"]):
+        return body
+    lines = [e for b in shown for e in b.equations]
+    if not all(_is_vector(e) for e in lines):
+        return body
+    first = _what(body[places[0] - 1])
+    moved = plural(len(shown[1].equations), "the virtual displacement", "the virtual displacements")
+    turned = plural(len(shown[-1].equations), "the virtual rotation", "the virtual rotations")
+    whats = [first, moved, turned] if len(shown) == 3 else [first, turned]
+    known = [before.get(e.sides) for e in shown[0].equations]
+    if all(known):
+        refs = listed(Ref(label) for label in known if label)
+        verb = " is" if len(known) == 1 else " are"
+        verb = "is" if len(known) == 1 else "are"
+        like = "formed like the angular velocity with δ for d/dt"
+        are = "is" if len(shown[-1].equations) == 1 else "are"
+        begins = f"{moved} and, {like}, {turned} are" if len(shown) == 3 else f"{turned}, {like}, {are}"
+        given = prose(f"{capital(first)} {verb} given by ", *refs, f". {capital(begins)}")
+        rest = [e for b in shown[1:] for e in b.equations]
+        return [*body[: places[0] - 1], given, display(*rest), *body[places[-1] + 1 :]]
+    what = f"{', '.join(whats[:-1])} and, formed like the angular velocity with δ for d/dt, {whats[-1]}"
+    return [*body[: places[0] - 1], prose(f"{capital(what)} are"), display(*lines), *body[places[-1] + 1 :]]
+
+
+def _what(block: Block) -> str:
+    words = _words(block)
+    words = words.removesuffix(" are").removesuffix(" is").replace(" and the rate", ", the rate")
+    return f"{words[:1].lower()}{words[1:]}"
+
+
+def _kind(block: Display) -> str:
+    label = block.equations[0].label or ""
+    return "acceleration" if label.startswith("momentum-rate") else label.partition("-")[0]
+
+
+def _is_kinematic(block: Display) -> bool:
+    starts = ("acceleration", "momentum-rate", "delta", "rotation")
+    return all((e.label or "").startswith(starts) for e in block.equations)
+
+
+def _is_vector(e: Equation) -> bool:
+    return isinstance(e.sides[0], VectorSymbol)

@@ -1,0 +1,97 @@
+"""Virtual displacements without a list of their own, where it would repeat that of the forms with δ for d.
+
+Time does not appear in A dq = 0, so that virtual displacements satisfy A δq = 0: one sentence under the forms says it,
+and what referred to the second list refers to the first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from lagrange.document.builders import listed, paragraph, prose
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.page.shorter.sentences import parts_of
+
+_LEFT_SIDE = " times the left side of "
+_BEGINS = "Time does not appear in "
+
+
+def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, without a list of conditions on virtual displacements that repeats the forms."""
+    at = next((n for n, s in enumerate(steps) if s.rule is Rule.DISPLACEMENTS and not s.folded and not s.choice), None)
+    labels = [] if at is None else _repeated(steps, steps[at], [*steps[at + 1 :]])
+    before = {e.label: n for n, s in enumerate(steps[:at]) for e in _equations(s) if not s.folded}
+    forms = [f"form-{name}" for name in labels]
+    if at is None or not labels or any(form not in before for form in forms):
+        yield from steps
+        return
+    rule = {f"virtual-{name}": form for name, form in zip(labels, forms, strict=True)}
+    last = max(before[form] for form in forms)
+    for n, step in enumerate(steps):
+        if n == at:
+            continue
+        yield _referring(_with_sentence(step, forms) if n == last else step, rule)
+
+
+def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[str]:
+    """The names of the constraints whose forms a step repeats, if it does nothing else that the page needs."""
+    if len(step.body) < 2:
+        return []
+    first, shown, *rest = step.body
+    if not isinstance(first, Prose) or first.parts[:1] != (_BEGINS,) or not isinstance(shown, Display):
+        return []
+    labels = [e.label or "" for e in shown.equations]
+    if not labels or not all(label.startswith("virtual-") for label in labels):
+        return []
+    if rest and not (_are_used_later(after) and not _referred(rest, steps)):
+        return []
+    return [label.removeprefix("virtual-") for label in labels]
+
+
+def _are_used_later(after: Sequence[Step]) -> bool:
+    """Whether displacements follow again where they are used: in coordinates that are chosen."""
+    shown = [s for s in after if not s.folded]
+    again = any(s.choice and any(_is_delta(e) for e in _equations(s)) for s in shown)
+    return again or any(s.rule is Rule.FRICTION_AT_REST for s in shown)
+
+
+def _is_delta(e: Equation) -> bool:
+    return (e.label or "").startswith("delta")
+
+
+def _referred(blocks: Sequence[Block], steps: Sequence[Step]) -> bool:
+    """Whether anything refers to an equation of these blocks, or uses what they solve for."""
+    labels = {e.label for b in blocks if isinstance(b, Display) for e in b.equations if e.label}
+    return any(p.label in labels for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
+
+
+def _equations(step: Step) -> Iterator[Equation]:
+    yield from (e for b in step.body if isinstance(b, Display) for e in b.equations)
+
+
+def _with_sentence(step: Step, forms: Sequence[str]) -> Step:
+    """The step with the forms, and that virtual displacements satisfy them too."""
+    refs = listed(map(Ref, forms))
+    words = prose("Since time does not appear, virtual displacements satisfy ", *refs, " with δ in place of d.")
+    *body, last = step.body
+    return replace(step, body=(*body, paragraph(last, words)) if isinstance(last, Prose) else (*body, last, words))
+
+
+def _referring(step: Step, rule: dict[str, str]) -> Step:
+    """The step with references to other labels."""
+
+    def part(p: Part) -> Part:
+        return Ref(rule[p.label]) if isinstance(p, Ref) and p.label in rule else p
+
+    def block(b: Block) -> Block:
+        if isinstance(b, Prose):
+            parts = tuple(map(part, b.parts))
+            if parts != b.parts and parts[-1] == ":" and _LEFT_SIDE in parts:
+                parts = (*parts[:-1], ", with δ in place of d:")  # it is a left side with d now
+            return replace(b, parts=parts, short=tuple(map(part, b.short)))
+        if isinstance(b, Display):
+            return replace(b, equations=tuple(replace(e, condition=tuple(map(part, e.condition))) for e in b.equations))
+        return b
+
+    return replace(step, body=tuple(map(block, step.body)))

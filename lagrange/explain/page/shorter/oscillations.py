@@ -1,0 +1,51 @@
+"""Small motions about an equilibrium or a steady motion, one box each: that of the frequency.
+
+The linear equation is a step on the way to it, as a book prints it, and what its solutions are is said in a line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from lagrange.document.builders import prose
+from lagrange.document.derivation import Block, Display, Prose, Rule, Step
+
+_RULES = (Rule.LINEARIZATION, Rule.STEADY)
+_BEGINS = "There are solutions proportional to "
+_ENDS = (", with a constant amplitude, where", ", with constant amplitudes, where")
+
+
+def in_one_box(steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, those on small motions with a box only around the frequencies."""
+    for step in steps:
+        if step.rule in _RULES and not step.folded:
+            step = replace(step, body=tuple(_in_one_box(step.body)))
+        yield step
+
+
+def _in_one_box(body: Sequence[Block]) -> Iterator[Block]:
+    for n, block in enumerate(body):
+        follows = body[n + 1 : n + 3]
+        if _is_linear(block) and len(follows) == 2 and _leads(follows[0]) and _is_box(follows[1]):
+            assert isinstance(block, Display)
+            yield replace(block, boxed=False)
+        elif isinstance(block, Prose) and _leads(block):
+            begins = "It has" if block.parts[-1] == _ENDS[0] else "They have"
+            yield prose(f"{begins} solutions proportional to ", *block.parts[1:-1], " with", detail=block.detail)
+        else:
+            yield block
+
+
+def _leads(block: Block) -> bool:
+    """`There are solutions proportional to cos(ω t), with a constant amplitude, where`."""
+    return isinstance(block, Prose) and block.parts[0] == _BEGINS and block.parts[-1] in _ENDS
+
+
+def _is_linear(block: Block) -> bool:
+    """Whether it has the linear equations about one place."""
+    return isinstance(block, Display) and all((e.label or "").startswith("linear-") for e in block.equations)
+
+
+def _is_box(block: Block) -> bool:
+    return isinstance(block, Display) and block.boxed

@@ -1,0 +1,89 @@
+"""Forced oscillations of systems that are linear by themselves, and resonances that are roots of a quadratic.
+
+About x = 0 the linear equations of a system with linear springs are its equations of motion: they are not printed
+again. Squares of frequencies that fill two lines each are better said to be the roots of the denominator.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.operations import count_operations
+from lagrange.document.builders import listed, math, prose
+from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
+from lagrange.mechanics.results import Solution
+
+LONGEST = 24
+"""The most operations of the square of a frequency of resonance that is written out."""
+
+
+def response_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, that on forced oscillations shorter."""
+    for step in steps:
+        if step.rule is Rule.RESPONSE and not step.folded:
+            body = _with_own_equations(solution, [*step.body], steps)
+            step = replace(step, body=tuple(_with_roots(body)))
+        yield step
+
+
+def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[Step]) -> list[Block]:
+    """No linear equations that are the equations of motion, with ξ for x where the equilibrium is x = 0."""
+    view = solution.chosen
+    if view.forced is None or view.motion is None:
+        return body
+    linear, branch = view.forced.linearization, view.forced.branch
+    coordinates = linear.configuration.slots.coordinates
+    at_zero = {r.lhs: r.rhs for r in branch.equations} == dict.fromkeys(coordinates, sp.S.Zero)
+    moved = dict(zip(linear.displacements, coordinates, strict=True))
+    at = next((n for n, b in enumerate(body) if _is(b, "forced-")), None)
+    if at is None or not at_zero or len(linear.branches) != 1 or not _are_those(solution, body[at], moved):
+        return body
+    labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
+    small = listed(math(x, q) for x, q in moved.items())
+    rest = next(e.label for b in body[:at] if isinstance(b, Display) for e in b.equations if e.label)
+    words = prose("The equations of motion ", *listed(map(Ref, labels)), " are linear, and about ", Ref(rest),
+                  " they are those of the small changes ", *small, ".")  # fmt: skip
+    return [*body[: at - 1], words, *body[at + 1 :]] if labels else body
+
+
+def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbol]) -> bool:
+    """Whether the linear equations are the equations of motion."""
+    motion = solution.chosen.motion
+    assert motion is not None
+    assert isinstance(block, Display)
+    rule = {sp.Symbol(x.name + "'" * n, real=True): sp.Symbol(q.name + "'" * n, real=True)
+            for x, q in moved.items() for n in range(3)}  # fmt: skip
+    rule |= dict(moved)
+    linear = [sp.expand((e.sides[0] - e.sides[1]).xreplace(rule)) for e in block.equations]
+    own = [sp.expand(e.expression) for e in motion.final]
+    return len(linear) == len(own) and all(any(sp.expand(a - b) == 0 for b in own) for a in linear)
+
+
+def _boxed(step: Step) -> Iterator[Equation]:
+    yield from (e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations)
+
+
+def _is(block: Block, label: str) -> bool:
+    return isinstance(block, Display) and all((e.label or "").startswith(label) for e in block.equations)
+
+
+def _with_roots(body: list[Block]) -> list[Block]:
+    """`The denominator Δ vanishes at ..., at the roots of Δ = 0` instead of long roots."""
+    at = next((n for n, b in enumerate(body) if _is(b, "resonance-")), None)
+    letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
+                   for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
+    before = body[at - 1] if at else None
+    if at is None or letter is None or not isinstance(before, Prose):
+        return body
+    shown = body[at]
+    assert isinstance(shown, Display)
+    length = max(count_operations(s) for e in shown.equations for s in e.sides if isinstance(s, sp.Expr))
+    words = str(before.parts[0])
+    if length <= LONGEST or not words.startswith("The denominator vanishes at "):
+        return body
+    follows = words.removeprefix("The denominator vanishes at ").replace(": at resonance", ". At resonance")
+    said = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
+    return [*body[: at - 1], said, *body[at + 1 :]]

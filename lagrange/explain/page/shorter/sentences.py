@@ -1,0 +1,110 @@
+"""Sentences of the full derivation that a page says in fewer words, and short equations side by side.
+
+The full derivation says what Newton's law and multipliers are wherever they occur. A page says once what it needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.operations import count_operations
+from lagrange.document.builders import listed, paired, prose
+from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.page.system import are_short
+
+LONGEST = 30
+"""The most operations of all forces by accelerations of which nothing is said but what they are."""
+_LAW = ("Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular momentum, "
+        "its rate of change about the mass centre equal to the moment of both, have the components")  # fmt: skip
+_SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
+_TOO_LONG = " too long to be written as functions of position and velocity. "
+
+
+def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps with shorter sentences, and with displacements and substitutions in pairs."""
+    referred = {p.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref)}
+    for step in steps:
+        kept = step.folded or step.rule is Rule.RESULT
+        yield step if kept else replace(step, body=tuple(_shortly(step.body, referred)))
+
+
+def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block]:
+    for n, block in enumerate(body):
+        follows = body[n + 1] if n + 1 < len(body) else None
+        if isinstance(block, Prose):
+            yield _words(block, follows)
+        elif isinstance(block, Display) and not block.boxed and _are_steps(block, referred):
+            yield replace(block, equations=tuple(_in_pairs(block.equations)))
+        else:
+            yield block
+
+
+def parts_of(block: Block) -> Iterator[Part]:
+    """What a paragraph, or the conditions of displayed equations, are made of."""
+    if isinstance(block, Prose):
+        yield from block.parts
+    elif isinstance(block, Display):
+        yield from (p for e in block.equations for p in e.condition)
+
+
+def _words(block: Prose, follows: Block | None) -> Prose:
+    first = block.parts[0] if block.parts else ""
+    if not isinstance(first, str):
+        return block
+    if first == _LAW:
+        return prose(_SHORT_LAW)
+    if first.startswith("With multipliers instead, nothing is eliminated.") and str(block.parts[-1]).endswith(
+        "coordinate"
+    ):
+        letters = [p for p in block.parts if isinstance(p, Math)]
+        multipliers = letters[: _count(block)]
+        return prose("With ", "a multiplier " if len(multipliers) == 1 else "multipliers ", *listed(multipliers),
+                     " of the constraint" if len(multipliers) == 1 else " of the constraints",
+                     " instead, nothing is eliminated, and for every coordinate")  # fmt: skip
+    if _TOO_LONG in first and isinstance(follows, Display) and _length(follows) <= LONGEST:
+        return replace(block, parts=(first.partition(_TOO_LONG)[2], *block.parts[1:]))
+    return block
+
+
+def _count(block: Prose) -> int:
+    """How many multipliers a paragraph names before it says what becomes of them."""
+    end = next(n for n, p in enumerate(block.parts) if isinstance(p, str) and p in (", is", ", are"))
+    return sum(isinstance(p, Math) for p in block.parts[:end])
+
+
+def _length(block: Display) -> int:
+    return sum(count_operations(s) for e in block.equations for s in e.sides if isinstance(s, sp.Expr))
+
+
+def _are_steps(block: Display, referred: Collection[str]) -> bool:
+    """Whether it has substitutions of coordinates, or displacements, to none of which anything refers."""
+    free = not any(e.label in referred for e in block.equations)
+    return free and len(block.equations) > 1 and all(_is_step(e) for e in block.equations)
+
+
+def _is_step(e: Equation) -> bool:
+    name = e.sides[0].name if isinstance(e.sides[0], sp.Symbol) else ""
+    plain = len(e.sides) == 2 and not e.condition and e.relation == "="
+    return plain and ((e.label or "").startswith("choice-") or (e.label is None and name.startswith(("delta(", "d("))))
+
+
+def _in_pairs(equations: Sequence[Equation]) -> Iterator[Equation]:
+    """Neighbours of one point, x₁ and y₁, side by side where both are short."""
+    rest = [*equations]
+    while rest:
+        pair = rest[:2]
+        if len(pair) == 2 and len({_index(e) for e in pair}) == 1 and are_short(pair):
+            yield paired(pair)[0]
+            rest = rest[2:]
+        else:
+            yield rest.pop(0)
+
+
+def _index(e: Equation) -> str:
+    """`1` of x₁ and of δx₁."""
+    name = e.sides[0].name if isinstance(e.sides[0], sp.Symbol) else ""
+    name = name.rpartition("(")[2].rstrip(")")
+    return name.partition("_")[2] or name.lstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")

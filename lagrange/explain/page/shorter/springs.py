@@ -1,0 +1,97 @@
+"""The length of a spring by the letter that the statement gives it, where written out it is a long root.
+
+d = √(a² + 2a l (sin θ₂ − sin θ₁) + ...) occurs in the potential energy, in every equation of motion and in those of
+rest: all of them are read more easily with d, as the force of a spring is c (d − a).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.core.operations import count_operations
+from lagrange.document.derivation import Block, Display, Equation, Mathematics, Rule, Step
+from lagrange.mechanics.results import Solution
+
+SHORTEST = 10
+"""The fewest operations of a length that is not written out again."""
+FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"))
+"""By which radicands may differ where common factors have been divided out."""
+_RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARIZATION, Rule.CONSERVED, Rule.MEANING,
+          Rule.EQUILIBRIUM, Rule.REACTIONS, Rule.SOLVED_REACTIONS)  # fmt: skip
+
+
+def with_lengths(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, with the letters of long lengths after these have been stated: those of the file, if it has any."""
+    statement = next((s for s in steps if s.rule is Rule.STATEMENT), None)
+    named = {} if statement is None else dict(_lengths(statement))
+    lengths = {radicand: _own_letter(solution, radicand) or letter for radicand, letter in named.items()}
+    stated = {letter.name: lengths[radicand] for radicand, letter in named.items()}
+    for step in steps:
+        if lengths and step.rule in _RULES and not step.folded:
+            step = replace(step, body=tuple(_block(b, lengths, stated) for b in step.body))
+        yield step
+
+
+def _own_letter(solution: Solution, radicand: sp.Expr) -> sp.Symbol | None:
+    """The abbreviation of the file that is the root."""
+    for name, value in solution.problem.abbreviations.items():
+        if isinstance(value, sp.Expr) and Surface().is_zero(value**2 - radicand) is True:
+            return sp.Symbol(name, positive=True)
+    return None
+
+
+def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
+    """The radicands of long roots that a letter stands for, with the letter."""
+    for block in step.body:
+        for e in block.equations if isinstance(block, Display) else ():
+            name, value = e.sides[0], e.sides[-1]
+            root = isinstance(value, sp.Pow) and value.exp == sp.S.Half
+            if (
+                isinstance(name, sp.Symbol)
+                and isinstance(value, sp.Pow)
+                and root
+                and count_operations(value) > SHORTEST
+            ):
+                yield value.base, sp.Symbol(name.name, positive=True)
+
+
+def _block(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
+    if not isinstance(block, Display):
+        return block
+    return replace(block, equations=tuple(_line(e, lengths, stated) for e in block.equations))
+
+
+def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:
+    first = e.sides[0]
+    letter = stated.get(first.name) if isinstance(first, sp.Symbol) else None
+    if letter is not None and isinstance(first, sp.Symbol):
+        return e if letter.name == first.name else replace(e, sides=(letter,))  # the file's own is defined above
+    letters: dict[sp.Basic, sp.Basic] = {sp.Symbol(name, real=True): s for name, s in stated.items()}
+    letters |= {sp.Symbol(name, positive=True): s for name, s in stated.items()}
+    sides = [_side(s, lengths) for s in e.sides]
+    sides = [s.xreplace(letters) if isinstance(s, sp.Expr) else s for s in sides]
+    kept = [s for n, s in enumerate(sides) if n == 0 or s != sides[n - 1]]
+    return replace(e, sides=tuple(kept))
+
+
+def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
+    if not isinstance(side, sp.Expr) or not side.atoms(sp.Pow):
+        return side
+    rule = {p: e for p in side.atoms(sp.Pow) if (e := _by_letter(p, lengths)) is not None}
+    return side.xreplace(rule)
+
+
+def _by_letter(power: sp.Pow, lengths: dict[sp.Expr, sp.Symbol]) -> sp.Expr | None:
+    """A power of a long root by the letter: of d for the root itself, and √2 d for that of twice the radicand."""
+    if not power.exp.is_Rational or power.exp.q != 2 or count_operations(power.base) <= SHORTEST:
+        return None
+    for radicand, letter in lengths.items():
+        for factor in FACTORS:
+            if power.base == radicand or sp.expand(power.base - factor * radicand) == 0:
+                times = sp.S.One if power.base == radicand else factor
+                return sp.Pow(times, power.exp) * letter ** (2 * power.exp)
+    return None

@@ -1,0 +1,41 @@
+"""Of a small motion the frequency is boxed, and the linear equation is a step on the way."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.document.builders import display, math, prose
+from lagrange.document.derivation import Block, Display, Equation, Rule, Step
+from lagrange.explain.page.shorter.oscillations import in_one_box
+
+xi, omega, k = sp.symbols("xi omega k", positive=True)
+LINEAR = display(Equation((prime(xi, 2) + k * xi, sp.S.Zero), label="linear-1-1"), boxed=True)
+WAVE = ("cos(", math(omega), ")")
+SQUARE = display(Equation((omega**2, k), label="omega-1"), boxed=True)
+
+
+def said(*blocks: Block, rule: Rule = Rule.LINEARIZATION) -> tuple[Block, ...]:
+    [step] = in_one_box([Step(rule, "", blocks)])
+    return step.body
+
+
+def test_one_box() -> None:
+    solved = prose("There are solutions proportional to ", *WAVE, ", with a constant amplitude, where")
+    linear, words, square = said(LINEAR, solved, SQUARE)
+    assert isinstance(linear, Display)
+    assert not linear.boxed
+    assert words == prose("It has solutions proportional to ", *WAVE, " with")
+    assert square == SQUARE
+
+
+def test_a_linear_equation_without_a_frequency_keeps_its_box() -> None:
+    end = prose("The equation for the frequencies is too long to be written out.")
+    assert said(LINEAR, end) == (LINEAR, end)
+
+
+def test_steady_motions_too_and_nothing_else() -> None:
+    solved = prose("There are solutions proportional to ", *WAVE, ", with constant amplitudes, where")
+    assert said(LINEAR, solved, SQUARE, rule=Rule.STEADY)[1] == prose("They have solutions proportional to ", *WAVE,
+                                                                      " with")  # fmt: skip
+    assert said(LINEAR, solved, SQUARE, rule=Rule.MEANING) == (LINEAR, solved, SQUARE)
