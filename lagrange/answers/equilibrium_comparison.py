@@ -115,7 +115,8 @@ class EquilibriumComparison:
                 [u for u in solution.unknowns if u not in e.configuration.slots.coordinates],
                 beside=asked,
             )
-        self.solution = solution
+        # What an answer contains is read with letters of its own, so that no answer depends on one before it.
+        self.solution = solution = replace(solution, letters=solution.letters.copy())
         # Equilibria for particular parameters only need not be in an answer.
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)

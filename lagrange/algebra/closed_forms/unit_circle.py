@@ -66,6 +66,12 @@ class TrigLetters:
         for monomial, d in parts.items():
             self._angle(monomial, d)
 
+    def copy(self) -> TrigLetters:
+        """Letters of their own that begin as these do: what is read with them adds no angles or roots here."""
+        other = TrigLetters((), self.unknowns)
+        other.angles, other.roots = dict(self.angles), dict(self.roots)
+        return other
+
     def angle_of(self, unknown: sp.Symbol) -> LetteredAngle | None:
         """The angle of an unknown that occurs in sines and cosines."""
         return self.angles.get(unknown)

@@ -32,9 +32,10 @@ LONGEST_COEFFICIENT = 100
 MOST_COMPARED_POINTS = 4
 
 # Sampled checks: parameters drawn for one point of a branch, and how many of them must be in the region where it is
-# stated to be stable and in that where it is stated to be unstable. Rows of a determinant of which the frequencies are
-# the roots [3].
+# stated to be stable and in that where it is stated to be unstable; draws until one of them is of use [30]. Rows of a
+# determinant of which the frequencies are the roots [3].
 MOST_DRAWS = 40
+MOST_DRAWS_FOR_ONE = 400
 SAMPLES_PER_SIDE = 8
 MOST_EXPANDED_ROWS = 4
 
