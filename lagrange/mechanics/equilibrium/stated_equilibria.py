@@ -54,7 +54,8 @@ class Tried:
 def stated_equilibria(e: Equilibrium) -> list[Tried]:
     """Whether what is stated implies equilibrium, at sampled points, branch by branch."""
     random = Random(1)
-    return [_tried(e, b, random) for b in e.branches if not b.special]
+    tried = [(b, _tried(e, b, random)) for b in e.branches if not b.special]
+    return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
 
 
 def stated_equilibria_hold(e: Equilibrium) -> bool | None:

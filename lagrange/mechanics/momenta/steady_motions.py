@@ -500,8 +500,9 @@ def check_steady(motions: SteadyMotions) -> list[Check]:
                 except (InadmissibleError, UnsupportedError, DivisionByZeroError):
                     continue
             # Other motions do not stand in for one at which nothing could be tried.
-            hold += [None] if len(hold) == tried[0] and not b.special else []
-            linear += [None] if len(linear) == tried[1] and s is not None and not b.special else []
+            silent = b.special or b.may_be_empty
+            hold += [None] if len(hold) == tried[0] and not silent else []
+            linear += [None] if len(linear) == tried[1] and s is not None and not silent else []
     statements = [
         ("the steady motions satisfy Lagrange's equations", hold),
         ("the linear equations about them have the exponents of Lagrange's equations", linear),
