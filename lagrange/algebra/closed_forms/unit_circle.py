@@ -222,6 +222,23 @@ class TrigLetters:
         return _sum(total, (sp.cos(rest), sp.sin(rest)))
 
 
+def is_in_circular(u: sp.Symbol, expressions: Iterable[sp.Expr]) -> bool:
+    """Whether an unknown occurs in sines and cosines."""
+    return any(u in f.free_symbols for e in expressions for f in e.atoms(*CIRCULAR))
+
+
+def is_outside_circular(u: sp.Symbol, expressions: Iterable[sp.Expr]) -> bool:
+    """Whether an unknown occurs outside sines and cosines."""
+    outside = (e.xreplace({f: sp.Dummy() for f in e.atoms(*CIRCULAR)}) for e in expressions)
+    return any(u in e.free_symbols for e in outside)
+
+
+def parts_of_angles(expressions: Sequence[sp.Expr], angles: frozenset[sp.Symbol]) -> int:
+    """The largest n for which θ/n occurs."""
+    letters = TrigLetters(expressions, tuple(angles))
+    return max((int((u / letters.angles[u].measure)) for u in angles if u in letters.angles), default=1)
+
+
 def with_square(e: sp.Expr, letter: sp.Symbol, square: sp.Expr) -> sp.Expr:
     """A polynomial with letter² replaced, expanded."""
     poly = sp.Poly(e, letter)

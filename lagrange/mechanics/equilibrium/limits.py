@@ -66,3 +66,6 @@ MOST_SEARCHED_UNKNOWNS = 10
 SEARCHED_STARTS = 16
 SEARCHED_OPERATIONS = 300_000
 MOST_TURNED = 3
+
+# Points of equilibria without a closed form at which an answer is tried: both ways to assemble a linkage are met.
+UNSOLVED_POINTS = 8

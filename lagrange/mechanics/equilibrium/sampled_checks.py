@@ -148,7 +148,7 @@ class Samples:
         return [[e.diff(q) for q in self.slots.coordinates] for e in total]
 
     def agreeing(self, b: Branch, s: Stability) -> list[bool | None]:
-        """Whether the second variation has the stated sign, at each point that could be used; undecided if none could."""
+        """Whether the second variation has the stated sign, at each point that could be used; None if none could."""
         if b.special or (s.verdict is StabilityVerdict.UNDECIDED and not s.unstable):
             return []
         verdicts: list[bool | None] = [v for points in self.series(b) for v in self._agree(points, b, s)]

@@ -12,8 +12,8 @@ At such a position the forces balance if Q is a combination of the rows A of the
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import chain
+from collections.abc import Collection, Iterator, Sequence
+from itertools import chain, islice
 from random import Random
 from typing import Any
 
@@ -38,52 +38,46 @@ Number = Any
 
 
 class StatedPlaces:
-    """The positions of one branch at which some expressions are wanted; the same in every run.
+    """Positions where equations hold and conditions are met, at drawn parameters; the same in every run.
+
+    symbols  of which a position has the values: unknowns, and then all parameters, those of `beside` among them
 
     Raises NoTapeError where an expression cannot be evaluated.
     """
 
-    def __init__(self, e: Equilibrium, b: Branch, wanted: Sequence[sp.Expr]) -> None:
-        random = Random(3)
-        equations = [r.residual for r in b.equations] + [*e.configuration.finite_constraints]
-        conditions = [c.lhs - c.rhs for c in b.conditions]
-        sampled = _without_functions([*equations, *conditions, *wanted], random)
-        equations, rest = sampled[: len(equations)], sampled[len(equations) :]
-        conditions, wanted = rest[: len(conditions)], rest[len(conditions) :]
-        self.random = random
-        self.angles = e.solution.letters.angles
-        self.coordinates = e.configuration.slots.coordinates
-        occurring = {s for x in sampled for s in x.free_symbols}
-        self.unknowns = (*self.coordinates, *(s for s in (*e.forces, *e.multipliers) if s in occurring))
-        self.parameters = sorted(occurring - {*self.unknowns}, key=str)
-        symbols = (*self.unknowns, *self.parameters)
-        self.equations = Tape([x for x in equations if x != 0], symbols)
-        of_parameters = [(c, x) for c, x in zip(b.conditions, conditions, strict=True) if not self._is_open(x)]
-        of_all = [(c, x) for c, x in zip(b.conditions, conditions, strict=True) if self._is_open(x)]
-        self.before = [c for c, _ in of_parameters], Tape([x for _, x in of_parameters], self.parameters)
-        self.after = [c for c, _ in of_all], Tape([x for _, x in of_all], symbols)
-        self.wanted = Tape(wanted, symbols)
+    def __init__(
+        self,
+        equations: Sequence[sp.Expr],
+        conditions: Sequence[SignCondition],
+        unknowns: Sequence[sp.Symbol],
+        turning: Collection[sp.Expr],
+        beside: Sequence[sp.Expr] = (),
+    ) -> None:
+        differences = without_functions([c.lhs - c.rhs for c in conditions])
+        equations = without_functions(equations)
+        occurring = {s for x in (*equations, *differences, *without_functions(beside)) for s in x.free_symbols}
+        self.random = Random(3)
+        self.turning = turning
+        self.unknowns = tuple(unknowns)
+        self.parameters = sorted(occurring - {*unknowns}, key=str)
+        self.symbols = (*self.unknowns, *self.parameters)
+        self.equations = Tape([x for x in equations if x != 0], self.symbols)
+        pairs = list(zip(conditions, differences, strict=True))
+        before = [(c, x) for c, x in pairs if x.free_symbols.isdisjoint(unknowns)]
+        after = [pair for pair in pairs if pair not in before]
+        self.before = [c for c, _ in before], Tape([x for _, x in before], self.parameters)
+        self.after = [c for c, _ in after], Tape([x for _, x in after], self.symbols)
 
-    def _is_open(self, x: sp.Expr) -> bool:
-        return not x.free_symbols.isdisjoint(self.unknowns)
-
-    def values(self, number: int = STATED_SAMPLES) -> Iterator[list[Number]]:
-        """What is wanted, at up to so many positions, to sixty digits; raises what a value that is missing raises."""
-        found = 0
+    def __iter__(self) -> Iterator[list[Number]]:
         for _ in range(MOST_STATED_DRAWS):
-            if found == number or self.equations.carried_out > SEARCHED_OPERATIONS:
-                return
-            numbers = self._numbers()
+            numbers = self._numbers() if self.equations.carried_out < SEARCHED_OPERATIONS else None
             if numbers is None:
                 return
             place = self._place(numbers)
-            if place is None:
-                continue
-            with mpmath.workdps(60):
+            if place is not None:
                 given = [*place, *map(mpmath.mpf, numbers)]
                 if _hold(*self.after, given):
-                    found += 1
-                    yield self.wanted.values(given, DIGITS)
+                    yield given
 
     def _numbers(self) -> list[float] | None:
         """Drawn parameters for which the conditions on them hold."""
@@ -94,7 +88,7 @@ class StatedPlaces:
         return None
 
     def _place(self, numbers: Sequence[float]) -> list[Number] | None:
-        start = [drawn_place(u, self.coordinates, self.angles, self.random) for u in self.unknowns]
+        start = [drawn_place(u, self.unknowns, self.turning, self.random) for u in self.unknowns]
         guess = zero_near(lambda x: self.equations.values([*x, *numbers]), start, FARTHEST)
         if guess is None:
             return None
@@ -105,14 +99,20 @@ def holds_in_numbers(e: Equilibrium, b: Branch) -> bool | None:
     """Whether the forces balance at positions of a branch that are found in numbers; None: none is found."""
     rows = [list(row.coefficients) for row in e.binding]
     size = len(e.work.forces)
+    tried = [*e.work.forces, *chain(*rows), *e.laws]
+    equations = [*(r.residual for r in b.equations), *e.configuration.finite_constraints]
+    unknowns = (*e.configuration.slots.coordinates, *e.forces, *e.multipliers)
+    verdicts = []
     try:
-        places = StatedPlaces(e, b, [*e.work.forces, *chain(*rows), *e.laws])
-        verdicts = []
-        for values in places.values():
-            forces, rest = values[:size], values[size:]
-            table = [rest[n : n + size] for n in range(0, size * len(rows), size)]
-            laws = rest[size * len(rows) :]
-            verdicts.append(all_hold([_are_balanced(table, forces), *(_is_small(abs(x), 1) for x in laws)]))
+        places = StatedPlaces(equations, b.conditions, unknowns, e.solution.letters.angles, tried)
+        tape = Tape(without_functions(tried), places.symbols)
+        with mpmath.workdps(60):
+            for place in islice(places, STATED_SAMPLES):
+                values = tape.values(place, DIGITS)
+                forces, rest = values[:size], values[size:]
+                table = [rest[n : n + size] for n in range(0, size * len(rows), size)]
+                laws = rest[size * len(rows) :]
+                verdicts.append(all_hold([_are_balanced(table, forces), *(is_small(x) for x in laws)]))
     except (NoTapeError, ValueError, ArithmeticError):
         return None
     return all_hold(verdicts) if verdicts else None
@@ -120,17 +120,16 @@ def holds_in_numbers(e: Equilibrium, b: Branch) -> bool | None:
 
 def _are_balanced(rows: Sequence[Sequence[Number]], forces: Sequence[Number]) -> bool | None:
     """Whether Q is a combination of the rows; None where their rank or the rest is too small to be sure."""
-    with mpmath.workdps(60):
-        basis: list[list[Number]] = []
-        for row in rows:
-            size = _length(row)
-            rest = _beside([x / size for x in row], basis) if size else list(row)
-            small = _is_small(_length(rest), 1)
-            if small is None:
-                return None
-            if not small:
-                basis.append([x / _length(rest) for x in rest])
-        return _is_small(_length(_beside(forces, basis)), _length(forces))
+    basis: list[list[Number]] = []
+    for row in rows:
+        size = _length(row)
+        rest = _beside([x / size for x in row], basis) if size else list(row)
+        small = is_small(_length(rest))
+        if small is None:
+            return None
+        if not small:
+            basis.append([x / _length(rest) for x in rest])
+    return is_small(_length(_beside(forces, basis)), _length(forces))
 
 
 def _beside(v: Sequence[Number], basis: Sequence[Sequence[Number]]) -> list[Number]:
@@ -146,9 +145,9 @@ def _length(v: Sequence[Number]) -> Number:
     return mpmath.sqrt(sum(x * x for x in v))
 
 
-def _is_small(x: Number, scale: Number) -> bool | None:
+def is_small(x: Number, scale: Number = 0) -> bool | None:
     """Whether a number is zero to the digits of a confirmed position; None in between."""
-    return True if x < AGREES * (1 + scale) else False if x > DIFFERS * (1 + scale) else None
+    return True if abs(x) < AGREES * (1 + scale) else False if abs(x) > DIFFERS * (1 + scale) else None
 
 
 def _hold(conditions: Sequence[SignCondition], differences: Tape, given: Sequence[Number]) -> bool:
@@ -163,12 +162,11 @@ def _hold(conditions: Sequence[SignCondition], differences: Tape, given: Sequenc
     )
 
 
-def _without_functions(expressions: Sequence[sp.Expr], random: Random) -> list[sp.Expr]:
-    """The expressions with a polynomial of the second degree for each undefined function, and its derivatives."""
-    seed = random.randint(1, 10**6)
+def without_functions(expressions: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The expressions with a polynomial for each undefined function, always the same one."""
 
     def polynomial(f: Unspecified) -> sp.Expr:
-        numbers = Random(f"{f.name} {seed}")
+        numbers = Random(f.name)
         letters = [sp.Dummy() for _ in f.arguments]
         total = sp.Add(*(sp.Rational(numbers.randint(2, 9), 5) * x for x in letters))
         value = total + total**2 / numbers.randint(5, 9) + sp.Rational(numbers.randint(1, 9), 7)
