@@ -8,7 +8,7 @@ beside its own sine and cosine (k θ = m g l sin θ) keeps its own symbol as wel
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import lcm
 
 import sympy as sp
