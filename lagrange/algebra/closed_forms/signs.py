@@ -208,7 +208,7 @@ def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] 
 
 
 def _without_common_power(e: sp.Expr) -> sp.Expr:
-    """a − b as a^p − b^p with p > 0, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c."""
+    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c."""
     terms = e.args if e.is_Add and len(e.args) == 2 else ()
     signs = [sign_of(term) for term in terms]
     if sorted(s or 0 for s in signs) != [-1, 1]:

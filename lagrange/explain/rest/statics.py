@@ -203,6 +203,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     yield from _remarks(equilibrium)
     yield from singular_places(equilibrium)
     yield from outside_ranges(equilibrium)
+    yield from full_turns(equilibrium)
     yield from _poles(equilibrium)
 
 
@@ -288,6 +289,14 @@ def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
     if several and not equilibrium.outside:
         meant = listed(math(r.low, s, r.high, relation="≤") for s, r in ranges.items() if s in several)
         yield prose("Only angles with ", *meant, " are meant.", detail=Detail.BRIEF)
+
+
+def full_turns(equilibrium: Equilibrium) -> Iterator[Block]:
+    """That an angle occurs outside of sines and cosines too, where the conditions hold at all its turns."""
+    turned = list(dict.fromkeys(q for b in equilibrium.branches for q in equilibrium.turned(b)))
+    if turned:
+        words = "The conditions hold full turns further as well; what is said below is meant for "
+        yield prose(words, *listed(math(q) for q in turned), " as stated.", detail=Detail.BRIEF)
 
 
 def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:

@@ -241,7 +241,8 @@ def _same_equations(linear: Linearization) -> Iterator[bool | None]:
         if s is None:
             continue
         n = sp.Matrix(s.shape)
-        for point in b.points[:MOST_COMPARED_POINTS]:
+        stated = {q: b.common[q] for q in slots.coordinates if q in b.common}
+        for point in ({**stated, **p} for p in b.points[:MOST_COMPARED_POINTS]):
             for table, matrix in zip(tables, (s.system.mass, s.system.damping, s.system.stiffness), strict=True):
                 difference = n.T * table * n - sp.Matrix(matrix)
                 yield from (_is_zero_at(linear, b, point, e) for e in difference)

@@ -29,7 +29,7 @@ from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.conditions import solved_for
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
-from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, is_outside_circular
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point, Surface, agreed, is_zero, rank
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
@@ -183,6 +183,11 @@ class Equilibrium:
         if self.solution.solved:
             return bool(self.branches)
         return True if any(not b.left or b.occupied for b in self.branches) else None
+
+    def turned(self, b: Branch) -> tuple[sp.Symbol, ...]:
+        """The angles of a branch at whose full turns the forces balance too, but are others."""
+        given = [q for q in self.configuration.slots.coordinates if q in b.common and all(q not in p for p in b.points)]
+        return tuple(q for q in given if is_outside_circular(q, self.work.forces))
 
     @property
     def undetermined(self) -> tuple[sp.Symbol, ...]:
@@ -391,6 +396,7 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     applied = loads(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
+    branches = tuple(_with_stated_angles(b, solution) for b in branches)
     completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
     free = (coordinates[k] for k in e.elimination.independent)
     balances = dict(zip(free, e.independent_forces, strict=True))
@@ -398,6 +404,12 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         replace(completed, outside=outside),
         [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
     )
+
+
+def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
+    """The branch with the angles that it states: where θ occurs beside sin θ, R θ + l at sin θ = 0 is l at θ = 0."""
+    angles = {r.lhs: r.rhs for r in b.relations if r.lhs in solution.letters.angles and r.lhs not in b.common}
+    return replace(b, common={**b.common, **angles}) if angles else b
 
 
 def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:

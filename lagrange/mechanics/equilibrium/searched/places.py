@@ -172,8 +172,10 @@ class _Search:
     def _is_lost(self, tape: Tape, guess: Sequence[float], numbers: Sequence[float]) -> bool:
         """Whether the place is certainly a place of rest, and certainly in no branch."""
 
+        exact = [mpmath.mpf(x) for x in numbers]  # l² of a float is rounded to 16 digits
+
         def f(x: Sequence[Any]) -> list[Any]:
-            return tape.values([*x, *numbers], DIGITS)
+            return tape.values([*x, *exact], DIGITS)
 
         place = confirmed(f, guess)
         if place is None or self._is_outside(place, numbers):
