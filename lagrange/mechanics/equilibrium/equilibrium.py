@@ -43,7 +43,7 @@ from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
-from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_only_of_chart
+from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_at_edge, is_only_of_chart, moves_nothing
 from lagrange.mechanics.equilibrium.loads import at_rest, loads
 from lagrange.mechanics.equilibrium.within_ranges import within
 
@@ -184,6 +184,12 @@ class Equilibrium:
             return bool(self.branches)
         return True if any(not b.left or b.occupied for b in self.branches) else None
 
+    @property
+    def dead_centres(self) -> tuple[int, ...]:
+        """The numbers of the branches at which the only coordinate moves nothing to first order."""
+        held = (moves_nothing(self.configuration, self.solution, b) for b in self.branches)
+        return tuple(n for n, holds in enumerate(held) if holds)
+
     def turned(self, b: Branch) -> tuple[sp.Symbol, ...]:
         """The angles of a branch at whose full turns the forces balance too, but are others."""
         given = [q for q in self.configuration.slots.coordinates if q in b.common and all(q not in p for p in b.points)]
@@ -245,13 +251,15 @@ def is_balanced_on(e: Equilibrium, surface: Surface, values: Mapping[sp.Symbol, 
 def without_poles(e: Equilibrium, original: Equilibrium) -> Equilibrium:
     """The equilibria of a choice without the poles of its chart where the forces do not balance.
 
-    At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ. The file's
-    coordinates, in `original`, have no pole there and decide.
+    At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ; and with
+    x = a cos θ nothing moves at θ = 0. The file's coordinates, in `original`, have no pole there and decide.
     """
     return _split_off(
         e,
         [
-            bool(idle) and not b.left and _is_unbalanced(b, e, original)
+            not b.left
+            and (bool(idle) or is_at_edge(e.configuration, original.configuration.slots.coordinates, e.solution, b))
+            and _is_unbalanced(b, e, original)
             for b, idle in zip(e.branches, e.idle, strict=False)
         ],
     )

@@ -9,6 +9,10 @@ measured when the limits were gathered; "beyond" is how often a limit was exceed
 MOST_MINORS = 4
 # Order of the derivatives of V, where V'' vanishes in one coordinate: x⁶ is the highest that is recognised as stable.
 HIGHEST_ORDER = 6
+# Where it vanishes in one direction of several: coordinates, and operations of a derivative at the equilibrium. Three
+# coordinates have 56 derivatives of each force.
+MOST_IN_A_VALLEY = 3
+LONGEST_DEGENERATE = 60
 
 # Points of one branch of equilibria for which reactions are sought [2]: each is a root of its own, and every zero test
 # is made at all of them.

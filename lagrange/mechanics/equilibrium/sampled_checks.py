@@ -287,8 +287,8 @@ def determinant_in_numbers(table: Sequence[Sequence[Any]]) -> Any:
 
 
 def exists(b: Branch, point: RealPoint) -> bool:
-    """Whether the conditions of a branch hold strictly at a point."""
-    return all(_sense(point, c) == 1 for c in (*b.conditions, *b.implied))
+    """Whether the conditions of a branch hold strictly at a point, which may be at the end of a range."""
+    return all(_sense(point, c) == 1 for c in b.conditions) and all(_sense(point, c) >= 0 for c in b.implied)
 
 
 def _claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:

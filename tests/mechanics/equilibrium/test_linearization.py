@@ -311,7 +311,6 @@ def test_every_copy_is_counted_although_equilibria_are_many(monkeypatch: pytest.
 
 
 WINDING = """
-title: A weight on a string that winds around a cylinder
 parameters: [m, g, l, R]
 coordinates: [theta]
 let: {out: cos(theta)*i + sin(theta)*j, along: sin(theta)*i - cos(theta)*j}
