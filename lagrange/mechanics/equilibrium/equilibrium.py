@@ -27,6 +27,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.conditions import solved_for
+from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, is_outside_circular
@@ -415,9 +416,13 @@ def _for_all(e: Equilibrium) -> Equilibrium:
 
 
 def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
-    """The branch with the angles that it states: where θ occurs beside sin θ, R θ + l at sin θ = 0 is l at θ = 0."""
+    """The branch with the angles that it states: where θ occurs beside sin θ, R θ + l at sin θ = 0 is l at θ = 0.
+
+    A root that is none any more is a modulus: |H − l| where cos θ = −1.
+    """
     angles = {r.lhs: r.rhs for r in b.relations if r.lhs in solution.letters.angles and r.lhs not in b.common}
-    return replace(b, common={**b.common, **angles}) if angles else b
+    common, *points = ({u: without_squares(v) for u, v in values.items()} for values in (b.common, *b.points))
+    return replace(b, common={**common, **angles}, points=tuple(points))
 
 
 def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:
