@@ -63,8 +63,8 @@ def along_valley(
         # r(z) to the power z^degree makes ∂V/∂r vanish to that power.
         for k in range(size):
             slopes[k] = _power(terms[k], place, t, degree)
-        matrix = sp.Matrix([[second[i, j] for j in others] for i in others])
-        step = matrix.LUsolve(sp.Matrix([-slopes[k] for k in others]))
+        inner = sp.Matrix([[second[i, j] for j in others] for i in others])
+        step = inner.LUsolve(sp.Matrix([-slopes[k] for k in others]))
         for k, a in zip(others, step, strict=True):
             place[k] += sp.factor(a) * t**degree
         if degree >= 2:

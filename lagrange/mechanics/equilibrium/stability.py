@@ -322,6 +322,8 @@ def _on_valley(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> 
     size, known = len(matrix), known_positive(b)
     if size < 2 or any(map(any, e.idle)) or any(x is None for row in values for x in row):
         return None
+    if any(r.finite is None for r in e.binding):
+        return None  # the free displacements are those of no surface
     if not is_zero(sp.Matrix(values).det(method="berkowitz")):
         return None
     for z in range(size):
