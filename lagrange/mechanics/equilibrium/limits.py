@@ -44,9 +44,11 @@ SAMPLES_PER_SIDE = 8
 MOST_EXPANDED_ROWS = 4
 
 # Random parameters at which each branch of equilibria is tried as it is stated, and draws until its conditions hold;
-# unsolved equations of a branch on whose surface points are sought, which takes seconds with more.
+# places from which its positions are sought in numbers; unsolved equations of a branch on whose surface points are
+# sought, which takes seconds with more.
 STATED_SAMPLES = 2
 MOST_STATED_DRAWS = 200
+MOST_STATED_PLACES = 40
 MOST_UNSOLVED = 2
 
 # Friction at rest. Inequalities at once, and signs of coefficients that are taken one by one: two contacts have five

@@ -73,6 +73,8 @@ def test_what_is_written(problem: Read) -> None:
     assert told.solution.own.equilibrium is not None
     values = [v for b in told.solution.own.equilibrium.branches for p in (b.common, *b.points) for v in p.values()]
     assert any(v.has(sp.Abs) for v in values)
-    assert not any(p.exp == sp.S.Half and p.base.is_Add for v in values for p in sp.factor(v).atoms(sp.Pow) if v.has(sp.Abs))
+    assert not any(
+        p.exp == sp.S.Half and p.base.is_Add for v in values for p in sp.factor(v).atoms(sp.Pow) if v.has(sp.Abs)
+    )
     page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
     assert "tie pulls its ends together with the force" in page

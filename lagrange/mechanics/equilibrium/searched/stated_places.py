@@ -25,7 +25,12 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import Unspecified
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import MOST_STATED_DRAWS, SEARCHED_OPERATIONS, STATED_SAMPLES
+from lagrange.mechanics.equilibrium.limits import (
+    MOST_STATED_DRAWS,
+    MOST_STATED_PLACES,
+    SEARCHED_OPERATIONS,
+    STATED_SAMPLES,
+)
 from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, zero_near
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
@@ -69,7 +74,7 @@ class StatedPlaces:
         self.after = [c for c, _ in after], Tape([x for _, x in after], self.symbols)
 
     def __iter__(self) -> Iterator[list[Number]]:
-        for _ in range(MOST_STATED_DRAWS):
+        for _ in range(MOST_STATED_PLACES):
             numbers = self._numbers() if self.equations.carried_out < SEARCHED_OPERATIONS else None
             if numbers is None:
                 return
