@@ -24,17 +24,26 @@ from typing import TypeAlias
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator
+from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator, over_one_denominator_in_roots
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
-from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
+from lagrange.algebra.closed_forms.unit_circle import (
+    CIRCULAR,
+    NotAlgebraicError,
+    TrigLetters,
+    is_in_circular,
+    is_outside_circular,
+    parts_of_angles,
+)
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.answers.readings import Reading
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import record
+from lagrange.core.verdicts import all_hold
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
+from lagrange.mechanics.equilibrium.searched.covered import are_covered
 from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"
@@ -99,15 +108,15 @@ class EquilibriumComparison:
         self.forces = e.forces
         forces = (*e.work.forces, *e.required)
         bound = tuple(a for row in e.binding for a in row.coefficients)
-        turned = [u for u in self.unknowns if _is_in_circular(u, (*forces, *self.rows, *bound))]
-        self.angles = frozenset(u for u in turned if not _is_outside_circular(u, forces))
+        turned = [u for u in self.unknowns if is_in_circular(u, (*forces, *self.rows, *bound))]
+        self.angles = frozenset(u for u in turned if not is_outside_circular(u, forces))
         self.mixed = frozenset(turned) - self.angles
         self.values = dict(values)
         solution = e.solution
         asked = [x for a in systems for es in a for x in es]
         # cos θ/2 is no rational function of cos θ and sin θ: if the answer has half angles, the conditions are solved
         # again with letters for these.
-        half = _parts_of_angles(asked, self.angles) > _parts_of_angles(solution.equations, self.angles)
+        half = parts_of_angles(asked, self.angles) > parts_of_angles(solution.equations, self.angles)
         if values or half:
             solution = solutions(
                 [x.xreplace(self.values) for x in solution.equations],
@@ -115,7 +124,8 @@ class EquilibriumComparison:
                 [u for u in solution.unknowns if u not in e.configuration.slots.coordinates],
                 beside=asked,
             )
-        self.solution = solution
+        # What an answer contains is read with letters of its own, so that no answer depends on one before it.
+        self.solution = solution = replace(solution, letters=solution.letters.copy())
         # Equilibria for particular parameters only need not be in an answer.
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)
@@ -209,8 +219,11 @@ class EquilibriumComparison:
         uncovered = self._uncovered(alternatives)
         if uncovered is None:
             return AnswerVerdict(Verdict.UNDECIDED, equations)
-        if self.left and not any(self._has_unsolved(s) for s in systems):
-            uncovered |= {self.branches.index(b) for b in self.left}
+        for b in self.left if not any(self._has_unsolved(s) for s in systems) else ():
+            covered = self._is_covered(b, alternatives)
+            if covered is None:
+                return AnswerVerdict(Verdict.UNDECIDED, equations)
+            uncovered |= set() if covered else {self.branches.index(b)}
         lost = {e for n, p in self.demanded if n not in uncovered for e in self._lost(p, alternatives)}
         if lost:
             equations = tuple(
@@ -232,6 +245,14 @@ class EquilibriumComparison:
                 return None
             uncovered.add(n)
         return uncovered
+
+    def _is_covered(self, b: Branch, alternatives: Sequence[_Alternative]) -> bool | None:
+        """Whether the alternatives have the points of a branch that is not in closed form, by some in numbers."""
+        systems = [[x for es in a.equations for x in es] + _of_angles(a.angles) for a in alternatives]
+        equations = [*(r.residual for r in b.equations), *self.rows]
+        given = [[x.xreplace(self.values) for x in system] for system in systems]
+        unknowns = (*self.unknowns, *self.equilibrium.multipliers)
+        return are_covered(equations, b.conditions, unknowns, self.angles | self.mixed, given)
 
     def _cases(self, p: Values, alternatives: Sequence[_Alternative]) -> list[_Case]:
         return [(p, [x for es in a.equations for x in es], a.angles) for a in alternatives]
@@ -260,7 +281,7 @@ class EquilibriumComparison:
 
     def _canonical(self, e: sp.Expr) -> list[sp.Expr]:
         """The factors of an equation that contain an unknown, up to sign."""
-        e = _over_one_denominator_in_roots(e)
+        e = over_one_denominator_in_roots(e)
         letters = TrigLetters([e, *self.conditions], self.unknowns)
         try:
             parts = numerator(letters.read(e))
@@ -443,8 +464,7 @@ class EquilibriumComparison:
         """The residuals of equations at an equilibrium; None if they have no value there."""
         residuals = [*equations]
         for u, angle in angles.items():
-            circle = [sp.cos(u) - sp.cos(angle), sp.sin(u) - sp.sin(angle)]
-            residuals += [u - angle] if u in self.mixed and u in point else circle
+            residuals += [u - angle] if u in self.mixed and u in point else _of_angles({u: angle})
         try:
             values = [self.solution.at(point, e) for e in residuals]
         except (NotAlgebraicError, DivisionByZeroError):
@@ -550,8 +570,7 @@ class EquilibriumComparison:
         try:
             if not self.equilibrium.given:
                 return is_balanced(self.equilibrium, at)
-            verdicts = [self._vanishes(at(c)) for c in self.equilibrium.required]
-            return False if False in verdicts else None if None in verdicts else True
+            return all_hold([self._vanishes(at(c)) for c in self.equilibrium.required])
         except DivisionByZeroError:
             return False
         except NotAlgebraicError:
@@ -575,24 +594,5 @@ def _also_holds(b: Branch) -> str:
     return f"it also holds where {stated}, which is not an equilibrium"
 
 
-def _is_in_circular(u: sp.Symbol, expressions: Sequence[sp.Expr]) -> bool:
-    """Whether an unknown occurs in sines and cosines."""
-    return any(u in f.free_symbols for e in expressions for f in e.atoms(*CIRCULAR))
-
-
-def _is_outside_circular(u: sp.Symbol, expressions: Sequence[sp.Expr]) -> bool:
-    """Whether an unknown occurs outside sines and cosines."""
-    outside = (e.xreplace({f: sp.Dummy() for f in e.atoms(*CIRCULAR)}) for e in expressions)
-    return any(u in e.free_symbols for e in outside)
-
-
-def _over_one_denominator_in_roots(e: sp.Expr) -> sp.Expr:
-    """√(1 − v²/c²) as √(c² − v²)/c."""
-    roots = [p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add]
-    return e.xreplace({p: sp.together(p.base) ** p.exp for p in roots})
-
-
-def _parts_of_angles(expressions: Sequence[sp.Expr], angles: frozenset[sp.Symbol]) -> int:
-    """The largest n for which θ/n occurs."""
-    letters = TrigLetters(expressions, tuple(angles))
-    return max((int((u / letters.angles[u].measure)) for u in angles if u in letters.angles), default=1)
+def _of_angles(angles: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
+    return [f(u) - f(angle) for u, angle in angles.items() for f in (sp.cos, sp.sin)]

@@ -12,6 +12,7 @@ from tests.support.statics_texts import (
     ATWOOD,
     BEAD,
     CROSS_WIND,
+    OPEN_LINKAGE,
     PULLED_SPRING,
     SCALES,
     WIND,
@@ -48,6 +49,20 @@ def test_poles_of_the_coordinates_are_not_asked_for() -> None:
     """At θ = 0 the conditions hold for tan φ = −1, but the wind is not balanced there."""
     both = '[["tan(theta) = sqrt(2)", "phi = pi/4"], ["tan(theta) = -sqrt(2)", "phi = -3*pi/4"]]'
     assert check_own_answers(read(CROSS_WIND + f"answers: {{equilibrium: {both}}}\n")).verdict is EQUIVALENT
+
+
+@pytest.mark.parametrize(
+    ("equations", "expected"),
+    [
+        (["tan(alpha) = 3/2 or sin(beta - gamma) = 0"], EQUIVALENT),
+        (["tan(alpha) = 3/2"], INCOMPLETE),
+        (["sin(beta - gamma) = 0"], INCOMPLETE),
+        (["tan(alpha) = 2/3 or sin(beta - gamma) = 0"], WRONG),
+    ],
+)
+def test_equilibria_without_a_closed_form_are_compared_in_numbers(equations: list[str], expected: Verdict) -> None:
+    """The pushed crank along the force, or coupler and rocker in line."""
+    assert examiner(OPEN_LINKAGE).check(tuple(Fragment.of(e) for e in equations)).verdict is expected
 
 
 ROCKING_STONE = """

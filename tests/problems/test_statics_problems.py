@@ -163,7 +163,7 @@ def test_stable_where_the_energy_is_least() -> None:
                 least = energy(x + 1e-3) + energy(x - 1e-3) > 2 * energy(x)
                 assert said_to_be_stable(s, {**values, "theta": x}) is least, (name, x, s)
                 tried[least] += 1
-    assert min(tried.values()) >= 6
+    assert min(tried.values()) >= 5
 
 
 def said_to_be_stable(s: Stability, values: dict[str, float]) -> bool | None:

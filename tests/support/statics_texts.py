@@ -174,3 +174,13 @@ constraints:
 forces: {F: {on: A, vector: '-i + 2*j'}}
 find: equilibrium
 """
+OPEN_LINKAGE = """
+title: A four-bar linkage pushed at a joint, whose coupler and rocker may be in line
+coordinates: [alpha, beta, gamma]
+particles: {A: {position: '3*cos(alpha)*i + 3*sin(alpha)*j'}}
+constraints:
+  h: 3*cos(alpha) + 4*cos(beta) - 3*cos(gamma) = 5
+  v: 3*sin(alpha) + 4*sin(beta) - 3*sin(gamma) = 0
+forces: {F: {on: A, vector: '2*i + 3*j'}}
+find: equilibrium
+"""

@@ -153,3 +153,16 @@ def _with_roots(e: sp.Expr) -> sp.Expr:
     above, below = sp.fraction(together)
     common = sp.gcd_terms(above)
     return sp.factor_terms(common / below)
+
+
+def over_one_denominator_in_roots(e: sp.Expr) -> sp.Expr:
+    """√(1 − v²/c²) as √(c² − v²)/c."""
+    roots = [p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add]
+    return e.xreplace({p: sp.together(p.base) ** p.exp for p in roots})
+
+
+def without_squares(e: sp.Expr) -> sp.Expr:
+    """√(x² + 2 x y + y²) as |x + y|."""
+    roots = [p for p in e.atoms(sp.Pow) if p.exp in (sp.S.Half, -sp.S.Half) and p.base.is_Add]
+    squares = {p: sp.factor(p.base) ** p.exp for p in roots}
+    return e.xreplace({p: s for p, s in squares.items() if all(f.exp.is_Integer for f in s.atoms(sp.Pow))})

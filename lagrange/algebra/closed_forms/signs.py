@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
+from math import gcd, lcm
 
 import sympy as sp
 
@@ -196,6 +197,7 @@ def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
 def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> SignCondition:
     """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
     primitive = _without_positive_factors(expression, positive)
+    primitive = _without_common_power(primitive)
     primitive = (_without_root if relation != "≠" else _zero_without_root)(primitive, positive)
     terms = sp.Add.make_args(sp.expand(primitive))
     left = [term for term in terms if not term.could_extract_minus_sign()]
@@ -203,6 +205,24 @@ def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] 
     if not left:
         return SignCondition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
     return SignCondition(sp.Add(*left), relation, sp.Add(*right))
+
+
+def _without_common_power(e: sp.Expr) -> sp.Expr:
+    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c."""
+    terms = e.args if e.is_Add and len(e.args) == 2 else ()
+    signs = [sign_of(term) for term in terms]
+    if sorted(s or 0 for s in signs) != [-1, 1]:
+        return e
+    powers = [[f.as_base_exp() for f in sp.Mul.make_args(s * term)] for s, term in zip(signs, terms, strict=True)]
+    if not all(p.is_Rational and base.is_positive for factors in powers for base, p in factors):
+        return e
+    exponents = [p for factors in powers for base, p in factors if not base.is_number]
+    if all(p.is_Integer for p in exponents):
+        return e
+    whole = lcm(*(int(p.q) for p in exponents))
+    raised = sp.Rational(whole, gcd(*(int(p * whole) for p in exponents)))
+    sides = [s * sp.Mul(*(base ** (p * raised) for base, p in f)) for s, f in zip(signs, powers, strict=True)]
+    return sp.Add(*sides)
 
 
 def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:

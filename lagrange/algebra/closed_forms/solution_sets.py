@@ -52,6 +52,11 @@ class Branch:
     implied: tuple[SignCondition, ...] = ()
 
     @property
+    def may_be_empty(self) -> bool:
+        """Whether nothing is said of it unless its unsolved equations have a real solution, which is left open."""
+        return bool(self.left) and not self.occupied
+
+    @property
     def equations(self) -> tuple[Relation, ...]:
         """The relations, and what could not be solved."""
         return (*self.relations, *(Relation(e, sp.S.Zero) for e in self.left))

@@ -8,7 +8,7 @@ beside its own sine and cosine (k θ = m g l sin θ) keeps its own symbol as wel
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import lcm
 
 import sympy as sp
@@ -65,6 +65,12 @@ class TrigLetters:
                     parts[monomial] = lcm(parts.get(monomial, 1), int(c.q))
         for monomial, d in parts.items():
             self._angle(monomial, d)
+
+    def copy(self) -> TrigLetters:
+        """Letters of their own that begin as these do: what is read with them adds no angles or roots here."""
+        other = TrigLetters((), self.unknowns)
+        other.angles, other.roots = dict(self.angles), dict(self.roots)
+        return other
 
     def angle_of(self, unknown: sp.Symbol) -> LetteredAngle | None:
         """The angle of an unknown that occurs in sines and cosines."""
@@ -214,6 +220,23 @@ class TrigLetters:
             if any(u in m.free_symbols and m != u for m, _ in _terms(angle)):
                 raise NotAlgebraicError
         return _sum(total, (sp.cos(rest), sp.sin(rest)))
+
+
+def is_in_circular(u: sp.Symbol, expressions: Iterable[sp.Expr]) -> bool:
+    """Whether an unknown occurs in sines and cosines."""
+    return any(u in f.free_symbols for e in expressions for f in e.atoms(*CIRCULAR))
+
+
+def is_outside_circular(u: sp.Symbol, expressions: Iterable[sp.Expr]) -> bool:
+    """Whether an unknown occurs outside sines and cosines."""
+    outside = (e.xreplace({f: sp.Dummy() for f in e.atoms(*CIRCULAR)}) for e in expressions)
+    return any(u in e.free_symbols for e in outside)
+
+
+def parts_of_angles(expressions: Sequence[sp.Expr], angles: frozenset[sp.Symbol]) -> int:
+    """The largest n for which θ/n occurs."""
+    letters = TrigLetters(expressions, tuple(angles))
+    return max((int((u / letters.angles[u].measure)) for u in angles if u in letters.angles), default=1)
 
 
 def with_square(e: sp.Expr, letter: sp.Symbol, square: sp.Expr) -> sp.Expr:

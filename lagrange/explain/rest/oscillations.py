@@ -14,7 +14,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified, VectorSymbol, base, prime, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
-from lagrange.explain.rest.statics import outside_ranges, singular_places
+from lagrange.explain.rest.statics import full_turns, outside_ranges, singular_places
 from lagrange.explain.words import (
     branch_conditions,
     capital,
@@ -140,6 +140,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
     yield from existence_left_open((Ref(label_of(linearization, "at-rest", n)), b) for n, b in branches)
     yield from singular_places(e)
     yield from outside_ranges(e)
+    yield from full_turns(e)
 
 
 def _names(linearization: Linearization) -> Block:

@@ -203,6 +203,8 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     yield from _remarks(equilibrium)
     yield from singular_places(equilibrium)
     yield from outside_ranges(equilibrium)
+    yield from full_turns(equilibrium)
+    yield from _dead_centres(equilibrium)
     yield from _poles(equilibrium)
 
 
@@ -288,6 +290,28 @@ def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
     if several and not equilibrium.outside:
         meant = listed(math(r.low, s, r.high, relation="≤") for s, r in ranges.items() if s in several)
         yield prose("Only angles with ", *meant, " are meant.", detail=Detail.BRIEF)
+
+
+def full_turns(equilibrium: Equilibrium) -> Iterator[Block]:
+    """That an angle occurs outside of sines and cosines too, where the conditions hold at all its turns."""
+    turned = list(dict.fromkeys(q for b in equilibrium.branches for q in equilibrium.turned(b)))
+    if turned:
+        words = "The conditions hold full turns further as well; what is said below is meant for "
+        yield prose(words, *listed(math(q) for q in turned), " as stated.", detail=Detail.BRIEF)
+
+
+def _dead_centres(equilibrium: Equilibrium) -> Iterator[Block]:
+    """Where the only coordinate moves nothing to first order, so that any forces balance."""
+    if equilibrium.dead_centres:
+        suffix = suffix_of(equilibrium.configuration.name)
+        places = listed(Ref(f"equilibrium{suffix}-{n + 1}") for n in equilibrium.dead_centres)
+        [q] = equilibrium.configuration.slots.coordinates
+        yield prose(
+            "At ", *places, " ", math(variation(q)), " moves nothing to first order, so any forces balance there: a "
+            "dead centre, if ", math(q), " is the angle of a crank. If it only says where something is, its range ends "
+            "there, and this is no equilibrium.",
+            detail=Detail.BRIEF,
+        )  # fmt: skip
 
 
 def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
@@ -406,6 +430,11 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
         sign = "positive" if s.verdict is StabilityVerdict.STABLE else "negative"
         parity = "odd" if s.order % 2 else f"even, and {sign}"
         order = f", of order {s.order}, {parity}"
+        if s.valley is not None:
+            valley = ("the second variation is positive except in one direction. Along the valley of V in that "
+                      "direction, where its other derivatives vanish, the first nonzero derivative with "
+                      "respect to ")  # fmt: skip
+            return (valley, math(s.valley), " is ", *values, order, *where, f": {s.verdict.value}.")
         return ("it is zero, and the first nonzero derivative is ", *values, order, *where, f": {s.verdict.value}.")
     match s.verdict:
         case StabilityVerdict.STABLE if long:

@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.vectors import FIXED, Vector
@@ -64,7 +64,7 @@ def of_mass_centre(configuration: Configuration, symbols: Sequence[sp.Symbol]) -
     total = sp.Add(*(p.mass for p in points))
     moment = sum((p.position.fixed() * p.mass for p in points), Vector.zero(FIXED))
     at = [(c, q) for c in moment.components for q in symbols if c.has(q)]
-    return tuple(q for c, q in at if is_zero(c - total * q) is True)
+    return tuple(q for c, q in at if vanishes(c - total * q))
 
 
 def _lines(configuration: Configuration) -> Iterator[tuple[str, str, Vector]]:
@@ -102,12 +102,12 @@ def _angles_of(d: Vector, start: str, end: str, symbols: Sequence[sp.Symbol]) ->
             continue
         first, second = (_turned_to(d, q, at) for at in (sp.S.Zero, sp.pi / 2))
         turned = first * sp.cos(q) + second * sp.sin(q)
-        if not all(is_zero(c) is True for c in (d - turned).components):
+        if not all(vanishes(c) for c in (d - turned).components):
             continue
         zero, towards = _axis(first), _axis(second)
         if zero is not None and towards is not None:
             yield Angle(q, start, end, zero, towards)
-        elif zero is not None and is_zero(_square(first) - _square(second)) is True:
+        elif zero is not None and vanishes(_square(first) - _square(second)):
             yield Angle(q, start, end, zero, None)
             yield from (
                 Angle(a.symbol, start, end, a.zero, a.towards, zero)

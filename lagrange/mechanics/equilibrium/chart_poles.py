@@ -5,7 +5,8 @@ the displacements δθ at one φ are not all the displacements of the particle. 
 equilibrium, and sufficient only if it holds for every φ: a horizontal force is not balanced at θ = 0, although
 Q_θ = F l cos φ vanishes for φ = π/2.
 
-A crank at its dead centre is no pole. There ∂r/∂φ vanishes for one value of φ, not for all.
+A crank at its dead centre is no pole. There ∂r/∂φ vanishes for one value of φ, not for all. But with x = a cos θ for
+the place of a slider θ = 0 is the edge of what θ can name: δθ is no displacement there, while x has one.
 
 Whether V has a minimum at a pole is decided in other coordinates, u = θ cos φ and v = θ sin φ. Half a turn of φ
 exchanges δθ and −δθ, and since V is a function of the position, V_θθ = V_uu cos² φ + 2 V_uv sin φ cos φ + V_vv sin² φ.
@@ -21,7 +22,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 
@@ -36,6 +37,28 @@ def idle_coordinates(configuration: Configuration, solution: SolutionSet, b: Bra
         if (effects := [e for e in _effects(configuration, k) if e != 0])
         and all(_all_vanish(effects, solution, _without(q, p, solution)) for p in b.points)
     )
+
+
+def is_at_edge(configuration: Configuration, old: Sequence[sp.Symbol], solution: SolutionSet, b: Branch) -> bool:
+    """Whether the coordinates of a choice name fewer displacements at the points of a branch than they do elsewhere.
+
+    old  the file's coordinates, which are functions of those of the choice
+    """
+    table = [[configuration.rewritten(x).diff(q) for q in configuration.slots.coordinates] for x in old]
+    elsewhere = rank(table)
+    try:
+        there = [rank([[solution.at(p, e) for e in row] for row in table]) for p in b.points]
+    except (NotAlgebraicError, DivisionByZeroError):
+        return False
+    return bool(there) and elsewhere is not None and all(r is not None and r < elsewhere for r in there)
+
+
+def moves_nothing(configuration: Configuration, solution: SolutionSet, b: Branch) -> bool:
+    """Whether the only coordinate moves nothing at the points of a branch, to first order: a dead centre."""
+    if len(configuration.slots.coordinates) != 1 or configuration.rows or not b.points or b.left or b.special:
+        return False
+    effects = [e for e in _effects(configuration, 0) if e != 0]
+    return bool(effects) and all(_all_vanish(effects, solution, p) for p in b.points)
 
 
 def _effects(configuration: Configuration, k: int) -> Iterator[sp.Expr]:

@@ -37,7 +37,7 @@ from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, balance_in
 from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
+from lagrange.mechanics.equilibrium.stated_equilibria import in_numbers, stated_equilibria
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 from lagrange.problem.model import (
     AppliedForce,
@@ -136,12 +136,13 @@ def check_equilibrium(resting: Equilibrium, original: Equilibrium) -> list[Check
     name = resting.configuration.name
     how = f"{certainty(resting.configuration.surface)}, at random points"
     checks = [Check("Lagrange's equations have the same generalized forces at rest", _same_forces(resting), how, name)]
-    stated = stated_equilibria_hold(resting)
+    tried = stated_equilibria(resting)
     solved = [resting.solution.verified] if any(not b.left for b in resting.branches) else []
-    verdicts = [*solved, *([stated] if stated is not None else [])]
+    verdicts = [*solved, *(t.holds for t in tried)]
     if verdicts:
         words = "every equilibrium satisfies the conditions"
-        checks.append(Check(words, all_hold(verdicts), "exact, by substitution", name))
+        how = "by substitution, exact or with 45 digits" if in_numbers(tried) else "exact, by substitution"
+        checks.append(Check(words, all_hold(verdicts), how, name))
     checks += check_search(resting)
     if resting is not original and resting.solution.solved and resting.branches:
         how = "exact, by ranks"
@@ -199,10 +200,11 @@ def check_linearization(linear: Linearization) -> list[Check]:
     """The checks of one set of coordinates."""
     name = linear.configuration.name
     checks = check_search(linear.equilibrium)
-    stated = stated_equilibria_hold(replace(linear.equilibrium, branches=linear.branches))
-    if stated is not None:
-        how = "exact, at positions sampled from what is stated"
-        checks.append(Check("every position of rest satisfies the equations of motion", stated, how, name))
+    tried = stated_equilibria(replace(linear.equilibrium, branches=linear.branches))
+    if tried:
+        how = f"{'with 45 digits' if in_numbers(tried) else 'exact'}, at positions sampled from what is stated"
+        holds = all_hold(t.holds for t in tried)
+        checks.append(Check("every position of rest satisfies the equations of motion", holds, how, name))
     if any(s is not None for s in linear.at):
         passed = all_hold(_same_equations(linear))
         how = "exact: differentiated at each equilibrium"
@@ -239,7 +241,8 @@ def _same_equations(linear: Linearization) -> Iterator[bool | None]:
         if s is None:
             continue
         n = sp.Matrix(s.shape)
-        for point in b.points[:MOST_COMPARED_POINTS]:
+        stated = {q: b.common[q] for q in slots.coordinates if q in b.common}
+        for point in ({**stated, **p} for p in b.points[:MOST_COMPARED_POINTS]):
             for table, matrix in zip(tables, (s.system.mass, s.system.damping, s.system.stiffness), strict=True):
                 difference = n.T * table * n - sp.Matrix(matrix)
                 yield from (_is_zero_at(linear, b, point, e) for e in difference)

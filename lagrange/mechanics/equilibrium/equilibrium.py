@@ -27,9 +27,10 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.conditions import solved_for
+from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
-from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, is_outside_circular
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point, Surface, agreed, is_zero, rank
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
@@ -43,7 +44,7 @@ from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
-from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_only_of_chart
+from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_at_edge, is_only_of_chart, moves_nothing
 from lagrange.mechanics.equilibrium.loads import at_rest, loads
 from lagrange.mechanics.equilibrium.within_ranges import within
 
@@ -185,6 +186,17 @@ class Equilibrium:
         return True if any(not b.left or b.occupied for b in self.branches) else None
 
     @property
+    def dead_centres(self) -> tuple[int, ...]:
+        """The numbers of the branches at which the only coordinate moves nothing to first order."""
+        held = (moves_nothing(self.configuration, self.solution, b) for b in self.branches)
+        return tuple(n for n, holds in enumerate(held) if holds)
+
+    def turned(self, b: Branch) -> tuple[sp.Symbol, ...]:
+        """The angles of a branch at whose full turns the forces balance too, but are others."""
+        given = [q for q in self.configuration.slots.coordinates if q in b.common and all(q not in p for p in b.points)]
+        return tuple(q for q in given if is_outside_circular(q, self.work.forces))
+
+    @property
     def undetermined(self) -> tuple[sp.Symbol, ...]:
         """The unknown forces of which only combinations are determined."""
         used = {s for b in self.branches for r in b.relations for s in r.rhs.free_symbols}
@@ -240,13 +252,15 @@ def is_balanced_on(e: Equilibrium, surface: Surface, values: Mapping[sp.Symbol, 
 def without_poles(e: Equilibrium, original: Equilibrium) -> Equilibrium:
     """The equilibria of a choice without the poles of its chart where the forces do not balance.
 
-    At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ. The file's
-    coordinates, in `original`, have no pole there and decide.
+    At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ; and with
+    x = a cos θ nothing moves at θ = 0. The file's coordinates, in `original`, have no pole there and decide.
     """
     return _split_off(
         e,
         [
-            bool(idle) and not b.left and _is_unbalanced(b, e, original)
+            not b.left
+            and (bool(idle) or is_at_edge(e.configuration, original.configuration.slots.coordinates, e.solution, b))
+            and _is_unbalanced(b, e, original)
             for b, idle in zip(e.branches, e.idle, strict=False)
         ],
     )
@@ -391,6 +405,7 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     applied = loads(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
+    branches = tuple(_with_stated_angles(b, solution) for b in branches)
     completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
     free = (coordinates[k] for k in e.elimination.independent)
     balances = dict(zip(free, e.independent_forces, strict=True))
@@ -398,6 +413,16 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         replace(completed, outside=outside),
         [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
     )
+
+
+def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
+    """The branch with the angles that it states: where θ occurs beside sin θ, R θ + l at sin θ = 0 is l at θ = 0.
+
+    A root that is none any more is a modulus: |H − l| where cos θ = −1.
+    """
+    angles = {r.lhs: r.rhs for r in b.relations if r.lhs in solution.letters.angles and r.lhs not in b.common}
+    common, *points = ({u: without_squares(v) for u, v in values.items()} for values in (b.common, *b.points))
+    return replace(b, common={**common, **angles}, points=tuple(points))
 
 
 def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:

@@ -9,6 +9,10 @@ measured when the limits were gathered; "beyond" is how often a limit was exceed
 MOST_MINORS = 4
 # Order of the derivatives of V, where V'' vanishes in one coordinate: x⁶ is the highest that is recognised as stable.
 HIGHEST_ORDER = 6
+# Where it vanishes in one direction of several: coordinates, and operations of a derivative at the equilibrium. Three
+# coordinates have 56 derivatives of each force.
+MOST_IN_A_VALLEY = 3
+LONGEST_DEGENERATE = 60
 
 # Points of one branch of equilibria for which reactions are sought [2]: each is a root of its own, and every zero test
 # is made at all of them.
@@ -32,16 +36,19 @@ LONGEST_COEFFICIENT = 100
 MOST_COMPARED_POINTS = 4
 
 # Sampled checks: parameters drawn for one point of a branch, and how many of them must be in the region where it is
-# stated to be stable and in that where it is stated to be unstable. Rows of a determinant of which the frequencies are
-# the roots [3].
+# stated to be stable and in that where it is stated to be unstable; draws until one of them is of use [30]. Rows of a
+# determinant of which the frequencies are the roots [3].
 MOST_DRAWS = 40
+MOST_DRAWS_FOR_ONE = 400
 SAMPLES_PER_SIDE = 8
 MOST_EXPANDED_ROWS = 4
 
 # Random parameters at which each branch of equilibria is tried as it is stated, and draws until its conditions hold;
-# unsolved equations of a branch on whose surface points are sought, which takes seconds with more.
+# places from which its positions are sought in numbers; unsolved equations of a branch on whose surface points are
+# sought, which takes seconds with more.
 STATED_SAMPLES = 2
 MOST_STATED_DRAWS = 200
+MOST_STATED_PLACES = 40
 MOST_UNSOLVED = 2
 
 # Friction at rest. Inequalities at once, and signs of coefficients that are taken one by one: two contacts have five
@@ -65,3 +72,6 @@ MOST_SEARCHED_UNKNOWNS = 10
 SEARCHED_STARTS = 16
 SEARCHED_OPERATIONS = 300_000
 MOST_TURNED = 3
+
+# Points of equilibria without a closed form at which an answer is tried: both ways to assemble a linkage are met.
+UNSOLVED_POINTS = 8

@@ -28,7 +28,7 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
-from lagrange.algebra.exact.real_points import RealPoint, Reals
+from lagrange.algebra.exact.real_points import RealPoint, Reals, newton_point
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.dynamics.checks import Check
@@ -38,6 +38,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_COMPARED_POINTS,
     MOST_DRAWS,
+    MOST_DRAWS_FOR_ONE,
     MOST_EXPANDED_ROWS,
     SAMPLES_PER_SIDE,
 )
@@ -53,9 +54,8 @@ def check_stability(resting: Equilibrium, second: SecondVariation | None) -> lis
     if second is None:
         return []
     samples = Samples(resting)
-    verdicts = [
-        v for b, s in zip(resting.branches, second.verdicts, strict=True) if s.order == 2 for v in samples.agree(b, s)
-    ]
+    judged = zip(resting.branches, second.verdicts, strict=True)
+    verdicts = [v for b, s in judged if s.order == 2 for v in samples.agreeing(b, s)]
     if not verdicts:
         return []
     return [Check("the second variation has the stated signs", all_hold(verdicts), HOW, resting.configuration.name)]
@@ -70,7 +70,7 @@ def check_oscillations(linear: Linearization) -> list[Check]:
         v
         for b, s in zip(linear.branches, linear.at, strict=True)
         if s is not None and _rests_on_stiffness(s)
-        for v in samples.agree(b, s.judgement.stability)
+        for v in samples.agreeing(b, s.judgement.stability)
     ]
     if signs:
         checks.append(Check("the stiffness has the stated signs", all_hold(signs), HOW, name))
@@ -147,25 +147,55 @@ class Samples:
         ]
         return [[e.diff(q) for q in self.slots.coordinates] for e in total]
 
-    def agree(self, b: Branch, s: Stability) -> Iterator[bool]:
-        """Whether the second variation has the stated sign, at each point that could be used."""
-        if b.left or b.special or (s.verdict is StabilityVerdict.UNDECIDED and not s.unstable):
+    def agreeing(self, b: Branch, s: Stability) -> list[bool | None]:
+        """Whether the second variation has the stated sign, at each point that could be used; None if none could."""
+        if b.special or (s.verdict is StabilityVerdict.UNDECIDED and not s.unstable):
+            return []
+        verdicts: list[bool | None] = [v for points in self.series(b) for v in self._agree(points, b, s)]
+        # Other branches do not stand in for one at which nothing was tried.
+        return verdicts or ([] if b.may_be_empty else [None])
+
+    def _agree(self, points: Iterator[RealPoint], b: Branch, s: Stability) -> Iterator[bool]:
+        left = {True: SAMPLES_PER_SIDE, False: SAMPLES_PER_SIDE}
+        for number, point in enumerate(points):
+            if number >= MOST_DRAWS and min(left.values()) < SAMPLES_PER_SIDE:
+                return
+            try:
+                stable = _claimed(point, b, s)
+                sign = self._sign(point, bool(s.pole)) if stable is not None and left[stable] else None
+            except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+                continue
+            if stable is None or sign is None:
+                continue
+            if s.pole and sign == 1 and not stable:
+                continue  # V may be less at another φ
+            left[stable] -= 1
+            yield sign == (1 if stable else -1)
+
+    def series(self, b: Branch) -> Iterator[Iterator[RealPoint]]:
+        """Points with drawn parameters for each root of a branch; conditions need not hold there."""
+        if b.left:
+            yield self._on_surface(b)
             return
         for values in b.points[:MOST_COMPARED_POINTS]:
-            left = {True: SAMPLES_PER_SIDE, False: SAMPLES_PER_SIDE}
-            for number in range(MOST_DRAWS):
-                try:
-                    point = self.point(values, number)
-                    stable = _claimed(point, b, s)
-                    sign = self._sign(point, bool(s.pole)) if stable is not None and left[stable] else None
-                except (InadmissibleError, UnsupportedError, DivisionByZeroError):
-                    continue
-                if stable is None or sign is None:
-                    continue
-                if s.pole and sign == 1 and not stable:
-                    continue  # V may be less at another φ
-                left[stable] -= 1
-                yield sign == (1 if stable else -1)
+            yield self._at(values)
+
+    def _at(self, values: Values) -> Iterator[RealPoint]:
+        for number in range(MOST_DRAWS_FOR_ONE):
+            try:
+                yield self.point(values, number)
+            except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+                continue
+
+    def _on_surface(self, b: Branch) -> Iterator[RealPoint]:
+        """Points of the surface that unsolved equations define, by Newton's iteration from drawn places."""
+        e = self.resting
+        equations = [r.residual for r in b.equations] + [*e.configuration.finite_constraints]
+        unknowns = [*self.slots.coordinates, *e.forces, *e.multipliers]
+        for number in range(MOST_DRAWS):
+            point = RealPoint(self.graph, Reals(Random(number)))
+            if newton_point(point, equations, unknowns):
+                yield point
 
     def point(self, values: Values, number: int) -> RealPoint:
         """Random parameters and free coordinates, and the other coordinates by the values of a branch's letters."""
@@ -257,8 +287,8 @@ def determinant_in_numbers(table: Sequence[Sequence[Any]]) -> Any:
 
 
 def exists(b: Branch, point: RealPoint) -> bool:
-    """Whether the conditions of a branch hold strictly at a point."""
-    return all(_sense(point, c) == 1 for c in (*b.conditions, *b.implied))
+    """Whether the conditions of a branch hold strictly at a point, which may be at the end of a range."""
+    return all(_sense(point, c) == 1 for c in b.conditions) and all(_sense(point, c) >= 0 for c in b.implied)
 
 
 def _claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:

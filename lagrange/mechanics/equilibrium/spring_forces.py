@@ -11,6 +11,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
+from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -34,7 +35,7 @@ def _force(spring: StretchedSpring, b: Branch, e: Equilibrium) -> sp.Expr | None
     if b.left or b.special or not b.points:
         return None
     try:
-        values = [_without_squares(e.solution.at(p, spring.pull)) for p in b.points]
+        values = [without_squares(e.solution.at(p, spring.pull)) for p in b.points]
         first, *others = values
         if any(v.has(sp.zoo, sp.nan, sp.oo) for v in values) or not all(is_zero(v - first) for v in others):
             return None
@@ -42,9 +43,3 @@ def _force(spring: StretchedSpring, b: Branch, e: Equilibrium) -> sp.Expr | None
         return None
     quotient = sp.cancel(sp.together(first)) if count_operations(first) <= LARGEST_FACTORED else first
     return min(map(shortest_form, (first, quotient)), key=count_operations)
-
-
-def _without_squares(e: sp.Expr) -> sp.Expr:
-    """√(x² + 2 x y + y²) as |x + y|."""
-    roots = [p for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.is_Add]
-    return e.xreplace({p: sp.sqrt(sp.factor(p.base)) for p in roots})

@@ -39,6 +39,7 @@ from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
+from lagrange.mechanics.equilibrium.degenerate import along_valley
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
@@ -66,6 +67,7 @@ class Stability:
     principal   a negative principal minor, if it decides and is not among the leading ones
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
+    valley      the coordinate along a valley of V (`degenerate`), if the derivative of that order is one along it
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
     """
 
@@ -77,6 +79,7 @@ class Stability:
     principal: sp.Expr | None = None
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
+    valley: sp.Symbol | None = None
     pole: tuple[sp.Symbol, ...] = ()
 
     @property
@@ -207,6 +210,9 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
         return _where_it_is_definite(b, matrix, e)
     judged = _on_solved_branch(b, matrix, e)
     if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
+        valley = _on_valley(b, matrix, e)
+        if valley is not None:
+            return valley
         verdict = by_numbers(matrix, e, b)
         minors = judged.minors or tuple(_in_coordinates(matrix, n, e) for n in range(1, len(matrix) + 1))
         judged = replace(judged, verdict=verdict, minors=minors if verdict is not judged.verdict else judged.minors)
@@ -311,6 +317,32 @@ def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stabil
             presupposed = not_vanishing([value], b, e)
             return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order)
     return undecided
+
+
+def _on_valley(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability | None:
+    """The verdict by V along the valley, where V'' is positive in all displacements but one; None if it is not."""
+    values = [[on_branch(b, x, e) for x in row] for row in matrix]
+    size, known = len(matrix), known_positive(b)
+    if size < 2 or any(map(any, e.idle)) or any(x is None for row in values for x in row):
+        return None
+    if any(r.finite is None for r in e.binding):
+        return None  # the free displacements are those of no surface
+    if not is_zero(sp.Matrix(values).det(method="berkowitz")):
+        return None
+    for z in range(size):
+        inner = definiteness([[*row[:z], *row[z + 1 :]] for row in (*values[:z], *values[z + 1 :])], b, e)
+        if inner.verdict is not StabilityVerdict.STABLE or inner.presupposed:
+            continue
+        for order, value in along_valley(matrix, z, lambda f, j: _along(f, j, e), lambda f: on_branch(b, f, e)):
+            sign = sign_on(value, known)
+            if sign is None:
+                return None
+            if sign != 0:
+                verdict = StabilityVerdict.STABLE if order % 2 == 0 and sign == 1 else StabilityVerdict.UNSTABLE
+                presupposed = not_vanishing([value], b, e)
+                along = e.configuration.slots.coordinates[e.elimination.independent[z]]
+                return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order, valley=along)
+    return None
 
 
 def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:

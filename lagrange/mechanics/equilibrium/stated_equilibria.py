@@ -8,7 +8,8 @@ cos θ = b/a among them. At each of these the forces must have a value and balan
     Q = −Aᵀ λ for some λ,     f = 0 ,
 
 with Q and A as the principle of virtual work has them, before anything is multiplied. The numbers are algebraic and
-the tests exact. Of a branch with unsolved equations generic points are taken on the surface that they define.
+the tests exact. Of a branch with unsolved equations generic points are taken on the surface that they define. A branch
+that is read in neither way has its positions sought in numbers (`searched.stated_places`).
 """
 
 from __future__ import annotations
@@ -24,9 +25,11 @@ from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, denominators, resolved
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, LetteredAngle, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, rank
+from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.equilibrium.limits import MOST_STATED_DRAWS, MOST_UNSOLVED, STATED_SAMPLES
+from lagrange.mechanics.equilibrium.searched.stated_places import holds_in_numbers
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -36,11 +39,40 @@ class _NotReadError(Exception):
     """A branch is not stated in a form that gives its positions in numbers."""
 
 
-def stated_equilibria_hold(e: Equilibrium) -> bool | None:
-    """Whether what is stated of each branch implies equilibrium, at sampled points; None if nothing was sampled."""
+@record
+class Tried:
+    """What came of the positions sampled from one branch.
+
+    holds    whether the forces balance at all of them; None: no position was found, or none could be decided
+    exactly  whether the positions are algebraic numbers; otherwise they have 45 digits
+    """
+
+    holds: bool | None
+    exactly: bool
+
+
+def stated_equilibria(e: Equilibrium) -> list[Tried]:
+    """Whether what is stated implies equilibrium, at sampled points, branch by branch."""
     random = Random(1)
-    verdicts = [v for b in e.branches if not b.special for v in _verdicts(e, b, random)]
-    return all_hold(verdicts) if verdicts else None
+    tried = [(b, _tried(e, b, random)) for b in e.branches if not b.special]
+    return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
+
+
+def stated_equilibria_hold(e: Equilibrium) -> bool | None:
+    """Whether what is stated of every branch implies equilibrium; None if one of them could not be tried."""
+    tried = stated_equilibria(e)
+    return all_hold(t.holds for t in tried) if tried else None
+
+
+def in_numbers(tried: Sequence[Tried]) -> bool:
+    """Whether some of what was tried rests on numbers with finitely many digits."""
+    return any(t.holds is not None and not t.exactly for t in tried)
+
+
+def _tried(e: Equilibrium, b: Branch, random: Random) -> Tried:
+    # A branch of which no position is decided says nothing: other branches do not stand in for it.
+    exact = list(_verdicts(e, b, random))
+    return Tried(all_hold(exact), True) if exact else Tried(holds_in_numbers(e, b), False)
 
 
 def _verdicts(e: Equilibrium, b: Branch, random: Random) -> Iterator[bool]:
@@ -63,7 +95,7 @@ def _verdicts(e: Equilibrium, b: Branch, random: Random) -> Iterator[bool]:
 
 def _sample(e: Equilibrium, b: Branch, random: Random) -> Iterator[Values]:
     """The positions that a branch states for random parameters that meet its conditions. Raises _NotReadError."""
-    letters, coordinates = e.solution.letters, frozenset(e.configuration.slots.coordinates)
+    letters, coordinates = e.solution.letters.copy(), frozenset(e.configuration.slots.coordinates)
     read = [(letters.read(c.lhs - c.rhs), c.relation) for c in b.conditions]
     relations = [Relation(r.lhs, letters.read(r.rhs)) for r in b.relations]
     given = _determined(relations, letters)
@@ -98,7 +130,8 @@ def _numbers(
     for _ in range(3):
         needed |= {s for root in needed & letters.roots.keys() for s in letters.roots[root].free_symbols}
     numbers: dict[sp.Symbol, sp.Expr] = {}
-    for angle in letters.angles.values():
+    angles = [a for a in letters.angles.values() if not (needed | given).isdisjoint(a.letters)]
+    for angle in angles:
         if given.isdisjoint(angle.letters):
             # A parameter is an acute angle, a coordinate any angle.
             t = sp.Rational(random.randint(1, 9), 10)
@@ -106,7 +139,7 @@ def _numbers(
                 t = random.choice((t, -t, 1 / t, -1 / t))
             numbers |= {angle.cosine: (1 - t**2) / (1 + t**2), angle.sine: 2 * t / (1 + t**2)}
     for s in sorted(needed - numbers.keys() - given - letters.roots.keys(), key=str):
-        if any(s in a.measure.free_symbols for a in letters.angles.values()):
+        if any(s in a.measure.free_symbols for a in angles):
             raise _NotReadError  # an angle beside its own sine
         size = sp.Rational(random.randint(1, 24), random.randint(1, 8))
         size = sp.S.One if isinstance(s, Sign) else size

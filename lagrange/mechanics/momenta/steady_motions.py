@@ -49,6 +49,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_between
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t, variation
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
@@ -58,7 +59,6 @@ from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.limits import (
-    MOST_COMPARED_POINTS,
     MOST_DRAWS,
     MOST_EQUILIBRIA,
     MOST_OSCILLATING,
@@ -511,13 +511,14 @@ def check_steady(motions: SteadyMotions) -> list[Check]:
         [[partial(e, a).xreplace(uniform) for a in slots.accelerations] for e in (e.xreplace(resting) for e in left)],
     ]
     c = [slots.coordinates.index(q) for q in motions.cyclic]
-    hold: list[bool] = []
-    linear: list[bool] = []
+    hold: list[bool | None] = []
+    linear: list[bool | None] = []
     for family in motions.families:
         rates = dict(family.rates)
         tables = [[[e.xreplace(rates) for e in row] for row in rows] for rows in slopes]
         balance = [e.xreplace(rates) for e in steady]
         for b, s in zip(family.about.branches, family.about.at, strict=True):
+            tried = len(hold), len(linear)
             for point in _points(b, family.about.equilibrium):
                 try:
                     hold.append(all(point.is_zero(e) for e in balance))
@@ -531,11 +532,15 @@ def check_steady(motions: SteadyMotions) -> list[Check]:
                         linear.append(point.arithmetic.vanishes((total - product) / (abs(total) + abs(product))))
                 except (InadmissibleError, UnsupportedError, DivisionByZeroError):
                     continue
+            # Other motions do not stand in for one at which nothing could be tried.
+            silent = b.special or b.may_be_empty
+            hold += [None] if len(hold) == tried[0] and not silent else []
+            linear += [None] if len(linear) == tried[1] and s is not None and not silent else []
     statements = [
         ("the steady motions satisfy Lagrange's equations", hold),
         ("the linear equations about them have the exponents of Lagrange's equations", linear),
     ]
-    return [Check(name, all(v), HOW, motions.motion.configuration.name) for name, v in statements if v]
+    return [Check(name, all_hold(v), HOW, motions.motion.configuration.name) for name, v in statements if v]
 
 
 def _lagrange(motion: EquationsOfMotion) -> list[sp.Expr]:
@@ -554,22 +559,20 @@ def _lagrange(motion: EquationsOfMotion) -> list[sp.Expr]:
 
 
 def _points(b: Branch, resting: Equilibrium) -> Iterator[RealPoint]:
-    """Points at which a branch exists, with drawn parameters; none if it is not in closed form."""
-    if b.left or b.special:
+    """Points at which a branch exists, with drawn parameters."""
+    if b.special:
         return
-    samples = Samples(resting)
-    for values in b.points[:MOST_COMPARED_POINTS]:
+    for points in Samples(resting).series(b):
         used = 0
-        for number in range(MOST_DRAWS):
+        for number, point in enumerate(points):
             try:
-                point = samples.point(values, number)
                 usable = exists(b, point)
             except (InadmissibleError, UnsupportedError, DivisionByZeroError):
                 continue
             if usable:
                 used += 1
                 yield point
-            if used == SAMPLES_PER_SIDE:
+            if used == SAMPLES_PER_SIDE or (used and number >= MOST_DRAWS):
                 break
 
 

@@ -132,3 +132,12 @@ def test_what_is_not_zero_is_said_without_the_root() -> None:
         assert (c.relation, c.lhs - c.rhs) == ("≠", shorter)
         values = [e.subs(a, scale * zero).subs(r, 1) for scale in (sp.Rational(9, 10), 1, sp.Rational(11, 10))]
         assert (values[0] > 0, sp.simplify(values[1]), values[2] < 0) == (True, 0, True)
+
+
+def test_roots_on_both_sides_are_raised_to_their_common_power() -> None:
+    """∛b > ∛c says b > c, and a ∛b > c says a³ b > c³; √2 a > b stays."""
+    a, b, c = sp.symbols("a b c", positive=True)
+    third = sp.Rational(1, 3)
+    assert different_from_zero(b ** (2 * third) - c ** (2 * third)) == (SignCondition(b, "≠", c),)
+    assert more_than_zero(a * b**third - c) == SignCondition(a**3 * b, ">", c**3)
+    assert more_than_zero(sp.sqrt(2) * a - b) == SignCondition(sp.sqrt(2) * a, ">", b)

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.core.diagnostics import Source
+from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.constraints.kinematics import file_configuration
 from lagrange.mechanics.constraints.measures import angles, of_mass_centre
+from lagrange.problem.loader import read_problem
 from tests.support.shared import reported
 
 
@@ -51,3 +55,16 @@ def test_the_mass_centre_is_found_with_different_masses_and_not_for_one_particle
 def test_lengths_are_no_angles() -> None:
     skate = reported("ex06-two-particle-skate", complete=False).solution.own.configuration
     assert angles(skate, skate.slots.coordinates) == ()
+
+
+def test_a_position_with_a_pole_measures_no_angle() -> None:
+    """tan θ has no value at π/2, where cos θ and sin θ are read off."""
+    text = """
+title: The centre of a rod over a peg
+parameters: [b, c]
+coordinates: [theta]
+particles: {G: {mass: 1, position: "b*cos(theta)*i + (b*sin(theta) - c*tan(theta))*j"}}
+"""
+    problem = read_problem(Source("peg.yaml", text))
+    configuration = file_configuration(problem, classify(problem).constrained)
+    assert list(angles(configuration, configuration.slots.coordinates)) == []

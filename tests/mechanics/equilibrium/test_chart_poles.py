@@ -7,9 +7,11 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
+from lagrange.explain.report import report
 from lagrange.explain.rest.statics import explain_virtual_work
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
 from tests.support.statics_texts import CHAIN, CROSS_WIND, POLES_OF_A_CHOICE
 
 CYLINDRICAL = """
@@ -150,3 +152,35 @@ def test_without_a_horizontal_force_the_poles_of_a_choice_are_equilibria() -> No
     [choice] = solve(read_problem(Source("problem.yaml", text))).choices
     assert choice.equilibrium is not None
     assert [len(choice.equilibrium.branches), len(choice.equilibrium.poles)] == [2, 0]
+
+
+SLIDER = """
+title: A slider, with an angle for its place
+parameters: [a, k, F]
+coordinates: [x]
+particles: {P: {position: x*i}}
+forces: {push: {on: P, vector: F*i}, spring: {potential: k*x^2/2}}
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: a*cos(theta)}}}
+find: equilibrium
+"""
+
+
+def test_the_edge_of_a_choice_is_no_equilibrium() -> None:
+    """x = a cos θ has no displacement at θ = 0 and π, where F = k x does not hold."""
+    solution = solve(read_problem(Source("problem.yaml", SLIDER)))
+    assert all(c.passed for c in solution.checks)
+    [view] = solution.choices
+    assert view.equilibrium is not None
+    assert [str(r.lhs) for b in view.equilibrium.branches for r in b.relations] == ["cos(theta)"]
+    assert [str(r.rhs) for b in view.equilibrium.poles for r in b.relations] == ["0", "pi"]
+
+
+def test_a_dead_centre_is_named() -> None:
+    """In the file's own coordinate θ may be the angle of a crank: then any force balances at θ = 0."""
+    crank = SLIDER[: SLIDER.index("generalized")].replace("coordinates: [x]", "coordinates: [theta]")
+    crank = crank.replace("x*i", "a*cos(theta)*i").replace("k*x^2/2", "k*a^2*cos(theta)^2/2")
+    told = report(read_problem(Source("problem.yaml", crank + "find: equilibrium\n")))
+    assert told.solution.own.equilibrium is not None
+    assert told.solution.own.equilibrium.dead_centres == (0, 1)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "moves nothing to first order, so any forces balance there: a dead centre" in page

@@ -308,3 +308,25 @@ def test_every_copy_is_counted_although_equilibria_are_many(monkeypatch: pytest.
     assert (len(fewer.originals), len(fewer.omitted)) == (3, 4)
     [said] = explain_omitted(fewer)
     assert said.parts == ("The linear equations about 4 more equilibria are not worked out.",)
+
+
+WINDING = """
+parameters: [m, g, l, R]
+coordinates: [theta]
+let: {out: cos(theta)*i + sin(theta)*j, along: sin(theta)*i - cos(theta)*j}
+particles: {P: {mass: m, position: R*out + (l + R*theta)*along}}
+gravity: -g*j
+"""
+
+
+def test_an_angle_beside_its_own_sine_has_its_value_at_rest() -> None:
+    """sin θ = 0 leaves θ in R θ + l open by full turns; at θ = 0 it is l, at θ = π it is l + π R."""
+    solution = solved(WINDING)
+    linear = solution.own.linearization
+    assert linear is not None
+    g, l, R = (sp.Symbol(n, positive=True) for n in "glR")
+    hanging, upright = (s for s in linear.at[:2] if s is not None)
+    assert [f.square for f in hanging.system.frequencies] == [g / l]
+    assert [sp.simplify(f.square + g / (l + sp.pi * R)) for f in upright.system.frequencies] == [0]
+    assert hanging.judgement.stability.verdict is StabilityVerdict.STABLE
+    assert all(c.passed for c in solution.checks)

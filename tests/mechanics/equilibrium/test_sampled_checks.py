@@ -33,6 +33,13 @@ constraints: {wire: x^2 + y^2 = k^2}
 forces: {v: {potential: "F*y"}}
 find: equilibrium
 """
+PLANK = """
+title: v
+parameters: [R, h, W]
+coordinates: [theta]
+forces: {v: {potential: "W*R*theta*sin(theta) + W*(R + h)*cos(theta)"}}
+find: equilibrium
+"""
 
 
 def own(text: str) -> InCoordinates:
@@ -80,6 +87,30 @@ def test_multipliers_are_needed() -> None:
     assert passed(view) == [True]
     turned = [STABLE if s.verdict is StabilityVerdict.UNSTABLE else UNSTABLE for s in view.stability.verdicts]
     assert passed(view, *turned) == [False]
+
+
+def test_an_equilibrium_at_which_nothing_is_tried_is_undecided() -> None:
+    """The other equilibria do not stand in for one that is stated to exist where no drawn parameters are."""
+    view = own(BEAD)
+    assert view.equilibrium is not None
+    branches = [
+        replace(b, conditions=(SignCondition(-a, ">", b_.lhs),)) if (b_ := next(iter(b.conditions), None)) else b
+        for b in view.equilibrium.branches
+    ]
+    assert any(b.conditions for b in branches)
+    assert passed(replace(view, equilibrium=replace(view.equilibrium, branches=tuple(branches)))) == [None]
+
+
+def test_stability_on_unsolved_branches() -> None:
+    """A plank on a cylinder: R θ cos θ = h sin θ has no closed form, and is tried on its curve."""
+    view = own(PLANK)
+    assert view.stability is not None
+    assert view.equilibrium is not None
+    assert any(b.left for b in view.equilibrium.branches)
+    assert passed(view) == [True]
+    assert passed(
+        view, view.stability.verdicts[0], stable_where(SignCondition(sp.Symbol("R", positive=True), ">", 0))
+    ) == [False]
 
 
 TWICE = """

@@ -31,7 +31,6 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
-from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_SEARCHED_UNKNOWNS,
@@ -39,11 +38,10 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_OPERATIONS,
     SEARCHED_STARTS,
 )
+from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
-BOX = 2.5
-"""Coordinates that are no angles are searched between −BOX and BOX."""
 SPREADS = (1, 1, 2)
 """Parameters are drawn so many times, between 2^−spread and 2^spread."""
 FARTHEST = 60.0
@@ -100,7 +98,7 @@ class _Search:
         random = Random(2)
         any_zero = False
         for spread in SPREADS:
-            numbers = [_drawn(s, spread, random) for s in self.parameters]
+            numbers = [drawn(s, spread, random) for s in self.parameters]
             for tape, place in self._zeros(numbers, random):
                 any_zero = True
                 if not self._is_listed(place, numbers) and self._is_lost(tape, place, numbers):
@@ -119,7 +117,9 @@ class _Search:
                 def f(x: Sequence[float], tape: Tape = tape) -> list[float]:
                     return tape.values([*x, *numbers])
 
-                start = with_best(f, [self._start(u, random) for u in self.unknowns], self.linear)
+                angles = self.e.solution.letters.angles
+                places = [drawn_place(u, self.coordinates, angles, random) for u in self.unknowns]
+                start = with_best(f, places, self.linear)
                 place = zero_near(f, start, FARTHEST)
                 spent += tape.carried_out - before
                 if place is not None and not self._is_far(place) and not any(_is_same(place, p) for p in seen):
@@ -142,11 +142,6 @@ class _Search:
         below = [sp.fraction(r.rhs)[1] for b in self.e.branches for r in b.relations]
         more += [x for x in (*self.e.elimination.pivots, *below) if x.free_symbols & {*self.coordinates}]
         return [Tape([*self.equations, x], self.symbols) for x in dict.fromkeys(more)]
-
-    def _start(self, u: sp.Symbol, random: Random) -> float:
-        if u not in self.coordinates:
-            return 0.0
-        return random.uniform(-3.1, 3.1) if u in self.e.solution.letters.angles else random.uniform(-BOX, BOX)
 
     def _is_listed(self, place: Sequence[Any], numbers: Sequence[float], agrees: float = 1e-6) -> bool:
         """Whether a branch has the place, to so many digits, or another one that differs by full turns."""
@@ -177,8 +172,10 @@ class _Search:
     def _is_lost(self, tape: Tape, guess: Sequence[float], numbers: Sequence[float]) -> bool:
         """Whether the place is certainly a place of rest, and certainly in no branch."""
 
+        exact = [mpmath.mpf(x) for x in numbers]  # l² of a float is rounded to 16 digits
+
         def f(x: Sequence[Any]) -> list[Any]:
-            return tape.values([*x, *numbers], DIGITS)
+            return tape.values([*x, *exact], DIGITS)
 
         place = confirmed(f, guess)
         if place is None or self._is_outside(place, numbers):
@@ -279,15 +276,3 @@ def _may_hold(c: SignCondition, difference: Any) -> bool:
     if abs(difference) < DIFFERS:
         return True
     return c.relation == "≠" or (c.relation != "=" and (difference > 0) == (c.relation in ("≥", ">")))
-
-
-def _drawn(s: sp.Symbol, spread: float, random: Random) -> float:
-    """A number for a parameter, of the sign or in the range that is declared."""
-    if isinstance(s, Sign):
-        return random.choice((-1.0, 1.0))
-    if isinstance(s, Bounded):
-        return float(s.low) + (float(s.high) - float(s.low)) * random.uniform(0.1, 0.9)
-    size = 2 ** random.uniform(-spread, spread)
-    if s.is_nonnegative or s.is_nonpositive:
-        return size if s.is_nonnegative else -size
-    return random.choice((-size, size))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from random import Random
 
 import pytest
 import sympy as sp
@@ -12,7 +13,8 @@ from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.searched.places import with_search
+from lagrange.mechanics.equilibrium.searched.newton import zero_near
+from lagrange.mechanics.equilibrium.searched.places import _Search, with_search
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.statics_texts import BEAD, CROSS_WIND, INCLINES, PENDULUM, SKATE, SPRING_ON_CIRCLE
@@ -61,6 +63,16 @@ def test_each_equilibrium_that_is_taken_away_is_found(text: str) -> None:
         search = with_search(without(e, n))
         assert search.all_found is False, b.relations
         assert not search.solution.solved  # incomplete wherever it is used
+
+
+def test_a_place_is_confirmed_with_the_parameters_that_it_is_compared_with() -> None:
+    """l² of a float is rounded: a place at the distance l would differ in the sixteenth digit from y = l."""
+    search = _Search(found(PENDULUM))
+    numbers = [random.uniform(0.3, 0.7) for random in [Random(5)] for _ in search.parameters]
+    length = numbers[[s.name for s in search.parameters].index("l")]
+    tension = [zero_near(lambda x: search.tape.values([*x, *numbers]), [0.1, 0.9 * length, n], 60) for n in (-1, 1)]
+    assert any(tension)
+    assert not any(search._is_lost(search.tape, guess, numbers) for guess in tension if guess)
 
 
 def test_a_condition_that_is_too_narrow() -> None:

@@ -1,0 +1,54 @@
+"""Positions that a branch states, in any form: they balance if it is right, and do not if it is wrong."""
+
+from __future__ import annotations
+
+from itertools import islice
+
+import mpmath
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.single_equation import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.symbols import Unspecified
+from lagrange.mechanics.equilibrium.searched.stated_places import StatedPlaces, holds_in_numbers, without_functions
+from tests.mechanics.equilibrium.test_stated_equilibria import found
+from tests.support.statics_texts import BEAD, PENDULUM, SKATE
+
+A, B = sp.symbols("a b", positive=True)
+THETA, X, Y = sp.symbols("theta x y", real=True)
+
+
+@pytest.mark.parametrize(
+    ("text", "relations", "holds"),
+    [
+        (BEAD, {sp.cos(THETA) ** 3: B**3 / A**3}, True),
+        (BEAD, {sp.cos(THETA) ** 3: B**3 / (8 * A**3)}, False),
+        (PENDULUM, {X**3: sp.S.Zero}, True),
+        (PENDULUM, {Y: sp.S.Zero}, False),
+        (SKATE, {X * sp.cos(THETA): -Y * sp.sin(THETA)}, True),
+        (SKATE, {X * sp.cos(THETA): Y * sp.sin(THETA)}, False),
+    ],
+)
+def test_the_forces_balance_where_a_branch_is_right(text: str, relations: dict[sp.Expr, sp.Expr], holds: bool) -> None:
+    """Of x³ = 0, a triple root, no position is confirmed: nothing is claimed."""
+    triple = X**3 in relations
+    branch = Branch(tuple(Relation(lhs, rhs) for lhs, rhs in relations.items()))
+    assert holds_in_numbers(found(text), branch) is (None if triple else holds)
+
+
+def test_the_conditions_of_a_branch_are_met() -> None:
+    places = list(islice(StatedPlaces([sp.cos(THETA) - B / A], [SignCondition(A, ">", B)], [THETA], [THETA]), 4))
+    assert len(places) == 4
+    for theta, a, b in places:
+        assert a > b
+        assert abs(mpmath.cos(theta) - b / a) < mpmath.mpf(10) ** -40
+    assert not list(StatedPlaces([sp.cos(THETA) - B / A], [SignCondition(-A, ">", B)], [THETA], [THETA]))
+
+
+def test_the_polynomial_of_a_function_has_its_derivatives() -> None:
+    f = Unspecified.of("f", ["X", "Y"], X, Y)
+    value, slope = without_functions([f, f.partial(1)])
+    assert sp.expand(value.diff(Y) - slope) == 0
+    assert value.has(X, Y)
