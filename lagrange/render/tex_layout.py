@@ -136,6 +136,29 @@ ALIGN = "\ue003"
 """Marks the place of `&` in a row, until it is known whether all equations can be aligned at their relations."""
 
 
+_BRACKETS = re.compile(r"(?<!\\left)([(\[])([^()\[\]]*)([)\]])")
+SHORT_BRACKET = 14.0
+"""The width in ems of a bracket that no line of running text may end within."""
+SHORT_SIDE = 3.0
+"""The width of a right side that does not begin a line."""
+
+
+def unbroken(code: str) -> str:
+    """A formula in running text with short brackets, cos(α − β), as groups: TeX breaks lines outside groups only.
+
+    A short right side, = 0, does not stand on a line of its own.
+    """
+
+    def grouped(bracket: re.Match[str]) -> str:
+        first, inner, last = bracket.groups()
+        closed = inner.count("{") == inner.count("}") and not inner.endswith("\\right")
+        breakable = any(sign in inner for sign in "+-=<>")
+        return f"{first}{{{inner}}}{last}" if closed and breakable and ems(inner) < SHORT_BRACKET else bracket[0]
+
+    before, sign, last = _BRACKETS.sub(grouped, code).rpartition(" = ")
+    return rf"{before} = \nobreak {last}" if sign and ems(last) < SHORT_SIDE else before + sign + last
+
+
 @record
 class Typesetter:
     """Mathematics as rows of TeX.

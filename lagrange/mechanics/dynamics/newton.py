@@ -404,8 +404,8 @@ def _reaction(
     if acts is not None and rod is not None:
         acts = Forces(_along(rod, acts.forces), acts.moments)
     by = constraint.by or (Keeper.SURFACE if is_surface else None)
-    if rod is not None and not is_surface:
-        single: SingleForce | None = tension_of_rod(rod)
+    if acts is not None and rod is not None and not is_surface:
+        single: SingleForce | None = tension_of_rod(rod, acts.forces)
     else:
         single = None if others else single_force(shown, by, acts, placed, configuration, constraint.side)
     unnamed = Reaction(
@@ -549,7 +549,9 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
             drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
     on_others = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
     is_known = reaction.directions is not None and (shares or on_others != 0)
-    virtual = sp.Add(*shares.values(), on_others) if is_known else virtual_displacement(reaction.row, slots)
+    form = virtual_displacement(reaction.row, slots)
+    per_force = form if reaction.per_force == 1 else textbook_form(form * reaction.per_force)
+    virtual = sp.Add(*shares.values(), on_others) if is_known else per_force
     solved = dict(elimination.solved(slots))
 
     def vanishes(work: sp.Expr) -> bool | None:
