@@ -115,6 +115,8 @@ class Inferred:
         slots = self.system.configuration.slots
         for reaction in self.system.newton.reactions:
             row, constraint = reaction.row, reaction.constraint
+            if len(row.coefficients) != len(slots.coordinates):
+                continue  # the constraint is in the coordinates of the file, and the picture in those of a choice
             used = [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
             equal = {a for a in row.coefficients if a != 0}
             if constraint.by is not Keeper.STRING and "string" not in row.name and "rope" not in row.name:
