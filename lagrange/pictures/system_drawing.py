@@ -209,6 +209,7 @@ class _Drawing:
         """Springs and dampers; those between the same points are side by side."""
         configuration = self.system.configuration
         ends = [self.ends(link) for link in configuration.links]
+        rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
         for n, link in enumerate(configuration.links):
             a, b = ends[n]
             self.busy.append((a, b))
@@ -226,10 +227,16 @@ class _Drawing:
             for named, at, other in zip(link.ends, ends[n], ends[n][::-1], strict=True):
                 if isinstance(named, str) or any(apart(at, h) <= 1e-3 for h in self.hinges):
                     continue
-                if self.is_fixed(named):
+                if self.is_held(named, at, rods):
                     self.fixed_end(at, other)
                 else:
                     self.sketch.dot(at, 0.05)
+
+    def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
+        """Whether the end of a spring is on what stands or is driven, or slides there: on no rod or body that moves."""
+        free = any(c.free_symbols & {*self.system.configuration.slots.coordinates} for c in place.fixed().components)
+        on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
+        return not free or not (on_rod or self.system.is_on_body(place))
 
     def ends(self, link: StretchedSpring | DamperForce) -> tuple[PagePoint, PagePoint]:
         first, second = ends_of(link, self.system.configuration, self.pose)

@@ -151,6 +151,11 @@ class SystemPicture:
                     joints.setdefault(o.name, []).append(joint)
         return joints
 
+    def is_on_body(self, place: Vector) -> bool:
+        """Whether a place is fixed in a plane body."""
+        turning = (p for p in self.configuration.points if plane_rotation(self.configuration, p.name) is not None)
+        return any(_holds(self, p, lambda pose: pose.at(place)) for p in turning)
+
     @cached_property
     def marked(self) -> dict[str, list[FloatVector]]:
         """The massless points that move with a plane body, its ends perhaps, by body."""
