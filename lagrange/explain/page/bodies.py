@@ -39,7 +39,7 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
     groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, labels))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
-        ({f"moment-{n}" for n in moments}, prose(f"The applied moments{_about_centres(solution)} are")),
+        ({f"moment-{n}" for n in moments}, prose(f"The applied moments{_about_centres(solution, some=True)} are")),
     ]
     blocks = list(body)
     for labels, lead in groups:
@@ -59,11 +59,11 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
     return [*before, lead, display(*lines), *after]
 
 
-def _about_centres(solution: Solution) -> str:
-    """` about the mass centres`; nothing where a body has no mass, and so no such point."""
+def _about_centres(solution: Solution, *, some: bool = False) -> str:
+    """` about the mass centres`; nothing where a body has no mass, and so no such point; if `some`, where none has."""
     bodies = {b.name for b in solution.problem.bodies}
-    massive = all(p.mass != 0 for p in solution.own.configuration.points if p.name in bodies)
-    return " about the mass centres" if massive else ""
+    massive = [p.mass != 0 for p in solution.own.configuration.points if p.name in bodies]
+    return " about the mass centres" if (any(massive) if some else all(massive)) else ""
 
 
 def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
