@@ -35,8 +35,8 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    labels = {e.label for b in body if isinstance(b, Display) for e in b.equations}
-    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, labels))] if several and plain else []
+    shown = {e.label for b in body if isinstance(b, Display) for e in b.equations}
+    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, shown))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
         ({f"moment-{n}" for n in moments}, prose(f"The applied moments{_about_centres(solution, some=True)} are")),

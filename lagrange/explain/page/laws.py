@@ -172,8 +172,8 @@ def _reaction_line(body: FreeBody, units: Directions) -> Equation | None:
         total = total + along * r.force
     is_along_unit = sum(c != 0 for c in total.components) == 1 and total.triad.directions is not None
     if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
-        along = ((r, unit_along(direction, units)) for r, direction in body.reactions)
-        pulls = sp.Add(*(_pull(r, body.name) if unit is None else r.force * unit for r, unit in along))
+        directed = ((r, unit_along(direction, units)) for r, direction in body.reactions)
+        pulls = sp.Add(*(_pull(r, body.name) if unit is None else r.force * unit for r, unit in directed))
         return Equation((name, pulls), label=f"reaction-{body.name}")
     return Equation((name, total), label=f"reaction-{body.name}")
 
