@@ -18,6 +18,7 @@ from lagrange.api.notebook import Equations, Formula, coordinates_in_html, equat
 from lagrange.api.numerical import RightHandSide, Values
 from lagrange.api.time_functions import TIME, Given, in_functions_of_time
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.document.derivation import Picture
 from lagrange.document.notation import Notation
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
 
 
 @record
-class Formulation:
+class Formulation(Shown):
     """The problem in one set of coordinates: the file's own, or those of a choice.
 
     Velocities and accelerations are symbols named `theta'` and `theta''`; `in_time` replaces them by derivatives of

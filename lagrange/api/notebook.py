@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.diagnostics import ProblemError
+from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, prose
@@ -24,7 +25,7 @@ from lagrange.problem.model import Find, Problem
 from lagrange.render.notes.notebook import cell
 
 
-class Equations(tuple[Any, ...]):
+class Equations(Shown, tuple[Any, ...]):
     """Equations, a tuple that a notebook shows as formulas: SymPy's `Eq`s, and expressions that vanish."""
 
     notation: Notation
@@ -47,7 +48,7 @@ class Equations(tuple[Any, ...]):
 
 
 @record
-class Formula:
+class Formula(Shown):
     """a = b = c in the notation of a problem; a notebook shows it, `str` is its LaTeX.
 
     sides     expressions or vectors

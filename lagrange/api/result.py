@@ -13,6 +13,7 @@ from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.api.formulation import Formulation
 from lagrange.api.notebook import Equations, figure_of
 from lagrange.core.diagnostics import Diagnostic, suggestion
+from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.document.derivation import Derivation, Detail
 from lagrange.explain.report import Report
@@ -32,7 +33,7 @@ FORMATS = ("pretty", "latex", "markdown", "html", "json")
 
 
 @record
-class Result:
+class Result(Shown):
     """A problem, solved and explained: n coordinates in the file, m constraints.
 
     `own` and `choices` have equations of motion, reactions and conserved quantities, each in one set of coordinates;

@@ -54,6 +54,7 @@ class Notation:
     forces          multipliers and unknown forces, except for names with the prefix lambda_
     scalar_names    declared scalars; with i, j or k among them the unit vectors are e_x, e_y, e_z
     ambiguous       undefined functions that occur with several lists of arguments
+    directions      unit vectors that the file names, in declared order
     page_names      names that are shorter on a printed page, where there is one body or constraint: r_P -> r
     """
 
@@ -65,6 +66,7 @@ class Notation:
     forces: tuple[sp.Symbol, ...] = ()
     scalar_names: frozenset[str] = frozenset()
     ambiguous: frozenset[str] = frozenset()
+    directions: tuple[str, ...] = ()
     page_names: Mapping[str, str] = field(default_factory=dict)
 
     @property

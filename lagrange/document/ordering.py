@@ -357,8 +357,10 @@ class WritingOrder:
         return places
 
     def _vector_place(self, symbol: sp.Symbol) -> SortKey:
-        """i, j, k; then e_r, e_theta, ... in the order of the coordinates; then e1_B, e2_B, ..."""
+        """i, j, k; then e_r, e_theta, ... as the coordinates; then e1_B, e2_B, ...; then those of `let` as declared."""
         name = WrittenName.of(symbol.name)
+        if symbol.name in self.notation.directions:
+            return (3, "", (self.notation.directions.index(symbol.name),))
         if isinstance(symbol, VectorSymbol) and not isinstance(symbol, UnitVector):
             return (3, *alphabetic(symbol.name))  # M q'', whatever the problem calls M
         if name.letter == "e" and len(name.indices) == 1:

@@ -11,7 +11,7 @@ from lagrange.core.symbols import UnitSymbol
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
 from lagrange.explain.questions import angle_of, answer_label
-from lagrange.explain.words import plural, suffix_of, title_in
+from lagrange.explain.words import WITH_VALUES, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground
@@ -196,7 +196,9 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     right = measured.sides[-1]
     if not isinstance(right, sp.Expr) or not all(isinstance(s, UnitSymbol) for s in right.free_symbols):
         return equation  # with coordinates in it: the step has it
-    number: tuple[Part, ...] = ("that is ", math(*measured.sides, relation=measured.relation))
+    number: tuple[Part, ...] = (math(*measured.sides, relation=measured.relation),)
+    if WITH_VALUES not in equation.condition:
+        number = ("that is ", *number)
     number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 

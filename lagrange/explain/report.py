@@ -15,6 +15,7 @@ from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import velocity_before
+from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Derivation, MadeWhenRead, Step
 from lagrange.document.notation import Notation
 from lagrange.explain.checks import explain_checks
@@ -464,6 +465,7 @@ def notation_of(solution: Solution) -> Notation:
         parameters=(*(p.symbol for p in problem.parameters), *steady),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),
+        directions=tuple(name for name, value in problem.abbreviations.items() if isinstance(value, Vector)),
         page_names=short_names(solution, _energy_letters(solution)),
     )
 

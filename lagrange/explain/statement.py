@@ -191,11 +191,14 @@ def _body(configuration: Configuration, centre: MassPoint, bodies: Mapping[str, 
         mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
         if turns_about_axis(bodies, configuration, centre.name):
             return prose(f"{capital(called)} is a rigid body that turns about a fixed axis through")
+        if centre.mass == 0:
+            return prose(f"{capital(called)}, a rigid body, is held at")
         return prose(f"The mass centre of {called}, a rigid body", *mass, ", stays at")
     weighed = any(f.on == centre.name and f.name == "weight" for f in configuration.loads)
-    without = () if weighed else (" and has no mass",)
-    mass = (" and has the mass ", math(centre.mass)) if centre.mass != 0 else without
-    return prose(f"{capital(called)} is rigid", *mass, ". The position of its mass centre is")
+    if centre.mass == 0:
+        return prose(f"{capital(called)} is rigid{'' if weighed else ' and has no mass'}. Its position is")
+    return prose(f"{capital(called)} is rigid and has the mass ", math(centre.mass),
+                 ". The position of its mass centre is")  # fmt: skip
 
 
 def _positions(problem: Problem, configuration: Configuration) -> list[Block]:

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 NORMAL_FORCES = frozenset({"N", "R"})
 """Letters of a reaction that is not called a tension."""
 
+WITH_VALUES = "with the given values "
+"""The start of what the values of the file decide, where the letters leave it open."""
+
 DIGITS_AS_STATED = 12
 """Digits of a number that a file gives with its unit."""
 

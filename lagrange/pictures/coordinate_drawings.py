@@ -88,7 +88,7 @@ class CoordinateDrawings:
                 self.distance(m.coordinate, m.start, m.end, len(marks) == 1)
         left = [q for q in rest if not self.turn(q)]
         bodies = bool(self.system.configuration.rotations)
-        declared = figure.lines or figure.points or figure.curves or figure.hidden
+        declared = figure.lines or figure.points or figure.curves or figure.hidden or self.system.paths
         if self.system.view.planar and not bodies and not declared and any(self.moves_something(q) for q in left):
             raise NoValueError("a coordinate that cannot be marked")
         if "links" not in self.system.hidden and not any(line.kind in _RODS for line in figure.lines):

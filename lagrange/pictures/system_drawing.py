@@ -26,7 +26,8 @@ from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
-from lagrange.pictures.floats import FloatVector, NoValueError, plus
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
+from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL
 from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
 from lagrange.pictures.poses import angle_mark
@@ -58,12 +59,16 @@ ELLIPSOID = (0.75, 0.55, 0.4)
 
 def configuration_scene(system: SystemPicture, notation: Notation, with_loads: bool) -> Scene | None:
     """The picture, with applied forces if `with_loads`; None if it cannot be drawn sensibly."""
-    try:
-        drawing = _Drawing(system)
-        drawing.all(with_loads)
-    except NoValueError:
-        return None
-    return drawing.sketch.scene(notation)
+    for inferred in (True, False):  # what is inferred may leave no room for a label
+        try:
+            drawing = _Drawing(system)
+            drawing.all(with_loads, inferred)
+        except NoValueError:
+            return None
+        scene = drawing.sketch.scene(notation)
+        if scene is not None:
+            return scene
+    return None
 
 
 class _Drawing:
@@ -80,10 +85,16 @@ class _Drawing:
         self.mounts: list[PagePoint] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
 
-    def all(self, with_loads: bool) -> None:
+    def all(self, with_loads: bool, with_inferred: bool) -> None:
         declared = DeclaredParts(self.system, self.sketch, self.busy)
         declared.all()
         self.rods()
+        inferred = Inferred(self.system, self.sketch, self.busy)
+        if with_inferred:
+            inferred.all()
+        for pivot in inferred.pivots:
+            self.hinge(pivot)
+            self.mounts.append(pivot)
         self.links()
         self.supports_of_rods()
         self.bodies()
@@ -159,8 +170,12 @@ class _Drawing:
     def stands(self, rod: Rod) -> bool:
         """Whether the centre of a rod is fixed."""
         assert rod.centre is not None
+        return self.is_fixed(rod.centre)
+
+    def is_fixed(self, place: Vector) -> bool:
+        """Whether a place is at rest in space."""
         moving = {*self.system.configuration.slots.coordinates, *self.system.configuration.slots.prescribed, t}
-        return not any(c.free_symbols & moving for c in rod.centre.fixed().components)
+        return not any(c.free_symbols & moving for c in place.fixed().components)
 
     def supports_of_rods(self) -> None:
         """What holds the fixed ends: a piece of ground, on the other side than the lines that meet there."""
@@ -194,6 +209,7 @@ class _Drawing:
         """Springs and dampers; those between the same points are side by side."""
         configuration = self.system.configuration
         ends = [self.ends(link) for link in configuration.links]
+        rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
         for n, link in enumerate(configuration.links):
             a, b = ends[n]
             self.busy.append((a, b))
@@ -209,8 +225,18 @@ class _Drawing:
                 self.sketch.damper(a, b)
                 self.sketch.label_beside(link.coefficient, a, b, optional=True, clear=0.1)
             for named, at, other in zip(link.ends, ends[n], ends[n][::-1], strict=True):
-                if not isinstance(named, str) and all(apart(at, h) > 1e-3 for h in self.hinges):
+                if isinstance(named, str) or any(apart(at, h) <= 1e-3 for h in self.hinges):
+                    continue
+                if self.is_held(named, at, rods):
                     self.fixed_end(at, other)
+                else:
+                    self.sketch.dot(at, 0.05)
+
+    def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
+        """Whether the end of a spring is on what stands or is driven, or slides there: on no rod or body that moves."""
+        free = any(c.free_symbols & {*self.system.configuration.slots.coordinates} for c in place.fixed().components)
+        on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
+        return not free or not (on_rod or self.system.is_on_body(place))
 
     def ends(self, link: StretchedSpring | DamperForce) -> tuple[PagePoint, PagePoint]:
         first, second = ends_of(link, self.system.configuration, self.pose)
@@ -272,14 +298,42 @@ class _Drawing:
             self.sketch.line([self.flat(centre), beyond(self.flat(centre), e1, radius)], StrokeKind.REFERENCE)
         if rotation is not None and self.system.view.planar and "constraints" not in self.hidden:
             self.supports(p, rotation)
+        if rotation is not None and self.system.view.planar and self.system.is_bare and self.is_fixed(p.position):
+            self.pivot(self.flat(centre), round_)
         self.sketch.dot(self.flat(centre), 0.05)
+
+        if rotation is None and shape.kind is Outline.BOX and self.system.is_bare:
+            self.rail(p, self.system.number(shape.lengths[0]), self.system.number(shape.lengths[1]))
+
+    def rail(self, p: MassPoint, width: float, height: float) -> None:
+        """The ground under a box whose coordinates leave it on one level."""
+        field = self.system.problem.gravity
+        if field is None or not self.system.view.planar or self.system.reactions_on(p.name):
+            return
+        down = toward((0.0, 0.0), self.page.way(self.pose.at(field)))
+        levels = [inner(self.page(x.at(p.position)), down) for x in (self.pose, *self.pose.others)]
+        if self.is_fixed(p.position) or max(levels) - min(levels) > 1e-6:
+            return
+        at = self.flat(self.places[p.name])
+        scale = self.page.scale
+        rail(self.sketch, beyond(at, down, abs(height) * scale / 2), down, abs(width) * scale / 2 + 0.9, self.busy)
+
+    def pivot(self, at: PagePoint, is_wheel: bool) -> None:
+        """What holds a body that turns about its fixed centre."""
+        field = self.system.problem.gravity
+        down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
+        if any(apart(at, h) < 1e-3 for h in self.hinges) or math.hypot(*down) < 1e-6:
+            return
+        self.hinge(at)
+        if not is_wheel:
+            fulcrum(self.sketch, at, toward((0.0, 0.0), down))
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])
         known = self.system.shapes[p.name]
         held = [self.flat(plus(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
         joints = [self.flat(j) for j in self.system.joints.get(p.name, ())]
-        held += joints
+        held += [*joints, *(self.flat(m) for m in self.system.marked.get(p.name, ()))]
         for j in joints:
             self.hinge(j)
         if known.radius:

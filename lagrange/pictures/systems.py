@@ -7,6 +7,7 @@ several others. A `Page` maps space to centimetres; its scale is chosen so that 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -17,7 +18,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified
+from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
@@ -28,12 +29,16 @@ from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact
 from lagrange.mechanics.results import Solution
-from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, place, value
+from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
+
+ROD = re.compile(r"pendulum|\brods?\b|\barms?\b|\blinks?\b|\bbars?\b", re.IGNORECASE)
+"""Words for what keeps a distance."""
+_HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
 @record
@@ -136,7 +141,7 @@ class SystemPicture:
             rotation = plane_rotation(self.configuration, p.name)
             for centre in _circle_centres(self.pose, p, rotation) if rotation is not None else ():
                 joint = centre(self.pose)
-                if joint is None:
+                if joint is None or not _holds(self, p, centre):
                     continue
                 fixed = _same_everywhere(self.pose, centre)
                 others = [o for o in self.configuration.points if o.name != p.name and _holds(self, o, centre)]
@@ -145,6 +150,63 @@ class SystemPicture:
                 for o in others:
                     joints.setdefault(o.name, []).append(joint)
         return joints
+
+    def is_on_body(self, place: Vector) -> bool:
+        """Whether a place is fixed in a plane body."""
+        turning = (p for p in self.configuration.points if plane_rotation(self.configuration, p.name) is not None)
+        return any(_holds(self, p, lambda pose: pose.at(place)) for p in turning)
+
+    @cached_property
+    def marked(self) -> dict[str, list[FloatVector]]:
+        """The massless points that move with a plane body, its ends perhaps, by body."""
+        points = self.configuration.points
+        return {
+            p.name: [
+                self.pose.at(o.position)
+                for o in points
+                if o.mass == 0 and o.name != p.name and _holds(self, p, lambda pose, o=o: pose.at(o.position))  # type: ignore[misc]
+            ]
+            for p in points
+            if plane_rotation(self.configuration, p.name) is not None
+        }
+
+    @cached_property
+    def text(self) -> str:
+        """Title, description and names: words that tell a rod from a hoop."""
+        return " ".join((self.problem.title, self.problem.description, *(p.name for p in self.problem.masses)))
+
+    @property
+    def is_round(self) -> bool:
+        """Whether the text speaks of a hoop or the like, and of no rod."""
+        return bool(_HOOP.search(self.text)) and not ROD.search(self.text)
+
+    @cached_property
+    def paths(self) -> dict[str, list[FloatVector]]:
+        """The curves on which particles with one coordinate and no constraint move, by particle; circles of hoops only.
+
+        From as far on the other side of 0 as it is on this, or for 3/4 of a turn to either side.
+        """
+        paths: dict[str, list[FloatVector]] = {}
+        for p in self.configuration.points if self.is_bare and not self.configuration.rows else ():
+            components = p.position.fixed().components
+            moving = [q for q in self.pose.coordinates if any(c.has(q) for c in components)]
+            if len(moving) != 1 or p.mass == 0 or any(c.has(t) for c in components):
+                continue
+            [q] = moving
+            here = self.pose.values[q]
+            turns = any(q in a.free_symbols for c in components for a in c.atoms(sp.sin, sp.cos))
+            start, end = (here - 1.5 * math.pi, here + 1.5 * math.pi) if turns else (-1.3 * here, 1.3 * here)
+            with suppress(NoValueError):
+                if angle_mark(self.pose, q, p.position) is not None:
+                    start, end = here, here + 2 * math.pi
+                    if not self.is_round:
+                        continue
+                steps = (start + (end - start) * n / 96 - here for n in range(97))
+                places = [self.pose.moved(q, s).at(p.position) for s in steps]
+                first, second = (minus(places[n], places[0]) for n in (30, 60))
+                if abs(inner(first, second)) < math.hypot(*first) * math.hypot(*second) * (1 - 1e-9):  # no line
+                    paths[p.name] = places
+        return paths
 
     @cached_property
     def kept_distances(self) -> tuple[tuple[str, str, bool], ...]:
@@ -186,6 +248,7 @@ class SystemPicture:
             reach = max([known.radius, *(math.hypot(*held) for held in known.held)])
             reach = reach if known.radius or known.held else 0.0
             flat += [(x - reach, y - reach), (x + reach, y + reach)]
+        flat += [self.view.flat(place) for path in self.paths.values() for place in path]
         for at, radius in self._circles():
             x, y = self.view.flat(at)
             flat += [(x - radius, y - radius), (x + radius, y + radius)]

@@ -19,6 +19,7 @@ from lagrange.algebra.forms.reductions import Reduction
 from lagrange.algebra.fourier.vector_cleanup import written
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
+from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
@@ -503,7 +504,7 @@ class Answers:
 
 
 @record
-class Problem:
+class Problem(Shown):
     """A problem file, read.
 
     Positions, masses and forces are SymPy expressions; coordinates, velocities and accelerations are symbols called

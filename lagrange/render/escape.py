@@ -39,6 +39,7 @@ _SPECIAL = {
     "±": r"$\pm$",
     "°": r"$^\circ$",
     "∂": r"$\partial$",
+    "∇": r"$\nabla$",
     "∧": r"$\wedge$",
     "√": r"$\surd$",
     "∞": r"$\infty$",

@@ -32,7 +32,7 @@ from lagrange.document.math_writer import LATEX, RUNNING_LATEX, WIDE_LATEX, Nota
 from lagrange.render.escape import escape, prefixes_of, slug
 from lagrange.render.limits import LATEX_LINE, TALL_BOX
 from lagrange.render.selection import shown
-from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, ems, with_ampersand
+from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, ems, unbroken, with_ampersand
 from lagrange.render.tikz import picture
 from lagrange.render.walk import Emitter, block_lines
 
@@ -114,6 +114,8 @@ class _Article(Emitter[str]):
             if step.title:
                 number += 1
                 yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
+                if isinstance(step.body[0], Display) and len(step.body[0].equations) > 1 and not step.body[0].boxed:
+                    yield r"\vspace{-\baselineskip}"  # of the empty paragraph with which `align` begins
             yield from block_lines(step.body, self)
         for choice in dict.fromkeys(self.content.folded.values()):
             yield f"% more on request: --choice {printable(choice) or 'all'}"
@@ -129,7 +131,7 @@ class _Article(Emitter[str]):
     def part(self, part: Part) -> str:
         match self.content.resolved(part):
             case Math(sides=sides, relation=relation):
-                return f"${self.typesetter.inline(sides, relation, LATEX_LINE)}$"
+                return f"${unbroken(self.typesetter.inline(sides, relation, LATEX_LINE))}$"
             case Ref(label=label):
                 return rf"\eqref{{{self.label(label)}}}"
             case Emphasis(word=word):
@@ -180,7 +182,8 @@ class _Article(Emitter[str]):
             note = row.anchor or (r"\notag" if not star else "")
             lines.append(f"  {code} {note}".rstrip())
         spread = any(len(system) > 1 for system in systems)
-        space = "[1ex]" if spread else ""
+        tall = any(r"\frac" in row.code for row in rows)
+        space = "[1ex]" if spread else "[0.5ex]" if tall else ""
         # No page ends within an equation, nor with a single one of several, nor begins with the last of them.
         ends = [
             (r" \\" if 1 < n < len(systems) - 1 else r" \\*") + space if row is system[-1] else r" \\*"
@@ -194,7 +197,13 @@ class _Article(Emitter[str]):
 
     def rows(self, equation: Equation, width: float) -> list[_Row]:
         """The rows of an equation: the last one has the number, a condition may follow below it."""
-        condition = rf"\text{{{self.prose(equation.condition)}}}" if equation.condition else ""
+        match equation.condition:
+            case ():
+                condition = ""
+            case (Math(sides=sides, relation=relation),):  # a second formula beside the first, and no words
+                condition = self.typesetter.writer.relation(sides, relation)
+            case parts:
+                condition = rf"\text{{{self.prose(parts)}}}"
         codes, below = self.typesetter.rows(equation, width, condition)
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
 

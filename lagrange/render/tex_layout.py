@@ -127,13 +127,41 @@ def _width(token: str) -> float:
 
 
 _GROUP = r"(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})"
-_SLOPE = re.compile(rf"\\frac\{{(\\partial {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
-"""∂f/∂x, which is too small in running text as a fraction."""
+_D = r"\\(?:partial |mathrm\{d\})"
+_SLOPE = re.compile(rf"\\frac\{{({_D}{_GROUP}+)\}}\{{({_D}{_GROUP}+)\}}")
+"""∂f/∂x and dH/dt, which is too small in running text as a fraction."""
 _OF_SLOPE = re.compile(rf"\\frac\{{\\partial\}}\{{(\\partial {_GROUP}+)\}} (\\partial [\w ]+/\\partial \w+)")
 _SECOND = re.compile(rf"\\frac\{{(\\partial\^\{{2\}} {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
 """∂(∂f/∂x)/∂y and ∂²f/(∂x ∂y), likewise."""
 ALIGN = "\ue003"
 """Marks the place of `&` in a row, until it is known whether all equations can be aligned at their relations."""
+
+
+_BRACKETS = re.compile(r"(?<!\\left)([(\[])([^()\[\]]*)([)\]])")
+SHORT_BRACKET = 14.0
+"""The width in ems of a bracket that no line of running text may end within."""
+SHORT_SIDE = 4.5
+"""The width of a right side that does not begin a line."""
+LONG_FORMULA = 12.0
+"""The width of a formula that is likely to be broken; shorter ones stay as one would type them."""
+
+
+def unbroken(code: str) -> str:
+    """A formula in running text with short brackets, cos(α − β), as groups: TeX breaks lines outside groups only.
+
+    A short right side, = 0, does not stand on a line of its own.
+    """
+
+    def grouped(bracket: re.Match[str]) -> str:
+        first, inner, last = bracket.groups()
+        closed = inner.count("{") == inner.count("}") and not inner.endswith("\\right")
+        breakable = any(sign in inner for sign in "+-=<>")
+        return f"{first}{{{inner}}}{last}" if closed and breakable and ems(inner) < SHORT_BRACKET else bracket[0]
+
+    if ems(code) < LONG_FORMULA:
+        return code
+    before, sign, last = _BRACKETS.sub(grouped, code).rpartition(" = ")
+    return rf"{before} = \nobreak {last}" if sign and ems(last) < SHORT_SIDE else before + sign + last
 
 
 @record

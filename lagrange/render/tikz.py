@@ -50,9 +50,14 @@ def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
     for dot in scene.dots:
         yield "  " + _dot(dot)
     for label in scene.labels:
-        content = escape(label.content) if isinstance(label.content, str) else f"${write(label.content)}$"
+        content = _words(label.content) if isinstance(label.content, str) else f"${write(label.content)}$"
         yield rf"  \node[inner sep=0pt] at {_point(label.at)} {{\small {content}}};"
     yield r"\end{tikzpicture}"
+
+
+def _words(text: str) -> str:
+    """A word; the force −∇V is a formula."""
+    return r"$-\nabla V$" if text == "−∇V" else escape(text)
 
 
 def _draw(line: Polyline) -> str:

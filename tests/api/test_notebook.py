@@ -118,3 +118,9 @@ def test_formulas(pendulum: Result) -> None:
     for wrong in ((), ("x",), (None,), (True,), (sp.true,)):
         with pytest.raises(TypeError):
             angle.formula(*wrong)
+
+
+def test_each_gives_its_forms_in_one_bundle(pendulum: Result) -> None:
+    for shown in (pendulum.problem, pendulum, pendulum["angle"], pendulum["angle"].equations):
+        bundle = shown._repr_mimebundle_(include={"text/html", "text/plain"})
+        assert bundle["text/html"] == shown._repr_html_()

@@ -10,7 +10,7 @@ from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Ste
 from lagrange.document.math_writer import Notation
 from lagrange.render import latex
 from lagrange.render.limits import LATEX_LINE
-from lagrange.render.tex_layout import ems
+from lagrange.render.tex_layout import ems, unbroken
 from tests.support.sample_derivations import SAMPLES, chain, driven_pendulum
 from tests.support.tex import compiled, needs_tex
 
@@ -58,7 +58,7 @@ def test_braces_and_growing_brackets_are_closed_in_their_row(derivation, notatio
 
 def test_relations_are_aligned_where_left_sides_are_short():
     assert body(display(Equation((x, y)), Equation((x + y, y)))) == (
-        "\\begin{align*}\n  x &= y \\\\*\n  x + y &= y\n\\end{align*}"
+        "\\vspace{-\\baselineskip}\n\\begin{align*}\n  x &= y \\\\*\n  x + y &= y\n\\end{align*}"
     )
     long = sum(sp.symbols("a_:9"))
     assert "  &x = y \\\\" in body(display(Equation((x, y)), Equation((long, y))))
@@ -104,3 +104,12 @@ def test_the_estimate_of_widths_is_good(tmp_path):
     assert len(widths) == len(rows)
     for n, row in enumerate(rows):
         assert abs(ems(row) - widths[n]) < max(0.1 * widths[n], 1.8), row
+
+
+def test_a_line_of_text_does_not_end_inside_a_bracket() -> None:
+    long = r"m l^{2} \dot{\theta}_{1} \cos(\theta_{1} - \theta_{2}) + \left( a - b \right) \sin(\alpha + \beta) + m g l = 0"
+    assert unbroken(long) == (
+        r"m l^{2} \dot{\theta}_{1} \cos({\theta_{1} - \theta_{2}}) + \left( a - b \right) \sin({\alpha + \beta}) + m g l"
+        r" = \nobreak 0"
+    )
+    assert unbroken(r"\theta = 0") == r"\theta = 0"  # as one types it

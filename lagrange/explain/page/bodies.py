@@ -6,7 +6,7 @@ law of angular momentum.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -35,10 +35,11 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
         if [f.name for f in configuration.loads if f.on == n and not f.elsewhere] == ["weight"]
     ]  # fmt: skip
     moments = [r.name for r in configuration.rotations if not configuration.loads_beside(r.name)]
-    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution))] if several and plain else []
+    shown = {e.label for b in body if isinstance(b, Display) for e in b.equations}
+    groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, shown))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
-        ({f"moment-{n}" for n in moments}, prose("The applied moments about the mass centres are")),
+        ({f"moment-{n}" for n in moments}, prose(f"The applied moments{_about_centres(solution, some=True)} are")),
     ]
     blocks = list(body)
     for labels, lead in groups:
@@ -58,8 +59,15 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
     return [*before, lead, display(*lines), *after]
 
 
-def _bodies(solution: Solution) -> Prose:
-    """What moves, with masses, angles and moments of inertia."""
+def _about_centres(solution: Solution, *, some: bool = False) -> str:
+    """` about the mass centres`; nothing where a body has no mass, and so no such point; if `some`, where none has."""
+    bodies = {b.name for b in solution.problem.bodies}
+    massive = [p.mass != 0 for p in solution.own.configuration.points if p.name in bodies]
+    return " about the mass centres" if (any(massive) if some else all(massive)) else ""
+
+
+def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
+    """What moves, with masses, angles and moments of inertia, and which of `labels` follow."""
     configuration, problem = solution.own.configuration, solution.problem
     bodies = {b.name: b for b in problem.bodies}
     masses = {p.name: p.mass for p in configuration.points}
@@ -85,9 +93,11 @@ def _bodies(solution: Solution) -> Prose:
     beside: tuple[Part, ...] = (capital(plural(len(particles), "the particle is ", "the particles are ")),
                                 *series(particles), ". ") if particles else ()  # fmt: skip
     last = ", and " if any(len(names) > 1 for _, names in alike.values()) else " and "
-    also = ["positions of the mass centres", "angular velocities", "angular momenta about the mass centres"]
-    if particles:
-        also[0] = "positions of the particles and mass centres"
+    centres = "mass centres" if _about_centres(solution) else "bodies"
+    placed = f"positions of the {'particles and ' if particles else ''}{centres}"
+    kinds = {(label or "").partition("-")[0] for label in labels}
+    also = [placed] * ("position" in kinds) + ["angular velocities"]
+    also += [f"angular momenta{_about_centres(solution)}"] * ("momentum" in kinds)
     return prose(*beside, "The bodies are rigid: ", *series(clauses, last), f". The {joined(also)} are")
 
 

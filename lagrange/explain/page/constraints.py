@@ -44,8 +44,11 @@ def common_number(row: Row) -> sp.Integer:
 
 
 def halved(row: Row) -> Row:
-    """The form without that number."""
+    """The form without that number, and without the sign of its only term: dr = 0 for −dr = 0."""
     number = common_number(row)
+    terms = [a for a in (*row.coefficients, row.drift) if a != 0]
+    if len(terms) == 1 and terms[0].is_number and terms[0].is_negative:
+        number = -number
     return replace(row, coefficients=tuple(a / number for a in row.coefficients), drift=row.drift / number)
 
 

@@ -6,6 +6,7 @@ said the next need not repeat. Nothing is computed here; equal unit vectors are 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -213,7 +214,7 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             before = blocks[-1] if blocks else None
             in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
             if in_short and isinstance(block, Display) and _is_repeated(block, shown):
-                blocks.pop()
+                blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
             else:
                 blocks.append(block)
         if blocks or not step.body:
@@ -495,7 +496,8 @@ def _without_momentum(part: Part) -> Part:
     part = part.replace(
         "Its angular velocity and its angular momentum about the mass centre are", "Its angular velocity is"
     )
-    part = part.replace(", angular velocities and angular momenta about the mass centres", " and angular velocities")
+    momenta = ", angular velocities and angular momenta(?: about the mass centres)?"
+    part = re.sub(momenta, " and angular velocities", part)
     return capital(part) if part.startswith("its angular") else part
 
 

@@ -20,6 +20,7 @@ from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
+from lagrange.explain.page.vectors.directions import Directions, unit_along, unit_vectors
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -49,13 +50,14 @@ def has_vector_laws(solution: Solution) -> bool:
 def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
     bodies = newton.bodies or ()
+    units = unit_vectors(solution)
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
         for b in bodies
         for n, c in enumerate(b.components, start=1)
     ]
-    vectors = [line for b in bodies if (line := _reaction_line(b)) is not None]
+    vectors = [line for b in bodies if (line := _reaction_line(b, units)) is not None]
     body: list[Block] = [
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
@@ -160,8 +162,10 @@ def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     )
 
 
-def _reaction_line(body: FreeBody) -> Equation | None:
-    """R = −(T/l) r where rods pull: along the vectors between their ends; in components otherwise."""
+def _reaction_line(body: FreeBody, units: Directions) -> Equation | None:
+    """R = −(T/l) r where rods pull: along the vectors between their ends, or −T e where the file names the unit vector
+    e of that direction; in components otherwise.
+    """
     if not body.reactions:
         return None
     name = VectorSymbol(f"R_{body.name}")
@@ -170,7 +174,8 @@ def _reaction_line(body: FreeBody) -> Equation | None:
         total = total + along * r.force
     is_along_unit = sum(c != 0 for c in total.components) == 1 and total.triad.directions is not None
     if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
-        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
+        directed = ((r, unit_along(direction, units)) for r, direction in body.reactions)
+        pulls = sp.Add(*(_pull(r, body.name) if unit is None else r.force * unit for r, unit in directed))
         return Equation((name, pulls), label=f"reaction-{body.name}")
     return Equation((name, total), label=f"reaction-{body.name}")
 

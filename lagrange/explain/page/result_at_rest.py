@@ -16,7 +16,8 @@ from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Equation, Part, Rule
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.statics import stability_in_short
-from lagrange.explain.words import branch_conditions, sign_conditions
+from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -36,7 +37,7 @@ def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]
     if view.steady is not None:
         yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_LINE]
     if view.linearization is not None:
-        yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
+        yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers)]
 
 
 def _equilibria(view: InCoordinates) -> Iterator[Equation]:
@@ -46,12 +47,16 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
     groups: list[list[Equation]] = []
     branches = view.equilibrium.branches
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
-    for b, verdict in zip(branches, verdicts, strict=True):
+    numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
+    for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
         words: tuple[Part, ...] = ()
         if verdict is not None:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
             if not b.left and sum(count_operations(c.lhs - c.rhs) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
+        is_open = bool(b.conditions) or verdict is None or verdict.verdict is StabilityVerdict.CONDITIONAL
+        known = _with_values(numbers, n) if is_open else ()
+        words = (*words, *(("; ",) if words and known else ()), *known)
         groups.append(_branch(b, *words))
     groups = [lines for lines in groups if lines]
     are_systems = any(len(lines) > 1 for lines in groups)
@@ -59,6 +64,22 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:
+    """What the given values decide of a branch: `with the given values unstable`; empty where they leave it open.
+
+    A condition in letters beside a number would leave the comparison to the reader.
+    """
+    if numbers is None:
+        return ()
+    if branch in numbers.absent:
+        return (WITH_VALUES, "no such position")
+    verdicts = {p.stability for p in numbers.positions if p.branch == branch}
+    for decided in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE):
+        if verdicts == {decided}:
+            return (WITH_VALUES, decided.value)
+    return ()
 
 
 def _friction(view: InCoordinates) -> Iterator[Equation]:
@@ -116,10 +137,10 @@ def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tupl
     return ()
 
 
-def _frequencies(linearization: Linearization) -> Iterator[Equation]:
+def _frequencies(linearization: Linearization, numbers: EquilibriaInNumbers | None) -> Iterator[Equation]:
     """The squares of the frequencies, `about θ = 0`."""
     for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
-        if linearization.copy_of(k) is not None:
+        if linearization.copy_of(k) is not None or (numbers is not None and k in numbers.absent):
             continue
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
@@ -134,6 +155,8 @@ def _frequencies(linearization: Linearization) -> Iterator[Equation]:
         stable = "stable where " if firm else "stable to first order where "
         stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
         stability = stability or ((verdict,) if verdict else ())
+        known = _with_values(numbers, k) if conditions or b.conditions else ()
+        stability = (*stability, *(("; ",) if stability and known else ()), *known)
         words += (", " if words and stability else "", *stability)
         for n, square in enumerate(squares, start=1):
             name = f"{at.unknown.name}_{n}" if len(squares) > 1 else at.unknown.name

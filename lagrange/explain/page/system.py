@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from lagrange.core.operations import count_operations
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, paired, paragraph, prose, series
+from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
 from lagrange.explain.page.bodies import introduced_together
-from lagrange.explain.page.coordinates import explain_measures
+from lagrange.explain.page.coordinates import explain_measures, is_letter
 from lagrange.explain.page.texts import set_text
-from lagrange.explain.words import introduced, joined, plural, the
+from lagrange.explain.words import capital, introduced, joined, plural, spoken, the
+from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
 
@@ -82,9 +83,27 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
         comma = "" if points[-1].mass != 0 and len(points) < 3 else ","
         end, forces = (f"{comma} and the {force} on {joined(map(the, loaded))}",), False
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
-    lead = prose(what, " of ", *series(masses), *end, " are" if forces or end or len(points) > 1 else " is")
+    verb = " are" if forces or end or len(points) > 1 else " is"
+    lead = prose(what, " of ", *series(masses), *end, verb)
+    if not end and all(p.mass != 0 and "mass" not in the(p.name) for p in points):
+        lead = prose(*_with_masses(points), f"; {plural(len(points), 'its', 'their')} {what[4:]}", verb)
     shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
     return (*body[: at[0] - 1], lead, display(*shown), *body[at[-1] + 1 :])
+
+
+def _with_masses(points: Sequence[MassPoint]) -> Iterator[Part]:
+    """`The particle P has the mass m`; `The particles A and B have the masses m_1 and m_2`, or `the mass m each`."""
+    names = [introduced(p.name) for p in points]
+    bare = all(name == spoken(p.name) and is_letter(p.name) for name, p in zip(names, points, strict=True))
+    called = f"the {plural(len(points), 'particle', 'particles')} {joined(names)}" if bare else joined(names)
+    masses = list(dict.fromkeys(p.mass for p in points))
+    yield capital(called)
+    if len(masses) == 1:
+        yield plural(len(points), " has the mass ", " each have the mass ")
+        yield math(masses[0])
+    else:
+        yield " have the masses "
+        yield from listed(math(p.mass) for p in points)
 
 
 def are_short(equations: Sequence[Equation]) -> bool:

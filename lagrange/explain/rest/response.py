@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
-from lagrange.core.symbols import t
+from lagrange.core.symbols import Sign, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
@@ -110,6 +111,21 @@ def _lags(response: Response) -> Iterator[Block]:
     yield display(*(Equation((s, e), label=_label(response.forced, f"lag-{s.name}")) for s, e in known))
 
 
+SIGN = Sign("sigma_1")
+"""That of a square root."""
+
+
+def _both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
+    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None where they are not such."""
+    if len(roots) != 2:
+        return None
+    middle, half = sp.factor((roots[0] + roots[1]) / 2), sp.factor_terms((roots[1] - roots[0]) / 2)
+    surds = [f for f in half.atoms(sp.Pow) if f.exp == sp.S.Half]
+    if middle.has(*surds) or len(surds) != 1:
+        return None
+    return sp.factor_terms(sp.together(middle + SIGN * half))
+
+
 def _resonance(response: Response) -> Iterator[Block]:
     """The frequencies of resonance, and those at which a coordinate is at rest."""
     w = response.drive.frequency
@@ -129,6 +145,9 @@ def _resonance(response: Response) -> Iterator[Block]:
             Equation((w**2, e), label=_label(response.forced, f"resonance-{n}"))
             for n, e in enumerate(response.resonances)
         ]
+        both = _both_roots(response.resonances)
+        if both is not None:
+            lines = [replace(lines[0], sides=(w**2, both), condition=("with ", math(SIGN), " = ±1"))]
         yield display(*lines)
     for q, places in zip(response.forced.configuration.slots.coordinates, response.rests, strict=True):
         lines = [

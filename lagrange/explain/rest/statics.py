@@ -267,12 +267,11 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
         yield prose(*where, *what, ": not an equilibrium in the ordinary sense.", detail=Detail.BRIEF)
     if equilibrium.poles:
         places = (listed(math(r.lhs, r.rhs) for r in pole.equations) for pole in equilibrium.poles)
-        listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
+        none = plural(len(equilibrium.poles), "it is no equilibrium.", "they are no equilibria.")
         yield prose(
             "The conditions hold as well where ",
-            *listing,
-            ". The coordinates are singular there, and the forces do work in other displacements from such a position: "
-            "it is no equilibrium.",
+            *series(places, " or "),
+            f". The coordinates are singular there, and the forces do work in other displacements: {none}",
             detail=Detail.BRIEF,
         )
 
@@ -382,7 +381,10 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
         )  # fmt: skip
     suffix = suffix_of(equilibrium.configuration.name)
     judged = [(Ref(f"equilibrium{suffix}-{n}"), s) for n, s in enumerate(second.verdicts, start=1) if s.minors]
-    sentences = paragraph(*(prose("At ", place, *_freely(s), " ", *_verdict(s, one)) for place, s in judged))
+    alike: dict[tuple[Part, ...], list[Ref]] = {}
+    for place, s in judged:
+        alike.setdefault((*_freely(s), " ", *_verdict(s, one)), []).append(place)
+    sentences = paragraph(*(prose("At ", *listed(places), *words) for words, places in alike.items()))
     short = paragraph(*(prose("Equilibrium ", place, ": ", *_in_brief(s), ".") for place, s in judged))
     yield brief(sentences, short)
 

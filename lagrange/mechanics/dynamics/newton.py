@@ -404,8 +404,8 @@ def _reaction(
     if acts is not None and rod is not None:
         acts = Forces(_along(rod, acts.forces), acts.moments)
     by = constraint.by or (Keeper.SURFACE if is_surface else None)
-    if rod is not None and not is_surface:
-        single: SingleForce | None = tension_of_rod(rod)
+    if acts is not None and rod is not None and not is_surface:
+        single: SingleForce | None = tension_of_rod(rod, acts.forces)
     else:
         written = row if placed is None else shown  # where nothing is placed, only a root shows a distance
         single = single_force(written, by, acts, placed, configuration, constraint.side, is_whole=not others)
@@ -550,8 +550,9 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
             drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
     on_others = sp.Add(*(a * reaction.per_force * variation(q) for q, a in reaction.others.items()))
     is_known = reaction.directions is not None and (shares or on_others != 0)
-    of_form = reaction.per_force * virtual_displacement(reaction.row, slots)
-    virtual = sp.Add(*shares.values(), on_others) if is_known else sp.expand_mul(of_form)
+    form = virtual_displacement(reaction.row, slots)
+    per_force = form if reaction.per_force == 1 else textbook_form(form * reaction.per_force)
+    virtual = sp.Add(*shares.values(), on_others) if is_known else per_force
     solved = dict(elimination.solved(slots))
 
     def vanishes(work: sp.Expr) -> bool | None:

@@ -37,6 +37,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
@@ -75,9 +76,15 @@ class SingleForce:
     presumed: tuple[sp.Expr, ...] = ()
 
 
-def tension_of_rod(rod: Rod) -> SingleForce:
-    """The tension of a rod; on its first end it is directed to the second."""
+def tension_of_rod(rod: Rod, forces: Mapping[str, Vector]) -> SingleForce:
+    """The tension of a rod; on its first end it is directed to the second.
+
+    forces  for λ = 1: of r = R they are along e_r itself, and −d/R = −(r/R) e_r only where the constraint holds
+    """
     direction = (rod.span * (-1 / rod.length)).map(tidy_quotient)
+    pull = (forces[rod.ends[0]] * (1 / rod.factor)).map(tidy_quotient)
+    if sum(map(count_operations, pull.components)) < sum(map(count_operations, direction.components)):
+        direction = pull
     return SingleForce(ForceKind.TENSION, rod.factor, rod.ends[0], direction, rod.ends[1])
 
 
@@ -288,9 +295,12 @@ def _between_two(
             return None
         ends += moved
     (one, unit), (two, same) = ends
-    steady = all(unit.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
-    if one == two or not steady or not (unit - same).map(textbook_form).is_zero:
+    if one == two or not (unit - same).map(textbook_form).is_zero:
         return None
+    steady = all(unit.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    places = {p.name: p.position.fixed() for p in configuration.points}
+    if not steady and not (places[one] - places[two] - unit * (first - second)).map(textbook_form).is_zero:
+        return None  # on a line that turns they are apart by x_1 − x_2 only if both are measured from one point
     if textbook_form(unit.dot(unit)) != 1:
         return None
     if apart.is_positive:

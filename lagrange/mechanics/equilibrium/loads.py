@@ -15,13 +15,15 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.principle import given_forces
 
 WEIGHT = "weight"
 
 
 def at_rest(configuration: Configuration) -> Configuration:
     """The system under the forces that act at rest. Raises NotCoveredError where one has no value there."""
-    still: dict[sp.Basic, sp.Basic] = dict.fromkeys(configuration.slots.velocities, sp.S.Zero)
+    slots = configuration.slots
+    still: dict[sp.Basic, sp.Basic] = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
 
     def resting(name: str, vector: Vector) -> Vector:
         value = vector.xreplace(still)
@@ -33,7 +35,8 @@ def at_rest(configuration: Configuration) -> Configuration:
         configuration,
         loads=tuple(replace(f, vector=resting(f.name, f.vector)) for f in configuration.loads),
         torques=tuple(replace(m, vector=resting(m.name, m.vector)) for m in configuration.torques),
-        generalized=tuple(q.xreplace(still) for q in configuration.generalized),
+        generalized=tuple(q.xreplace(still) for q in given_forces(configuration)),
+        velocity_part=sp.S.Zero,
         dampers=(),
     )
 

@@ -36,7 +36,7 @@ def test_the_head_answers_the_question(name: str, head: str) -> None:
 
 def test_a_particle_is_introduced_with_its_letter_and_then_called_by_its_words() -> None:
     text = page("ex18-double-pendulum")
-    assert "of the upper particle P1, of mass m₁, and the lower particle P2, of mass m₂, are" in text
+    assert "The upper particle P1 and the lower particle P2 have the masses m₁ and m₂; their positions" in text
     assert "On the upper particle and the lower particle taken separately" in text
 
 
@@ -67,4 +67,4 @@ def test_a_balance_that_nothing_satisfies_is_not_divided_away() -> None:
     assert "so the coefficient of each must vanish: m g = 0" in text
     assert "1 = 0" not in text
     assert "𝐢 is horizontal and 𝐣 points down." in text
-    assert "The position and weight of the pebble P, of mass m, are" in text
+    assert "The pebble P has the mass m; its position and weight are" in text

@@ -40,3 +40,34 @@ def test_a_weight_that_a_table_balances_is_accounted_for() -> None:
     page = " ".join(terminal.text(found.derivation, found.notation, 80).split())
     assert "The component of the force on A along 𝐤 is balanced by what keeps A from moving along it" in page
     assert "The string constraint keeps a length constant: its reaction is the tension S" in page
+
+
+ARMS = """title: Two rods, one on the other
+parameters: [m, M, a, b, g]
+coordinates: [r, phi, s, psi]
+axes: {i: down, j: right}
+let: {e: "cos(phi)*i + sin(phi)*j", u: "cos(psi)*i + sin(psi)*j"}
+particles: {A: {mass: m, position: r*e}, B: {mass: M, position: r*e + s*u}}
+constraints: {upper: {equation: r = a, reaction: S}, lower: {equation: s = b, reaction: T}}
+gravity: g*i
+"""
+BEADS = """title: Two beads on a turning rod, joined by a rod
+parameters: [m, M, a, g]
+coordinates: [r, phi, s]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {A: {mass: m, position: r*e_r}, B: {mass: M, position: s*e_r}}
+constraints: {link: {equation: s - r = a, by: rod, reaction: S}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (TABLE, "𝐑_A = −S 𝐞_r 𝐑_B = S 𝐤"),
+        (ARMS, "𝐑_A = T 𝐮 − S 𝐞 𝐑_B = −T 𝐮"),  # and no T/b (r_B − r_A)
+        (BEADS, "S (δr − δs)"),  # the work of a tension, which pulls A outwards and B inwards
+    ],
+)
+def test_reactions_along_the_unit_vectors_of_the_file(text: str, said: str) -> None:
+    found = report(read_problem(Source("along.yaml", text)), complete=False)
+    assert said in " ".join(terminal.text(found.derivation, found.notation, 120).split())

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
+
+import lagrange
 from lagrange.document.derivation import Rule
 from lagrange.explain.page.result_at_rest import result_at_rest
+from lagrange.explain.report import report
+from lagrange.render import terminal
 from tests.support.shared import solved
 
 
@@ -12,3 +17,25 @@ def test_equilibria_have_a_line_and_a_motion_has_none() -> None:
     lines = dict(result_at_rest(view))
     assert len(lines[Rule.EQUILIBRIUM]) >= 2
     assert not any(equations for _, equations in result_at_rest(solved("ex11-ideal-pendulum").choices[0]))
+
+
+HOOP = """title: Hoop
+parameters: {R: 0.5 m, g: 10 m/s^2, W: RATE rad/s}
+coordinates: [theta]
+lagrangian: "R^2*theta'^2/2 + R^2*W^2*sin(theta)^2/2 + g*R*cos(theta)"
+find: [motion, linearization]
+"""
+
+
+@pytest.mark.parametrize(
+    ("rate", "said", "not_said"),
+    [
+        ("8", ["with the given values unstable, ω² = −44", "with the given values stable, ω² = 57.75"], []),
+        ("3", ["with the given values stable, ω² = 11"], ["(R W² − g)"]),  # cos θ = g/(R W²) > 1
+    ],
+)
+def test_the_values_decide_in_the_head(rate: str, said: list[str], not_said: list[str]) -> None:
+    made = report(lagrange.loads(HOOP.replace("RATE", rate)))
+    head = " ".join(terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0].split())
+    assert all(s in head.replace(" │", "").replace("│ ", "") for s in said)
+    assert not any(s in head for s in not_said)

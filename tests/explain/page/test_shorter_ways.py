@@ -104,7 +104,7 @@ def test_friction_is_tried_where_something_slides() -> None:
         ("parallel-skates", "Accelerations: none; every coordinate changes uniformly."),
         ("servo", "x = C exp(−κ t) − v/κ + v t"),
         ("rocket", "As before, (9) holds."),
-        ("triatomic-molecule", "A (of mass m), B (of mass M) and C (of mass m)"),
+        ("triatomic-molecule", "The particles A, B and C have the masses m, M and m"),
         ("bead-on-lemniscate", "Where x = y = 0, the form (3) vanishes and restricts nothing."),
         ("bicycle", "Two of the displacements can be chosen freely, for instance δy₁ and δψ."),
         ("ex15-rough-incline", "𝐅 = −μ N 𝐝𝐨𝐰𝐧 − m g 𝐣"),

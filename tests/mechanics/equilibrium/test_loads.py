@@ -19,3 +19,12 @@ find: equilibrium
 def test_the_size_of_a_force_and_no_stiffness() -> None:
     configuration = solve(lagrange.loads(COLUMN), complete=False).own.configuration
     assert [s.name for s in loads(configuration)] == ["P"]
+
+
+def test_a_given_lagrangian_has_no_accelerations_at_rest() -> None:
+    text = "title: T\nparameters: [m, l, g]\ncoordinates: [q]\nfind: equilibrium\n"
+    solution = solve(lagrange.loads(text + 'lagrangian: "m*l^2*q\'^2/2 + m*g*l*cos(q)"\n'), complete=False)
+    assert solution.own.equilibrium is not None
+    branches = solution.own.equilibrium.branches
+    assert [[str(r.rhs) for r in b.relations] for b in branches] == [["0"], ["pi"]]
+    assert all(c.passed for c in solution.checks)

@@ -1,4 +1,4 @@
-"""Vectors by the unit vectors that the file names in `let`: a force N n, not N sin θ i − N cos θ j.
+"""Vectors by the unit vectors that the file names in `let`, or of its frame: a force N n, not N sin θ i − N cos θ j.
 
 v = c n + w with c = v_k/n_k, where w lacks the component k, or with c = v·n. It is written so where that is shorter.
 The line that says what n is stays.
@@ -27,11 +27,29 @@ Directions = Mapping[str, Vector]
 
 def in_directions(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps with vectors along the unit vectors of the file written as their multiples."""
-    named = {n: v for n, v in solution.problem.abbreviations.items() if isinstance(v, Vector)}
-    units = {n: v.fixed() for n, v in named.items() if is_zero(v.dot(v) - 1) is True}
-    units = {n: v for n, v in units.items() if sum(c != 0 for c in v.components) > 1}
+    units = unit_vectors(solution)
     for step in steps:
         yield replace(step, body=tuple(_block(b, units) for b in step.body)) if units else step
+
+
+def unit_vectors(solution: Solution) -> Directions:
+    """The unit vectors of `let` and of the frame that are not along an axis, in i, j, k, by name."""
+    named = {n: v for n, v in solution.problem.abbreviations.items() if isinstance(v, Vector)}
+    units = {n: v.fixed() for n, v in named.items() if is_zero(v.dot(v) - 1) is True}
+    frame = solution.problem.frame
+    if frame is not None and frame.directions is not None:
+        rows = (frame.directions.row(n) for n in range(3))
+        units = {n: Vector((row[0], row[1], row[2])) for n, row in zip(frame.names, rows, strict=True)} | units
+    return {n: v for n, v in units.items() if sum(c != 0 for c in v.components) > 1}
+
+
+def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
+    """e or −e, where a vector is that; None where it is neither."""
+    for name, unit in units.items():
+        for sign in (1, -1):
+            if all(is_zero(c) is True for c in (vector.fixed() - unit * sp.Integer(sign)).components):
+                return sign * VectorSymbol(name)
+    return None
 
 
 def _block(block: Block, units: Directions) -> Block:
@@ -55,6 +73,9 @@ def _line(line: Equation, units: Directions) -> Equation:
 def _side(side: Mathematics, units: Directions) -> Mathematics:
     """c n + w in place of a vector, or a sum of two such."""
     if not isinstance(side, Vector) or sum(c != 0 for c in side.components) < 2 or _length(side) > LONGEST:
+        return side
+    units = {n: u for n, u in units.items() if n not in side.triad.names}
+    if not units:
         return side
     left, terms = side.fixed(), sp.S.Zero
     for _ in range(2):

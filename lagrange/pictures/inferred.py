@@ -1,0 +1,186 @@
+"""What the coordinates alone show of a system whose file draws no lines: rods, strings, pulleys, paths, pivots.
+
+A bob at l sin θ i − l cos θ j has no constraint, and so no rod that `rods` could draw. But when θ changes alone it
+moves on a circle: about a fixed point or another particle, at a distance that no coordinate changes. What keeps it
+there is a rod or a string if the text speaks of such a thing; otherwise it may as well be a hoop, and nothing is drawn.
+A coordinate that is called the length of a rope is one. A string x + y = L runs from weight to weight over pulleys
+where x and y begin. A particle with one coordinate, which moves on no circle or line, stays on a curve.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+
+import sympy as sp
+
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import PagePoint, StrokeKind
+from lagrange.mechanics.constraints.kinematics import MassPoint
+from lagrange.pictures.floats import NoValueError, inner
+from lagrange.pictures.poses import angle_mark, relative_angle_mark
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, toward
+from lagrange.pictures.systems import ROD, SystemPicture
+from lagrange.problem.model import Keeper
+
+_STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
+PULLEY = 0.32
+"""Radius of a pulley on the page, in centimetres."""
+GAP = 0.22
+"""Half the gap in the ground that a rope goes through."""
+SAME = 1e-6
+
+
+class Inferred:
+    """Lines that the coordinates show; `pivots` are their fixed ends."""
+
+    def __init__(self, system: SystemPicture, sketch: Sketch, busy: list[tuple[PagePoint, PagePoint]]) -> None:
+        self.system = system
+        self.sketch = sketch
+        self.busy = busy
+        self.pose = system.pose
+        self.pivots: list[PagePoint] = []
+
+    def all(self) -> None:
+        """Draw them."""
+        if self.system.is_bare:
+            self.strings()
+            for p in self._particles():
+                if not self.arm(p):
+                    self.path(p)
+
+    def _particles(self) -> Iterator[MassPoint]:
+        """The particles on which no reaction acts, that is, which coordinates alone place."""
+        bodies = {r.name for r in self.system.configuration.rotations}
+        bound = {name for r in self.system.newton.reactions for name in (r.directions or {})}
+        yield from (
+            p for p in self.system.configuration.points if p.mass != 0 and p.name not in bodies and p.name not in bound
+        )
+
+    def at(self, position: Vector) -> PagePoint:
+        """A place on the page."""
+        return self.system.page(self.pose.at(position))
+
+    def arm(self, p: MassPoint) -> bool:
+        """The rod or string on which a particle swings; whether it moves on a circle."""
+        origins = [o.position for o in self.system.configuration.points if o.name != p.name]
+        for q in self.pose.coordinates:
+            with suppress(NoValueError):
+                mark = angle_mark(self.pose, q, p.position)
+                if mark is None:
+                    continue
+                fixed = self._is_fixed(q, p.position)
+                moving = [o for o in origins if math.dist(self.pose.at(o), mark.centre) < SAME]
+                moving = [o for o in moving if relative_angle_mark(self.pose, q, p.position, o) is not None]
+                if not fixed and not moving:
+                    continue  # the whole system turns about that point
+                kind = self._kind(math.dist(mark.centre, mark.point), q, p.position)
+                if kind is not None:
+                    centre, end = self.system.page(mark.centre), self.at(p.position)
+                    self.sketch.line([centre, end], kind)
+                    self.busy.append((centre, end))
+                    if fixed and not moving:
+                        self.pivots.append(centre)
+                return kind is not None
+        return False
+
+    def _is_fixed(self, q: sp.Symbol, position: Vector) -> bool:
+        marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
+        centres = [m.centre for m in marks if m is not None]
+        return len(centres) > 1 and all(math.dist(centres[0], c) < SAME for c in centres)
+
+    def _kind(self, length: float, q: sp.Symbol, position: Vector) -> StrokeKind | None:
+        """A rod, a string, or None where it may be neither."""
+        marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
+        lengths = [math.dist(m.centre, m.point) for m in marks if m is not None]
+        called = " ".join(f"{c.meaning}" for c in self.system.problem.coordinates if c.symbol != q)
+        if any(abs(x - length) > SAME for x in lengths):
+            return StrokeKind.STRING if _STRING.search(called) else None
+        if self.system.is_round:
+            return None
+        if _STRING.search(self.system.text) and not ROD.search(self.system.text):
+            return StrokeKind.STRING
+        return StrokeKind.ROD if ROD.search(self.system.text) else None
+
+    def path(self, p: MassPoint) -> None:
+        """The curve on which a particle with one coordinate moves, if it is no line."""
+        points = [self.system.page(place) for place in self.system.paths.get(p.name, ())]
+        if points and not in_line(points[0], points[1:]):
+            self.sketch.line(points, StrokeKind.CURVE)
+
+    def strings(self) -> None:
+        """The strings between weights that hang, each at its own coordinate, over pulleys where these begin."""
+        slots = self.system.configuration.slots
+        for reaction in self.system.newton.reactions:
+            row, constraint = reaction.row, reaction.constraint
+            if len(row.coefficients) != len(slots.coordinates):
+                continue  # the constraint is in the coordinates of the file, and the picture in those of a choice
+            used = [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
+            equal = {a for a in row.coefficients if a != 0}
+            if constraint.by is not Keeper.STRING and "string" not in row.name and "rope" not in row.name:
+                continue
+            if len(used) != 2 or len(equal) != 1 or row.finite is None:
+                continue
+            points = self.system.configuration.points
+            ends = [p for q in used for p in points if not p.position.fixed().partial(q).is_zero]
+            with suppress(NoValueError):
+                self._over_pulleys([p.position for p in ends], used)
+
+    def _over_pulleys(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:
+        if len(positions) != 2:
+            return
+        lifted = [self.pose.moved(q, -self.pose.values[q]) for q in used]
+        tops = [self.system.page(pose.at(v)) for pose, v in zip(lifted, positions, strict=True)]
+        bottoms = [self.at(v) for v in positions]
+        downs = [toward(a, b) for a, b in zip(tops, bottoms, strict=True) if apart(a, b) > 0.5]
+        if len(downs) != 2 or apart(*tops) < 4 * PULLEY or abs(downs[0][0] - downs[1][0]) > SAME:
+            return
+        along = toward(tops[0], tops[1])
+        up = (-downs[0][0], -downs[0][1])
+        if abs(along[0] * up[0] + along[1] * up[1]) > SAME:
+            return
+        centres = [beyond(tops[0], along, PULLEY), beyond(tops[1], along, -PULLEY)]
+        for top, bottom in zip(tops, bottoms, strict=True):
+            self.sketch.line([top, bottom], StrokeKind.STRING)
+            self.busy.append((top, bottom))
+        self.sketch.line([beyond(c, up, PULLEY) for c in centres], StrokeKind.STRING)
+        for centre in centres:
+            self.sketch.circle(centre, PULLEY, 1)
+            hook = beyond(centre, up, 3 * PULLEY)
+            self.sketch.line([centre, hook], StrokeKind.LINK)
+            self.sketch.dot(centre, 0.6 * HINGE, open_=True)
+            self.sketch.wall(hook, (-up[0], -up[1]), 0.45)
+
+
+def rail(
+    sketch: Sketch, at: PagePoint, down: PagePoint, half: float, through: Sequence[tuple[PagePoint, PagePoint]] = ()
+) -> None:
+    """The ground under a box that only moves along it, with a gap where a rod or rope goes through.
+
+    at  in the lower side of the box
+    """
+    side = left_of(down)
+    gaps = [gap for a, b in through if (gap := _crossing(a, b, at, down, side)) is not None and abs(gap) < half]
+    start = -half
+    for gap in sorted(gaps):
+        if gap - GAP > start:
+            sketch.ground([beyond(at, side, start), beyond(at, side, gap - GAP)])
+        start = gap + GAP
+    if start < half:
+        sketch.ground([beyond(at, side, start), beyond(at, side, half)])
+
+
+def _crossing(a: PagePoint, b: PagePoint, at: PagePoint, down: PagePoint, side: PagePoint) -> float | None:
+    """Where a line crosses the level of `at`, measured along it; None if it ends before."""
+    (x, y), (u, v) = ([inner((p[0] - at[0], p[1] - at[1]), w) for w in (side, down)] for p in (a, b))
+    return None if y * v >= 0 else x + (u - x) * y / (y - v)
+
+
+def fulcrum(sketch: Sketch, at: PagePoint, down: PagePoint) -> None:
+    """The wedge on which a lever turns, and the ground under it."""
+    side = left_of(down)
+    foot = beyond(at, down, 0.62)
+    sketch.line([at, beyond(foot, side, 0.36), beyond(foot, side, -0.36)], StrokeKind.BODY, closed=True)
+    rail(sketch, foot, down, 0.8)

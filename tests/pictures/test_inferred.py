@@ -1,0 +1,82 @@
+"""What the coordinates alone show: rods, hoops, strings over pulleys, pivots, rails."""
+
+from __future__ import annotations
+
+import pytest
+
+import lagrange
+from lagrange.document.math_writer import Notation
+from lagrange.document.scene import Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.system_drawing import configuration_scene
+from lagrange.pictures.systems import system_in_file
+
+HEAD = "axes: {i: right, j: down}\ngravity: g*j\n"
+CIRCLE = "parameters: [m, l, g]\ncoordinates: [q]\nparticles: {P: {mass: m, position: l*sin(q)*i + l*cos(q)*j}}\n"
+TWO = (
+    "parameters: [m, l, d, g, c]\ncoordinates: [q, s]\nparticles:\n"
+    "  A: {mass: m, position: l*sin(q)*i + l*cos(q)*j}\n  B: {mass: m, position: (d + l*sin(s))*i + l*cos(s)*j}\n"
+    'forces: {spring: {spring: c, between: ["r_A/2", "(r_B + d*i)/2"], length: d}}\n'
+)
+STRING = (
+    "parameters: [m, M, L, d, g]\ncoordinates: [x, y]\nparticles:\n  A: {mass: m, position: x*j}\n"
+    "  B: {mass: M, position: d*i + y*j}\nconstraints: {string: {equation: x + y = L, by: string}}\n"
+)
+LEVER = (
+    "parameters: [I, a, m, g]\ncoordinates: [q]\nbodies:\n  plank: {inertia: I, position: 0*i, angle: q, "
+    'shape: {rod: ["-a*cos(q)*i - a*sin(q)*j", "a*cos(q)*i + a*sin(q)*j"]}}\n'
+    'particles: {P: {mass: m, position: "a*cos(q)*i + a*sin(q)*j"}}\n'
+)
+CART = (
+    "parameters: [m, M, l, g]\ncoordinates: [x, q]\nparticles:\n"
+    "  cart: {mass: M, position: x*i, shape: {box: [1, 0.5]}}\n"
+    "  P: {mass: m, position: (x + l*sin(q))*i + l*cos(q)*j}\n"
+)
+
+
+def drawn(title: str, text: str) -> Scene:
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: {title}\n{HEAD}{text}")))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    return scene
+
+
+def lines(scene: Scene, kind: StrokeKind) -> int:
+    return sum(line.kind is kind for line in scene.lines)
+
+
+@pytest.mark.parametrize(
+    ("title", "rods", "strings", "curves"),
+    [("Pendulum", 1, 0, 0), ("Stone on a string", 0, 1, 0), ("Bead on a hoop", 0, 0, 1), ("Circular motion", 0, 0, 1)],
+)
+def test_what_keeps_a_distance_is_what_the_text_says(title: str, rods: int, strings: int, curves: int) -> None:
+    scene = drawn(title, CIRCLE)
+    found = [lines(scene, k) for k in (StrokeKind.ROD, StrokeKind.STRING, StrokeKind.CURVE)]
+    assert found == [rods, strings, curves]
+    assert sum(d.open for d in scene.dots) == rods + strings  # the pivot
+
+
+def test_no_support_where_the_end_of_a_spring_moves() -> None:
+    scene = drawn("Two pendulums", TWO)
+    assert lines(scene, StrokeKind.ROD) == 2
+    assert sum(d.open for d in scene.dots) == 2  # the pivots, and not the ends of the spring on the rods
+
+
+def test_a_string_runs_over_pulleys() -> None:
+    assert lines(drawn("Two weights", STRING), StrokeKind.STRING) == 3
+
+
+def test_a_lever_stands_on_a_wedge() -> None:
+    assert any(line.closed and len(line.points) == 3 for line in drawn("Seesaw", LEVER).lines)
+
+
+def test_the_rail_has_a_gap_for_the_rod() -> None:
+    scene = drawn("Pendulum on a cart", CART)
+    assert lines(scene, StrokeKind.ROD) == 1
+    assert lines(scene, StrokeKind.GROUND) == 2
+
+
+def test_a_path_is_drawn_where_one_coordinate_moves_a_bead() -> None:
+    text = 'parameters: [m, a, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: "x*i - x^2/a*j"}}\n'
+    assert lines(drawn("Slide", text), StrokeKind.CURVE) == 1
