@@ -175,12 +175,17 @@ def _found(i: UsedIntegral) -> Iterator[Block]:
     assert i.coordinate is not None
     q, v = i.coordinate, sp.Symbol(f"{i.coordinate.name}'", real=True)
     a = sp.Symbol(f"{i.coordinate.name}''", real=True)
-    yield prose("The equation of motion ", math(a, i.equation), " contains no other coordinate.", *_multiplied(i, q, v))
+    alone = " contains no coordinate." if i.kind is IntegralKind.SPEED else " contains no other coordinate."
+    yield prose("The equation of motion ", math(a, i.equation), alone, *_multiplied(i, q, v))
 
 
 def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]:
+    a = sp.Symbol(f"{q.name}''", real=True)
     if i.kind is IntegralKind.IMPULSE:
         return (" Since ", math(v), " is the rate of ", math(q), ", it can be integrated over time.")
+    if i.kind is IntegralKind.SPEED:
+        return (" With ", math(v), " as a function of ", math(q), ", ", math(a), " is ", math(v), " times its "
+                "derivative: the velocity and the way are separated, and each side can be integrated.")  # fmt: skip
     if i.factor == 1:
         return (" Multiplied by ", math(v), " it can be integrated: the work–energy theorem.")
     return (" It is linear in ", math(v**2), " as a function of ", math(q), ": multiplied by ", math(v),

@@ -224,8 +224,10 @@ _COMMA = re.compile(",")
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:
     from lagrange.answers.written.reading import read_as_written
+    from lagrange.answers.written.stated_units import with_value_in_si
 
     limit, side = limit_of(fragment, "a condition", strict=True)
+    limit = with_value_in_si(limit, reference)
     reading = read_as_written(limit, reference.scope)
     if reading.error is not None:
         raise reading.error

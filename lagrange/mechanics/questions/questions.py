@@ -30,7 +30,7 @@ from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.arrivals import Arrivals, UndecidedError, while_it_begins, while_slipping
 from lagrange.mechanics.questions.branches import Beginning, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
-from lagrange.mechanics.questions.dependent import completed, dependent, reduced
+from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import shown, under_one_root
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
@@ -133,7 +133,7 @@ class _Search:
         self.parameter = of_quantity[0] if only_parameters else None
         occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
         rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
-        self.rule = dependent(self.configuration, rather_not, question.by)
+        self.rule = setting.dependent(rather_not, question.by)
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
@@ -340,8 +340,11 @@ class _Search:
 
     def _slip_is_open(self, b: AnswerBranch) -> bool:
         """Whether a state of a branch does not say that slip has the sense that the file states."""
+        moving = {*self.place.moving}
         if self._is_at_start or self.question.by is not None:
             return False
+        if all(e.xreplace(self.rule).free_symbols.isdisjoint(moving) for e in (*self.when, self.quantity)):
+            return False  # of a force that is the same as long as there is slip
         speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
         return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
 
@@ -438,6 +441,8 @@ class _Search:
         wanted = {base(s) for s in named} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
+        if self.question.by == t:
+            slipping |= {base(v) for v in self.setting.known.senses if v.is_Symbol}
         places = self._places_of_no_matter(accelerations)
         motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
         branches: list[AnswerBranch] = []

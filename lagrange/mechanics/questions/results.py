@@ -27,6 +27,7 @@ class IntegralKind(StrEnum):
     CONSERVED = "conserved"  # a conserved quantity of the motion
     WORK = "work"  # q'' = f(q) + g(q) q'^2, multiplied by an integrating factor and q', and integrated
     IMPULSE = "impulse"  # q'' = g(q) q', integrated over time
+    SPEED = "speed"  # q'' = a(q'): q' dq'/a is dq
 
 
 class Route(StrEnum):
