@@ -13,7 +13,8 @@ from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sig
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
-from lagrange.mechanics.questions.results import AnswerBranch
+from lagrange.mechanics.questions.results import AnswerBranch, Substituted
+from lagrange.problem.model import Problem
 
 
 def under_one_root(e: sp.Expr) -> sp.Expr:
@@ -127,3 +128,8 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
     return replace(b, rhs=rhs, conditions=joined(b.conditions))
+
+
+def given_state(problem: Problem) -> tuple[Substituted, ...]:
+    """The state at t = 0 as the file gives it."""
+    return tuple(Substituted(v.symbol, under_one_root(v.value), v.measured) for v in problem.initial)

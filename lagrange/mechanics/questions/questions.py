@@ -32,7 +32,7 @@ from lagrange.mechanics.questions.branches import Beginning, bounds, first_branc
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import shown, under_one_root
+from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import number_between, speed_stated, time_between, time_between_speeds
 from lagrange.mechanics.questions.reach import Path, place_stated
@@ -427,7 +427,7 @@ class _Search:
             self.quantity,
             missing=tuple(sorted(self.setting.missing, key=str)),
             open=tuple(sorted(free, key=str)),
-            initial=tuple(Substituted(v.symbol, under_one_root(v.value)) for v in self.setting.problem.initial),
+            initial=given_state(self.setting.problem),
             senses=self.setting.known.senses,
         )
 

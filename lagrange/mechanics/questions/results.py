@@ -11,7 +11,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
-from lagrange.problem.model import Question
+from lagrange.problem.model import Measured, Question
 
 
 class How(StrEnum):
@@ -122,10 +122,14 @@ def one_value(values: Sequence[_Value]) -> _Value | None:
 
 @record
 class Substituted:
-    """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'²."""
+    """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'².
+
+    measured  an initial value that the file gives as a number with a unit
+    """
 
     symbol: sp.Expr
     value: sp.Expr
+    measured: Measured | None = None
 
 
 @record
