@@ -197,11 +197,19 @@ def as_stated(condition: Condition) -> Math:
     return math(condition.lhs, as_given(given) or condition.rhs)
 
 
-def as_given(given: Measured) -> sp.Expr | None:
-    """A number with its unit, as the file has it: 0.7 m, 40°; None where its letters may be names."""
+def as_given(given: Measured, value: sp.Expr | None = None) -> sp.Expr | None:
+    """A number with its unit, as the file has it: 0.7 m, 40°; None where its letters may be names.
+
+    value  as which it was read, if that is known
+    """
     parts = split_number(given.fragment.text)
     unit = None if parts is None else unit_of(parts[1])
-    if given.names or parts is None or unit is None or (given.dimension == NO_DIMENSION and not unit.is_angle):
+    if (
+        (given.names and value != given.number)
+        or parts is None
+        or unit is None
+        or (given.dimension == NO_DIMENSION and not unit.is_angle)
+    ):
         return None
     from lagrange.values.quantities import rounded, with_unit
 
@@ -210,4 +218,4 @@ def as_given(given: Measured) -> sp.Expr | None:
 
 def at_start(state: Iterable[Substituted]) -> tuple[Part, ...]:
     """`x = 0.7 m and ẋ = 0`: the state at t = 0."""
-    return listed(math(v.symbol, (as_given(v.measured) if v.measured else None) or v.value) for v in state)
+    return listed(math(v.symbol, (as_given(v.measured, v.value) if v.measured else None) or v.value) for v in state)

@@ -13,6 +13,7 @@ from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import dependent
+from lagrange.mechanics.questions.forms import given_state
 from lagrange.mechanics.questions.results import Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import Place, initial_state
