@@ -252,7 +252,13 @@ class AnswerReader:
         if reader is read_equation:
             limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
         for equation in equations(fragment):
-            self.context.read_quietly(limited, without_units(equation), self.scope, [])
+            try:
+                self.context.read_quietly(limited, equation, self.scope, [])
+            except ProblemError:
+                plain = without_units(equation)
+                if plain is equation:
+                    raise
+                self.context.read_quietly(limited, plain, self.scope, [])
 
     def _equilibrium(self, node: Node | None, what: str = "`equilibrium`") -> tuple[tuple[Fragment, ...], ...]:
         """Nested lists are alternatives; a flat list is one system."""

@@ -21,7 +21,7 @@ from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, prime, t
 from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
-from lagrange.mechanics.questions.substitutions import substitutions
+from lagrange.mechanics.questions.substitutions import in_sine
 
 
 def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way: int) -> sp.Expr | None:
@@ -48,10 +48,9 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
     time = _through_half_angle(q, speed**2, start, end)
     if time is None:
         time = _over_root_of_quadratic(q, speed**2, (start, end), way)
-    if time is None:
-        changed = substitutions(q, speed**2, start, end, way)
-        tried = (_over_root_of_quadratic(s.letter, s.square, s.ends, s.way) for s in changed)
-        time = next((found for found in tried if found is not None), None)
+    changed = in_sine(q, speed**2, start, end) if time is None else None
+    if changed is not None:
+        time = _over_root_of_quadratic(changed.letter, changed.square, changed.ends, way)
     return time
 
 
