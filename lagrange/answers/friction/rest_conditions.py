@@ -29,7 +29,8 @@ from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.friction.balance import RoughContact
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution

@@ -20,9 +20,10 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 

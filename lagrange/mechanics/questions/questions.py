@@ -34,7 +34,7 @@ from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
-from lagrange.mechanics.questions.quadrature import number_between, speed_stated, time_between, time_between_speeds
+from lagrange.mechanics.questions.quadrature import number_between, speed_stated, taken_between_speeds, time_between
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -78,6 +78,8 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             continue
         asked = _with_either_sense(question, setting)
         if asked.answered:
+            if asked.excluded_by(setting.values, {t, *coordinates}):
+                raise ProblemError(never_holds(question))
             starting = setting.known.starting
             extended = (replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *starting)))) for b in asked.branches)
             return replace(asked, branches=tuple(extended)) if starting else asked
@@ -340,11 +342,9 @@ class _Search:
 
     def _slip_is_open(self, b: AnswerBranch) -> bool:
         """Whether a state of a branch does not say that slip has the sense that the file states."""
-        moving = {*self.place.moving}
-        if self._is_at_start or self.question.by is not None:
+        moving, about = {*self.place.moving}, [e.xreplace(self.rule) for e in (*self.when, self.quantity)]
+        if self._is_at_start or self.question.by is not None or all(e.free_symbols.isdisjoint(moving) for e in about):
             return False
-        if all(e.xreplace(self.rule).free_symbols.isdisjoint(moving) for e in (*self.when, self.quantity)):
-            return False  # of a force that is the same as long as there is slip
         speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
         return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
 
@@ -592,12 +592,8 @@ class _Search:
         stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
         if stated is None:
             return None
-        v, rate, start, end = stated
         asked = replace(self._asked(Route.QUADRATURE, None, ()), integrand=stated)
-        if (taken := time_between_speeds(v, rate, start, end)) is None or sign_of(rate.xreplace({v: start})) is None:
+        if (found := taken_between_speeds(*stated, self.setting.values)) is None:
             return None
-        way = sign_of(rate.xreplace({v: start}))
-        later = more_than_zero(way * (end - start))
-        conditions = () if sign_of_value(way * (end - start).xreplace(self.setting.values)) == 1 else (later,)
-        branch = AnswerBranch(t, taken, (taken,), (), conditions)
+        branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
         return replace(asked, branches=(shown(branch),), how=How.EXACT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
 from typing import TypeVar
@@ -11,6 +11,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
+from lagrange.core.symbols import base
 from lagrange.problem.model import Measured, Question
 
 
@@ -182,6 +183,11 @@ class Asked:
     def answered(self) -> bool:
         """Whether there is an answer."""
         return bool(self.branches)
+
+    def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr], moving: Collection[sp.Symbol]) -> bool:
+        """Whether the motion never gets there with these values; a parameter that is asked for may have any value."""
+        of_motion = any(base(s) in moving for s in self.question.quantity.free_symbols)
+        return bool(self.branches) and of_motion and all(b.excluded_by(values) for b in self.branches)
 
     @property
     def has_bare_numbers(self) -> bool:

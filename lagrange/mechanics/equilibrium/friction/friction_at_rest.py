@@ -273,19 +273,19 @@ def _at_rest(
         signs = Signs(positions)
         solved = system.solved(signs, system.pressing)
         limits = _limits_of(solved, contacts, problem, system.sought[0], signs)
-        cases = [
+        regimes = [
             (
                 tuple(c for e in one.where for c in not_negative(e, Wanted(), signs)),
                 tuple(c for slack in one.slacks for c in not_negative(slack, Wanted(sought), signs)),
             )
             for one in limits
         ]
-        if len(cases) == 1:
-            [(where, case)] = cases
+        if len(regimes) == 1:
+            [(where, case)] = regimes
             return resting(solved, (without_weaker(case, signs),), signs, where)
-        if cases:
+        if regimes:
             return resting(
-                solved, tuple((*where, *without_weaker(case, signs)) for where, case in cases), signs, partly=True
+                solved, tuple((*where, *without_weaker(case, signs)) for where, case in regimes), signs, partly=True
             )
     for most, acute in product((0, MOST_CASES), (angles, positions)):
         for order in islice(permutations(system.pressing), MOST_ORDERS):

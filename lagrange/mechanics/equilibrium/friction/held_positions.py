@@ -51,7 +51,7 @@ def _upright(
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The position in which all angles are 0, where the constraints admit it and hold the system there: a bracket on a
     pipe is upright as it is drawn, though it would fit in another position, too."""
-    if not turning or not turning <= {*used}:
+    if not turning or not {*turning} <= {*used}:
         return None
     at = {q: sp.S.Zero for q in used if q in turning} | dict(outright)
     left = [e for e in (shortest(f.xreplace(at)) for f in finite) if e != 0]

@@ -72,7 +72,8 @@ def _in_letters(
 ) -> LoadLimits:
     """The limits from sets of bounds, and what makes them the limits."""
     open_ = len(rows[0]) - 2
-    slacks, where = [], []
+    slacks: list[sp.Expr] = []
+    where: list[sp.Expr] = []
     for chosen in both:
         minors = [shortest(_minor([rows[n][:open_] for n in chosen if n != left])) for left in chosen]
         weights = [m if k % 2 == 0 else -m for k, m in enumerate(minors)]
