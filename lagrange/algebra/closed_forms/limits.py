@@ -57,3 +57,5 @@ HIGHEST_RATIONAL_DEGREE = 12
 LONGEST_DENOMINATOR = 30
 # Operations of an equation that is compared with others of the same squares, as of three spheres.
 LONGEST_SPHERE = 60
+# So many equations with the same squares are subtracted: of two circles the solution in letters is long.
+SPHERES = 3
