@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
-from lagrange.explain.words import as_stated, plural, sign_conditions, spoken, suffix_of, title_in
+from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.forms import under_one_root
 from lagrange.mechanics.questions.from_start import FromStart
 from lagrange.mechanics.questions.results import (
@@ -45,12 +45,12 @@ def explain_from_start(start: FromStart) -> Step:
 
 
 def _start(start: FromStart) -> Iterator[Block]:
-    at_start = listed(math(v.symbol, v.value) for v in start.initial)
+    given = at_start(start.initial)
     if len(start.motions) > 1:
-        yield prose("The equations of motion integrate in closed form. From the state with ", *at_start, " at ",
+        yield prose("The equations of motion integrate in closed form. From the state with ", *given, " at ",
                     math(t, sp.S.Zero), " there are these cases, as substitution shows:")  # fmt: skip
     elif start.motions:
-        yield prose("The equations of motion integrate in closed form. With ", *at_start, " at ", math(t, sp.S.Zero),
+        yield prose("The equations of motion integrate in closed form. With ", *given, " at ", math(t, sp.S.Zero),
                     ", as substitution shows,")  # fmt: skip
     for n, m in enumerate(start.motions, start=1):
         where = ("where ", *sign_conditions(m.conditions)) if m.conditions else ()
@@ -60,7 +60,7 @@ def _start(start: FromStart) -> Iterator[Block]:
         ]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if not start.motions and start.integrals:
-        yield prose("The equations of motion do not integrate in closed form here. With ", *at_start, " at ",
+        yield prose("The equations of motion do not integrate in closed form here. With ", *given, " at ",
                     math(t, sp.S.Zero), " the integrals have the values")  # fmt: skip
         yield display(*(Equation((i.expression, i.value)) for i in start.integrals))
     if not start.motions:
@@ -132,7 +132,7 @@ def _moves(e: sp.Expr) -> bool:
 
 def _initial(asked: Asked) -> tuple[Part, ...]:
     """`At t = 0, θ = 0 and θ̇ = 0`."""
-    return listed(math(v.symbol, v.value) for v in asked.initial)
+    return at_start(asked.initial)
 
 
 def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
@@ -150,13 +150,13 @@ def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
         several = len(asked.integrals) > 1
         what = ("these integrals have the values" if several else "this integral has the value",)
     had = plural(len(asked.integrals), " that it has at ", " that they have at ")
-    at_start: tuple[Part, ...] = (":",)
+    had_at_start: tuple[Part, ...] = (":",)
     if asked.turning is not None:
-        at_start = (plural(len(asked.integrals), " that it has where the motion turns:",
+        had_at_start = (plural(len(asked.integrals), " that it has where the motion turns:",
                            " that they have where the motion turns:"),)  # fmt: skip
     elif asked.initial:
-        at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(asked), ":")
-    yield prose("Throughout the motion ", *what, *at_start)
+        had_at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(asked), ":")
+    yield prose("Throughout the motion ", *what, *had_at_start)
     yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
 
@@ -175,12 +175,17 @@ def _found(i: UsedIntegral) -> Iterator[Block]:
     assert i.coordinate is not None
     q, v = i.coordinate, sp.Symbol(f"{i.coordinate.name}'", real=True)
     a = sp.Symbol(f"{i.coordinate.name}''", real=True)
-    yield prose("The equation of motion ", math(a, i.equation), " contains no other coordinate.", *_multiplied(i, q, v))
+    alone = " contains no coordinate." if i.kind is IntegralKind.SPEED else " contains no other coordinate."
+    yield prose("The equation of motion ", math(a, i.equation), alone, *_multiplied(i, q, v))
 
 
 def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]:
+    a = sp.Symbol(f"{q.name}''", real=True)
     if i.kind is IntegralKind.IMPULSE:
         return (" Since ", math(v), " is the rate of ", math(q), ", it can be integrated over time.")
+    if i.kind is IntegralKind.SPEED:
+        return (" With ", math(v), " as a function of ", math(q), ", ", math(a), " is ", math(v), " times its "
+                "derivative: the velocity and the way are separated, and each side can be integrated.")  # fmt: skip
     if i.factor == 1:
         return (" Multiplied by ", math(v), " it can be integrated: the work–energy theorem.")
     return (" It is linear in ", math(v**2), " as a function of ", math(q), ": multiplied by ", math(v),

@@ -18,7 +18,8 @@ from lagrange.mechanics.constraints.variable_mass import REACTIVE
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition
     from lagrange.algebra.closed_forms.solution_sets import Branch
-    from lagrange.problem.model import Condition
+    from lagrange.mechanics.questions.results import Substituted
+    from lagrange.problem.model import Condition, Measured
 
 NORMAL_FORCES = frozenset({"N", "R"})
 """Letters of a reaction that is not called a tension."""
@@ -193,15 +194,31 @@ def in_brackets(clauses: Sequence[Part]) -> tuple[Part, ...]:
 def as_stated(condition: Condition) -> Math:
     """A condition of a question; a number with a unit as the file has it: x = 30 ft, 25°, but π/6 for 30°."""
     given = condition.measured
-    parts = None if given is None else split_number(given.fragment.text)
+    is_plain = given is not None and given.dimension == NO_DIMENSION
+    if given is None or (is_plain and (given.number / sp.pi * MOST_PARTS_OF_PI).is_Integer):
+        return math(condition.lhs, condition.rhs)
+    return math(condition.lhs, as_given(given) or condition.rhs)
+
+
+def as_given(given: Measured, value: sp.Expr | None = None) -> sp.Expr | None:
+    """A number with its unit, as the file has it: 0.7 m, 40°; None where its letters may be names.
+
+    value  as which it was read, if that is known
+    """
+    parts = split_number(given.fragment.text)
     unit = None if parts is None else unit_of(parts[1])
-    if given is None or given.names or parts is None or unit is None:
-        return math(condition.lhs, condition.rhs)
-    is_plain = given.dimension == NO_DIMENSION and (given.number / sp.pi * MOST_PARTS_OF_PI).is_Integer
-    if is_plain or (given.dimension == NO_DIMENSION and not unit.is_angle):
-        return math(condition.lhs, condition.rhs)
+    if (
+        (given.names and value != given.number)
+        or parts is None
+        or unit is None
+        or (given.dimension == NO_DIMENSION and not unit.is_angle)
+    ):
+        return None
     from lagrange.values.quantities import rounded, with_unit
 
-    return math(
-        condition.lhs, with_unit(rounded(given.number / unit.factor, DIGITS_AS_STATED), parts[1].replace("deg", "°"))
-    )
+    return with_unit(rounded(given.number / unit.factor, DIGITS_AS_STATED), parts[1].replace("deg", "°"))
+
+
+def at_start(state: Iterable[Substituted]) -> tuple[Part, ...]:
+    """`x = 0.7 m and ẋ = 0`: the state at t = 0."""
+    return listed(math(v.symbol, (as_given(v.measured, v.value) if v.measured else None) or v.value) for v in state)

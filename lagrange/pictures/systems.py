@@ -27,7 +27,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact
+from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH

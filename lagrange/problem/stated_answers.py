@@ -38,6 +38,7 @@ from lagrange.problem.load_context import LoadContext, Reader
 from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question, Weight
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
+from lagrange.problem.units.stated_numbers import without_units
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 from lagrange.problem.yaml.words import classes_in, truth_in, whole_number_in
@@ -251,7 +252,13 @@ class AnswerReader:
         if reader is read_equation:
             limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
         for equation in equations(fragment):
-            self.context.read_quietly(limited, equation, self.scope, [])
+            try:
+                self.context.read_quietly(limited, equation, self.scope, [])
+            except ProblemError:
+                plain = without_units(equation)
+                if plain is equation:
+                    raise
+                self.context.read_quietly(limited, plain, self.scope, [])
 
     def _equilibrium(self, node: Node | None, what: str = "`equilibrium`") -> tuple[tuple[Fragment, ...], ...]:
         """Nested lists are alternatives; a flat list is one system."""

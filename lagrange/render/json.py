@@ -182,7 +182,8 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
     if isinstance(resting, AtRest):
         along = {c.name: write(shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
         forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
-        result |= {"directions": along, "forces": forces}
+        where = [f"{write(c.left)} < {write(c.right)}" for c in resting.where]
+        result |= {"directions": along, "forces": forces} | ({"where": where} if where else {})
     if len(cases) > 1:
         result["cases"] = cases
     if resting.open:

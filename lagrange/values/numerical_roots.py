@@ -65,9 +65,15 @@ class Roots:
 
 
 def real_roots(
-    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], search: Sequence[tuple[float, float]]
+    equations: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    search: Sequence[tuple[float, float]],
+    starts: Sequence[float] = (),
 ) -> Roots:
-    """All common zeros of the expressions, whose other constants are numbers, in a box."""
+    """All common zeros of the expressions, whose other constants are numbers, in a box.
+
+    starts  where Newton's iteration starts, as parts of the width of the search, also with one or two unknowns
+    """
     jacobian = [[e.diff(u) for u in unknowns] for e in equations]
     waiting: list[Box] = [[iv.mpf(list(ends)) for ends in search]]
     widths = [float(high) - float(low) for low, high in search]
@@ -76,8 +82,8 @@ def real_roots(
     operations = sum(count_operations(e) + 1 for row in (equations, *jacobian) for e in row)
     most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
     several = len(unknowns) > 2
-    if several:
-        roots += _from_starts(equations, jacobian, unknowns, search)
+    if several or starts:
+        roots += _from_starts(equations, jacobian, unknowns, search, starts or STARTS)
     while waiting and boxes < most:
         boxes += 1
         box = waiting.pop()
@@ -251,6 +257,7 @@ def _from_starts(
     jacobian: Sequence[Sequence[sp.Expr]],
     unknowns: Sequence[sp.Symbol],
     search: Sequence[tuple[float, float]],
+    starts: Sequence[float],
 ) -> list[Root]:
     """Roots to which Newton's iteration leads from a grid, each proved in a small box around it.
 
@@ -259,7 +266,7 @@ def _from_starts(
     roots: list[Root] = []
     size = len(unknowns)
     program = _Program([*equations, *(d for row in jacobian for d in row)], unknowns)
-    grid = [[low + (high - low) * part for part in STARTS] for low, high in search]
+    grid = [[low + (high - low) * part for part in starts] for low, high in search]
     for start in product(*grid):
         place = _iterated(program, size, start)
         if place is None or not all(low <= x <= high for x, (low, high) in zip(place, search, strict=True)):

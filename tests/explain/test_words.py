@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from lagrange.core.called import Called
-from lagrange.explain.words import bare, in_words, introduced, spoken, the
+from lagrange.document.derivation import Math
+from lagrange.explain.words import at_start, bare, in_words, introduced, spoken, the
+from lagrange.mechanics.questions.forms import given_state
+from lagrange.problem.model import Problem
 
 
 def test_numbers_and_names_in_words() -> None:
@@ -33,3 +38,20 @@ def test_numbers_and_names_in_words() -> None:
 def test_the_words_for_a_body_with_their_article(name: str, words: str, noun: str, first: str) -> None:
     called = Called(name, words)
     assert (the(called), introduced(called), bare(called)) == (noun, first, words or name)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"), [("40 deg", "40*°"), ("0.7 rad", "0.7*rad"), ("2/9*pi", "2*pi/9"), ("theta_0", "theta_0")]
+)
+def test_an_initial_value_is_printed_as_the_file_gives_it(
+    value: str, shown: str, problem: Callable[[str], Problem]
+) -> None:
+    text = f"""title: Pendulum let go
+parameters: {{m: 2 kg, g: 9.81 m/s^2, l: 1.2 m, theta_0: positive}}
+coordinates: [theta]
+particles: {{P: {{mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}}}
+gravity: -g*j
+initial: {{theta: {value}, theta': 0}}
+"""
+    [first, *_] = [p for p in at_start(given_state(problem(text))) if isinstance(p, Math)]
+    assert str(first.sides[-1]) == shown

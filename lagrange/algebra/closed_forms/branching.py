@@ -20,7 +20,13 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
-from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS, UNITS_OF_SOLUTIONS
+from lagrange.algebra.closed_forms.limits import (
+    LONGEST_SPHERE,
+    MOST_BRANCH_POINTS,
+    MOST_BRANCHINGS,
+    SPHERES,
+    UNITS_OF_SOLUTIONS,
+)
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
@@ -115,7 +121,7 @@ def _solutions(
     readable, strange = _read(equations, letters)
     divisors = denominators((*readable, *_read(origin, letters)[0]))
     search = _BranchSearch(letters, first)
-    branches = list(search.branches(_given(known, tuple(readable), letters)))
+    branches = list(search.branches(_given(known, without_common_squares(readable, unknowns), letters)))
     branches = [replace(b, left=(*b.left, *strange)) for b in real_branches(branches, letters)]
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
@@ -131,6 +137,35 @@ def _solutions(
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
     )
+
+
+def without_common_squares(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+    """Equations of the second degree with the same squares, as of three spheres, as one of them and linear ones."""
+    forms = [_squares(e, unknowns) for e in equations]
+    kept: list[sp.Expr] = []
+    first: dict[sp.Expr, sp.Expr] = {}
+    for e, (number, form) in zip(equations, forms, strict=True):
+        alike = [f for _, f in forms if f == form]
+        if number == 0 or len(alike) < SPHERES or form not in first:
+            first |= {form: e / number} if number != 0 else {}
+            kept.append(e)
+        else:
+            kept.append(sp.expand(e / number - first[form]))
+    return tuple(kept)
+
+
+def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Expr]:
+    """The part of the second degree of an equation of that degree, as a number and the rest; 0 where it is none."""
+    none = (sp.S.Zero, sp.S.One)
+    if count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) or not e.free_symbols & {*unknowns}:
+        return none
+    poly = sp.Poly(e, *unknowns)
+    if poly.total_degree() != 2:
+        return none
+    square = (c * sp.Mul(*(u**n for u, n in zip(unknowns, powers, strict=True)))
+              for powers, c in poly.terms() if sum(powers) == 2)  # fmt: skip
+    number, form = sp.Add(*square).as_coeff_Mul()
+    return number, form
 
 
 def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:

@@ -55,3 +55,7 @@ MOST_COMBINED = 4
 HIGHEST_RATIONAL_DEGREE = 12
 # Operations of a denominator whose zeros are sought, where an equation divides by it.
 LONGEST_DENOMINATOR = 30
+# Operations of an equation that is compared with others of the same squares, as of three spheres.
+LONGEST_SPHERE = 60
+# So many equations with the same squares are subtracted: of two circles the solution in letters is long.
+SPHERES = 3

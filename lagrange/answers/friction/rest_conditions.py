@@ -29,7 +29,8 @@ from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.friction.balance import RoughContact
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution
@@ -67,7 +68,10 @@ def check_rest(
     if Verdict.EQUIVALENT not in verdicts and (in_tangents := [*map(_in_tangents, read)]) != read:
         verdicts += [_compared(in_tangents, r, reference.values) for r in rests]
     best = next(v for v in order if v in verdicts)
-    diagnosis = "some conditions are missing" if best is Verdict.INCOMPLETE else ""
+    diagnosis = ""
+    if best is Verdict.INCOMPLETE:
+        diagnosis = next((why for r in rests if (why := _other_limit(read, r, reference.values))), "")
+        diagnosis = diagnosis or "some conditions are missing"
     if best in (Verdict.WRONG, Verdict.INCOMPLETE):
         diagnosis = next(
             filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
@@ -99,8 +103,10 @@ def _explained(
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
         return ""
-    derived = [c for c in cases[0] if not c.equation]
-    wrong = [s for s in given if not any(_are_same(s, c) for c in derived)]
+    derived = [c for c in without_implied(cases[0]) if not c.equation]
+    wrong = [s for s in given if not any(_are_same(s, c) or _rounds_to(s, c) for c in derived)]
+    if any(_rounds_to(replace(s, slack=-s.slack, rounded=s.rounded and -s.rounded), c) for s in wrong for c in derived):
+        return "the inequality has the wrong sense: its limit is right"
     missing = [c.slack for c in derived if not any(_are_same(s, c) for s in given)]
     laws = [c.coefficient if isinstance(c, RoughContact) else c.friction.coefficient for c in rest.contacts]
     laws += [b.belt.coefficient for b in rest.belts] if isinstance(rest, AtRest) else []
@@ -224,8 +230,10 @@ _COMMA = re.compile(",")
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:
     from lagrange.answers.written.reading import read_as_written
+    from lagrange.answers.written.stated_units import with_value_in_si
 
     limit, side = limit_of(fragment, "a condition", strict=True)
+    limit = with_value_in_si(limit, reference)
     reading = read_as_written(limit, reference.scope)
     if reading.error is not None:
         raise reading.error
@@ -279,12 +287,39 @@ def _in_parts(
     return given, cases
 
 
+def _other_limit(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> str:
+    """Which limit is missing where one is stated: P <= ... of P_min <= P <= P_max; empty if that is not all."""
+    given, cases = _in_parts(stated, rest, values)
+    sides = [_side_of_one(given, [s]) for s in given]
+    [first, *others] = sides or [None]
+    if len(cases) != 1 or first is None or any(o != first for o in others):
+        return ""
+    symbol, upper = first
+    if not any(_side_of_one(given, [c]) == (symbol, not upper) for c in cases[0]):
+        return ""
+    return f"{symbol.name} has {'a lower' if upper else 'an upper'} limit as well"
+
+
+def _side_of_one(given: Sequence[_Stated], parts: Sequence[_Stated]) -> tuple[sp.Symbol, bool] | None:
+    """The letter that a condition limits, of those in all that is stated, and whether from above; None: neither."""
+    [part] = parts
+    for s in sorted(set.intersection(*(_symbols(g.slack) for g in given)), key=str):
+        rate = part.slack.diff(s)
+        sense = Signs(_symbols(rate)).of(rate) if s not in rate.free_symbols else None
+        if sense in (1, -1) and not part.equation:
+            return s, sense == -1
+    return None
+
+
 def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
     given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
+        cases = [without_implied(cases[0])]
         same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c) or _rounds_to(s, c)} for s in given]
         matched = set().union(*same) if same else set()
         if all(same) and len(matched) == len(cases[0]):
+            return Verdict.EQUIVALENT
+        if given and all(same) and _holds_if_positive([c for n, c in enumerate(cases[0]) if n not in matched], given):
             return Verdict.EQUIVALENT
     weaker = stronger = False
     seen = set()
@@ -300,11 +335,54 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         return Verdict.WRONG
     if weaker:
         known = cases[0] if len(cases) == 1 else []
-        partly = known and given and all(any(_are_same(s, c) for c in known) for s in given)
+        partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
     needed = [c for case in cases for c in case]
     exact = all(any(_are_same(s, c) or _has_limit(s, c) or _rounds_to(s, c) for c in needed) for s in given)
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def without_implied(case: Sequence[_Stated]) -> list[_Stated]:
+    """The conditions without those that another one implies, where they limit one letter in numbers: P <= 117.7 makes
+    P <= 137.3 needless."""
+    limits = [_in_numbers(c) for c in case]
+    return [
+        c
+        for n, (c, own) in enumerate(zip(case, limits, strict=True))
+        if own is None
+        or not any(
+            other is not None
+            and other[:2] == own[:2]
+            and k != n
+            and (own[2] - other[2] > CLEAR * abs(own[2]) or (k < n and abs(own[2] - other[2]) <= CLEAR * abs(own[2])))
+            for k, other in enumerate(limits)
+        )
+    ]
+
+
+def _in_numbers(c: _Stated) -> tuple[sp.Symbol, int, float] | None:
+    """The letter, the sense, and the limit times the sense, of sense (limit - letter) >= 0 in numbers."""
+    symbols = _symbols(c.slack)
+    rate = c.slack.diff(*symbols) if len(symbols) == 1 and not c.equation else sp.S.Zero
+    if rate == 0 or not rate.is_number:
+        return None
+    [s] = symbols
+    sense = -1 if approximate(rate, {}) > 0 else 1
+    return s, sense, sense * approximate(c.slack, {s: 0.0}) / -approximate(rate, {})
+
+
+def _holds_if_positive(missing: Sequence[_Stated], given: Sequence[_Stated]) -> bool:
+    """Whether conditions that are not stated hold for any positive force: -P_max <= P beside P <= P_max, where P is the
+    size of the force that the book asks for."""
+    stated = set[sp.Symbol]().union(*(_symbols(g.slack) for g in given))
+    letters = {s for s in stated if not s.is_positive}
+    positive = {s: sp.Dummy(positive=True) for s in letters}
+    return bool(missing) and all(
+        not c.equation
+        and _symbols(c.slack) & letters
+        and Signs({s for s in _symbols(c.slack) if s not in letters}).of(c.slack.xreplace(positive)) in (0, 1)
+        for c in missing
+    )
 
 
 def _multiplied_out(s: _Stated) -> _Stated:
@@ -413,14 +491,29 @@ def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
         s for c in conditions for f in c.slack.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in f.args[0].free_symbols
     }
     draw = random.Random(20)
-    for _ in range(SAMPLES):
-        point = {}
+    for number in range(SAMPLES):
+        point: dict[sp.Symbol, float] = {}
         for s in symbols:
             value = draw.uniform(0.02, 1.55) if s in angles else draw.lognormvariate(0, 0.8)
             if not s.is_positive and s not in angles and draw.random() < 0.5:
                 value = -value
             point[s] = value
-        yield point
+        yield _near_a_limit(point, conditions, draw) if number % 2 else point
+
+
+def _near_a_limit(
+    point: dict[sp.Symbol, float], conditions: Sequence[_Stated], draw: random.Random
+) -> dict[sp.Symbol, float]:
+    """The point with one letter moved to about its limit: forces are not of order one where weights have values."""
+    condition = draw.choice(conditions)
+    for s in sorted(_symbols(condition.slack), key=str):
+        rate = condition.slack.diff(s)
+        if s in rate.free_symbols or rate == 0:
+            continue
+        limit = point[s] - approximate(condition.slack, point) / approximate(rate, point)
+        if math.isfinite(limit) and (limit > 0 or not s.is_positive):
+            return {**point, s: limit * draw.uniform(0.5, 1.5)}
+    return point
 
 
 def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, float]) -> bool | None:

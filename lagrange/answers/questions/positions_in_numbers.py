@@ -10,10 +10,12 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.answers.readings import Reading, decimals_in, read_answer
+from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written
+from lagrange.answers.written.reading import read_as_written
+from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import Decimal
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
@@ -37,7 +39,7 @@ def compared_in_numbers(
         in_numbers = view.in_numbers
         if in_numbers is None or in_numbers.numerical is None:
             continue
-        readings = [[read_answer(f, reference.scope) for f in a] for a in alternatives]
+        readings = [[read_as_written(with_value_in_si(f, reference), reference.scope) for f in a] for a in alternatives]
         stated = [_stated(a, in_numbers.unknowns, dict(reference.values)) for a in readings]
         if any(s is None for s in stated):
             continue
@@ -58,7 +60,7 @@ def compared_with_rest(
 ) -> AnswerVerdict:
     """The verdict where one position of a large system is known: right if it is stated, otherwise undecided."""
     reference = reference_of_solution(solution)
-    readings = [read_answer(f, reference.scope) for a in alternatives for f in a]
+    readings = [read_as_written(with_value_in_si(f, reference), reference.scope) for a in alternatives for f in a]
     if errors := tuple(d for r in readings if r.error for d in r.error.diagnostics):
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=errors, name="equilibrium")
     stated = _stated(readings, tuple(rest.position), dict(reference.values)) if len(alternatives) == 1 else None

@@ -20,9 +20,10 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -122,6 +123,13 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
         number = f"-{n}" if several else ""
         lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(case, start=1)]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if rest.partly:
+        yield prose("The cases are those that occur for angles and coefficients of friction that are not large; each "
+                    "is exact, and there may be others.")  # fmt: skip
+    if rest.where:
+        conditions = series((math(c.left, c.right, relation="<"),) for c in rest.where)
+        yield prose("These are the limits where ", *conditions, "; elsewhere other combinations of the contacts limit "
+                    "the force, or none does.")  # fmt: skip
 
 
 def _line(condition: RestCondition, label: str) -> Equation:

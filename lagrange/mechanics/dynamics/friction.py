@@ -29,7 +29,14 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
-from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, point_on, relative_partials, velocity_at
+from lagrange.mechanics.dynamics.contact.touching import (
+    acts_at,
+    centre_of,
+    named_beside,
+    point_on,
+    relative_partials,
+    velocity_at,
+)
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import where_it_holds
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -344,13 +351,19 @@ def rough_reaction(friction: Friction, newton: Newton, original: Configuration) 
 def other_side(friction: Friction, frictions: Sequence[Friction], reaction: Reaction, original: Configuration) -> str:
     """What takes the opposite friction; empty if it is at rest, or has a friction of its own in the file.
 
-    Between two particles each has its own. Raises ProblemError if more than two things touch.
+    Of two particles, one has it where the file gives the velocity of the surface. Raises ProblemError if more than
+    two things touch.
     """
     others = [name for name in reaction.acts_on if name != friction.on]
     if any(f.constraint == friction.constraint and f.on in others for f in frictions):
         return ""
+    if not others and friction.surface_velocity is None:
+        others = named_beside(reaction.constraint, friction.on, original)
+        if any(f.constraint == friction.constraint and f.on in others for f in frictions):
+            return ""
     turning = {r.name for r in original.rotations}
-    if friction.static is None and not turning & {friction.on, *others}:
+    given = friction.surface_velocity is not None
+    if friction.static is None and given and not turning & {friction.on, *others}:
         return ""
     if len(others) > 1:
         message = f"the reaction of `{reaction.name}` acts on {len(others) + 1} things, and friction is between two"

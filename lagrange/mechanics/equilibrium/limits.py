@@ -63,7 +63,7 @@ LONGEST_SLACK = 400
 MOST_ROUGH_CONTACTS = 6
 # Units of work (`core.effort`) for friction at rest [750]. Of a wedge with three rough faces only impending motion is
 # found.
-UNITS_OF_REST = 15_000
+UNITS_OF_REST = 45_000
 
 # Search for lost equilibria: unknowns, multipliers among them; places from which the iteration starts for each choice
 # of parameters; operations of all of them together, about a tenth of a second; angles that may be turned, each by
@@ -75,3 +75,11 @@ MOST_TURNED = 3
 
 # Points of equilibria without a closed form at which an answer is tried: both ways to assemble a linkage are met.
 UNSOLVED_POINTS = 8
+
+# Limits of one force between several rough contacts: sets of bounds that are tried [of three contacts 20], and draws
+# of numbers until rest is possible; contacts from which on they are sought instead of eliminating forces one by one.
+MOST_BOUND_SETS = 1000
+DRAWS_OF_LIMITS = 60
+CONTACTS_OF_LIMITS = 3
+# Cases of these limits, by how often the drawn numbers lead to them.
+MOST_REGIMES = 3

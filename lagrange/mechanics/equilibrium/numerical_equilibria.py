@@ -22,7 +22,9 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.searched.reach_of_links import angles_of_links, reach_of_links
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
+from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.numerical_roots import Root, real_roots, sign_at, signs_of_minors
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
@@ -33,6 +35,7 @@ USUAL_SIZE = 10
 """Lengths are searched up to so many times the sum of the lengths in the problem."""
 WITHOUT_LENGTHS = 100
 ROUND = 3.3
+ROUND_A_CIRCLE = tuple((2 * n + 1) / 26 for n in range(13))  # parts of it from which positions of rods are sought
 """A little more than π: a root at π is found from both sides."""
 
 
@@ -74,6 +77,9 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
     columns = [[values.put_in(row.coefficients[k]) for row in e.binding] for k in range(len(forces))]
     if not e.binding:
         return _searched([values.put_in(x) for x in e.required], [], unknowns, e, second, values)
+    links = None if e.laws or e.forces or e.configuration.ranges else angles_of_links(others, unknowns)
+    if links is not None:
+        return _by_angles(links, forces, unknowns, e, second, values)
     best = None
     for rows in islice(combinations(range(len(forces)), len(e.binding)), MOST_CHARTS):
         balance = [x for k in range(len(forces)) if k not in rows and (x := _minor(forces, columns, (*rows, k))) != 0]
@@ -84,6 +90,38 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
         if best is not None and best.complete:
             break
     return best
+
+
+def _by_angles(
+    links: Mapping[sp.Symbol, sp.Expr],
+    forces: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    e: Equilibrium,
+    second: SecondVariation | None,
+    values: Values,
+) -> NumericalEquilibria:
+    """The equilibria of a chain of rods, searched round the circle of the angle of each."""
+    angles = sorted({s for x in links.values() for s in x.free_symbols}, key=str)
+    at = [f.xreplace(dict(links)) for f in forces]
+    # without denominators: they vanish where a spring has no length, and beside that place equilibria are likely
+    equations = [
+        sp.numer(sp.together(sp.Add(*(f * links[q].diff(a) for f, q in zip(at, unknowns, strict=True)))))
+        for a in angles
+    ]
+    roots = real_roots(equations, angles, [(-ROUND, ROUND)] * len(angles), ROUND_A_CIRCLE)
+    round_: dict[sp.Symbol, Searched] = {a: Searched(-sp.pi, sp.pi, is_circle=True) for a in angles}
+    constraints = [values.put_in(f) for f in e.configuration.finite_constraints]
+    searched = {u: Searched(-size, size) for u, size in reach_of_links(constraints, unknowns).items()}
+    matrix = [] if second is None else [[values.put_in(x) for x in row] for row in second.matrix]
+    positions = []
+    for root in _distinct(roots.roots, angles, round_):
+        turned = dict(zip(angles, root.values, strict=True))
+        places = tuple(links[u].xreplace(turned).evalf(WORKING_DIGITS) for u in unknowns)
+        there = Root(places, tuple((float(p), float(p)) for p in places))
+        if all(_is_finite(f.xreplace(dict(zip(unknowns, places, strict=True)))) for f in forces):
+            positions.append(NumericalEquilibrium(_quantities(there, unknowns, searched, e, values),
+                                                  _verdict(matrix, unknowns, there)))  # fmt: skip
+    return NumericalEquilibria(tuple(positions), searched, roots.complete)
 
 
 def _minor(forces: Sequence[sp.Expr], columns: Sequence[Sequence[sp.Expr]], rows: Sequence[int]) -> sp.Expr:
@@ -103,7 +141,8 @@ def _searched(
     used = {s for x in equations for s in x.free_symbols}
     if len(equations) != len(unknowns) or used != {*unknowns}:
         return None
-    searched = {u: _search(u, equations, e, values) for u in unknowns}
+    reach = reach_of_links([values.put_in(f) for f in e.configuration.finite_constraints], unknowns)
+    searched = {u: _search(u, equations, e, values, reach) for u in unknowns}
     box = [(-ROUND, ROUND) if s.is_circle else _outward(s) for s in searched.values()]
     equations = [_with_known_signs(x, searched) for x in equations]
     roots = real_roots(equations, unknowns, box)
@@ -136,7 +175,9 @@ def _with_known_signs(x: sp.Expr, searched: Mapping[sp.Symbol, Searched]) -> sp.
     return x.xreplace(rule)
 
 
-def _search(u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: Values) -> Searched:
+def _search(
+    u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: Values, reach: Mapping[sp.Symbol, sp.Expr]
+) -> Searched:
     """Where an unknown is searched."""
     limits = e.configuration.ranges.get(u)
     if limits is not None:
@@ -147,6 +188,8 @@ def _search(u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: 
         return Searched(-sp.pi, sp.pi, is_circle=True)
     if u in e.solution.letters.angles:
         return Searched(-4 * sp.pi, 4 * sp.pi)
+    if u in reach:
+        return Searched(-reach[u], reach[u])
     size = USUAL_SIZE * sum(_lengths(values)) or sp.Integer(WITHOUT_LENGTHS)
     size = sp.Integer(10) ** sp.ceiling(sp.log(size, 10).evalf())
     return Searched(-size, size)

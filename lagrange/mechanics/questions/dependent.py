@@ -54,6 +54,12 @@ def _express(
             break
 
 
+def held_at(rule: Rule, held: Rule) -> dict[sp.Symbol, sp.Expr]:
+    """What is dependent where some symbols keep their values, and these symbols."""
+    values = dict(held)
+    return {**{s: e.xreplace(values) for s, e in rule.items()}, **values}
+
+
 def _has_sign(slope: sp.Expr) -> bool:
     return slope != 0 and count_operations(slope) < 20 and sign_of(slope) in (1, -1)
 

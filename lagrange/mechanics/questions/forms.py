@@ -13,7 +13,8 @@ from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sig
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
-from lagrange.mechanics.questions.results import AnswerBranch
+from lagrange.mechanics.questions.results import AnswerBranch, Substituted
+from lagrange.problem.model import Problem
 
 
 def under_one_root(e: sp.Expr) -> sp.Expr:
@@ -123,7 +124,33 @@ def _between(c: SignCondition) -> sp.Expr:
     return sp.expand(c.lhs - c.rhs)
 
 
+def with_real_roots(b: AnswerBranch) -> AnswerBranch:
+    """The branch with √(a − b) for √(b − a)/i where a > b is one of its conditions."""
+    if not any(e.has(sp.I) for e in (b.rhs, *b.values)):
+        return b
+    positive = [c.lhs - c.rhs for c in b.conditions if c.relation in (">", "≥")]
+    positive += [c.rhs - c.lhs for c in b.conditions if c.relation in ("<", "≤")]
+
+    def real(root: sp.Expr) -> sp.Expr:
+        negative = any(sign_of(sp.cancel(-root.base / p)) == 1 for p in positive)
+        return sp.I ** (2 * root.exp) * sp.Pow(sp.expand(-root.base), root.exp) if negative else root
+
+    def rewritten(e: sp.Expr) -> sp.Expr:
+        return e.replace(lambda f: f.is_Pow and f.exp.is_Rational and f.exp.q == 2 and f.base.is_Add, real)
+
+    values = tuple(map(rewritten, b.values))
+    if any(v.has(sp.I) for v in values):
+        return b
+    return replace(b, rhs=rewritten(b.rhs), values=values)
+
+
 def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
+    b = with_real_roots(b)
     rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
     return replace(b, rhs=rhs, conditions=joined(b.conditions))
+
+
+def given_state(problem: Problem) -> tuple[Substituted, ...]:
+    """The state at t = 0 as the file gives it."""
+    return tuple(Substituted(v.symbol, under_one_root(v.value), v.measured) for v in problem.initial)

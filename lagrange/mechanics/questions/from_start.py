@@ -13,7 +13,7 @@ from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import dependent
-from lagrange.mechanics.questions.forms import under_one_root
+from lagrange.mechanics.questions.forms import given_state
 from lagrange.mechanics.questions.results import Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import Place, initial_state
@@ -43,7 +43,7 @@ def motion_from_start(
 
     Raises ProblemError where the initial state contradicts the constraints.
     """
-    initial = tuple(Substituted(v.symbol, under_one_root(v.value)) for v in problem.initial)
+    initial = given_state(problem)
     settings = [Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
     for setting in settings:
         rule = dependent(setting.place.configuration)

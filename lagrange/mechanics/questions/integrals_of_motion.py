@@ -63,7 +63,7 @@ def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
             continue
         if not a.free_symbols.isdisjoint({*place.moving} - {q, v}):
             continue
-        integral = _of_square(q, v, a) or _of_first_power(q, v, a)
+        integral = _of_square(q, v, a) or _of_first_power(q, v, a) or _of_speed(q, v, a)
         if integral is not None and vanishes(integral.expression.diff(q) * v + integral.expression.diff(v) * a):
             yield integral
 
@@ -108,6 +108,14 @@ def _of_first_power(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | No
         return None
     work = antiderivative(g, q)
     return None if work is None else UsedIntegral(IntegralKind.IMPULSE, v - work, sp.S.Zero, None, q, sp.S.One, a)
+
+
+def _of_speed(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | None:
+    """∫ v dv/a − q, where the acceleration depends on the velocity alone: a car with constant power."""
+    if q in a.free_symbols or not a.is_rational_function(v):
+        return None
+    way = antiderivative(sp.cancel(v / a), v)
+    return None if way is None else UsedIntegral(IntegralKind.SPEED, way - q, sp.S.Zero, None, q, sp.S.One, a)
 
 
 def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:

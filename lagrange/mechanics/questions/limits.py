@@ -42,3 +42,6 @@ NODE_DIGITS = 40
 
 ACCURATE = 1e-8
 """The relative error up to which a time integrated in numbers counts."""
+
+# Velocities at t = 0 that the constraints determine only together; their equations are reduced in plain SymPy.
+MOST_TOGETHER = 6

@@ -15,11 +15,13 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.core.operations import count_operations
+from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, t
+from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
 
 
@@ -45,7 +47,12 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
         except DivisionByZeroError:
             continue
     time = _through_half_angle(q, speed**2, start, end)
-    return _over_root_of_quadratic(q, speed**2, (start, end), way) if time is None else time
+    if time is None:
+        time = _over_root_of_quadratic(q, speed**2, (start, end), way)
+    changed = in_sine(q, speed**2, start, end) if time is None else None
+    if changed is not None:
+        time = _over_root_of_quadratic(changed.letter, changed.square, changed.ends, way)
+    return time
 
 
 def speed_stated(
@@ -77,6 +84,17 @@ def time_between_speeds(v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Exp
     if any(x.has(sp.zoo, sp.nan, sp.oo) for x in values) or is_zero(time.diff(size) - inverse) is not True:
         return None
     return shortest_form(factored_quotient(values[0] - values[1]))
+
+
+def taken_between_speeds(
+    v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[sp.Expr, tuple[SignCondition, ...]] | None:
+    """The same time, with the condition that v goes from one to the other; None where it is not found."""
+    way = sign_of(rate.xreplace({v: start}))
+    if way is None or (taken := time_between_speeds(v, rate, start, end)) is None:
+        return None
+    is_later = sign_of_value(way * (end - start).xreplace(dict(values))) == 1
+    return taken, () if is_later else (more_than_zero(way * (end - start)),)
 
 
 def number_between(
@@ -126,6 +144,40 @@ def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.E
             continue  # from rest, so that S = S_0 cos(√B t), whatever the sign of S_0
         return shortest_form(sp.acos(sp.cancel(places[1] / places[0])) / sp.sqrt(stiffness))
     return None
+
+
+@record
+class InSine:
+    """S, (dS/dt)² as a function of it, and its values at both ends."""
+
+    letter: sp.Symbol
+    square: sp.Expr
+    ends: tuple[sp.Expr, sp.Expr]
+
+
+def in_sine(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.Expr) -> InSine | None:
+    """q'² = f(q) with S = sin(c q) as variable: (dS/dt)² = c² (1 − S²) f, as in the well U_0 tan²(a x), whose period is
+    elementary (Landau and Lifshitz, Mechanics, § 11).
+
+    None where f is no rational function of S and cos²(c q), or S does not increase between the ends.
+    """
+    rates = {f.args[0].diff(q) for f in square.atoms(sp.sin, sp.cos, sp.tan, sp.cot)}
+    if len(rates) != 1 or count_operations(square) > LONGEST_INTEGRATED:
+        return None
+    [rate] = rates
+    rising = all(sign_of(sp.cos(rate * x)) in (0, 1) for x in (start, end)) and sign_of(rate) == 1
+    letter, cosine = sp.Dummy("S", real=True), sp.Dummy()
+    plain = square.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+    plain = plain.xreplace({sp.sin(rate * q): letter, sp.cos(rate * q): cosine})
+    parts = sp.fraction(sp.together(plain))
+    if not rising or q in plain.free_symbols or not all(p.is_polynomial(cosine) for p in parts):
+        return None
+    terms = [sp.Poly(p, cosine).terms() for p in parts]
+    if any(n % 2 for several in terms for (n,), _ in several):
+        return None
+    above, below = (sp.Add(*(c * (1 - letter**2) ** (n // 2) for (n,), c in several)) for several in terms)
+    changed = sp.factor(sp.together(rate**2 * (1 - letter**2) * above / below))
+    return InSine(letter, changed, (sp.sin(rate * start), sp.sin(rate * end)))
 
 
 def _over_root_of_quadratic(q: sp.Symbol, square: sp.Expr, ends: tuple[sp.Expr, sp.Expr], way: int) -> sp.Expr | None:

@@ -29,11 +29,11 @@ from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.arrivals import Arrivals, UndecidedError, while_it_begins, while_slipping
 from lagrange.mechanics.questions.branches import Beginning, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
-from lagrange.mechanics.questions.dependent import completed, dependent, reduced
+from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import shown, under_one_root
+from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
-from lagrange.mechanics.questions.quadrature import number_between, speed_stated, time_between, time_between_speeds
+from lagrange.mechanics.questions.quadrature import number_between, speed_stated, taken_between_speeds, time_between
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -77,6 +77,8 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             continue
         asked = _with_either_sense(question, setting)
         if asked.answered:
+            if asked.excluded_by(setting.values, {t, *coordinates}):
+                raise ProblemError(never_holds(question))
             starting = setting.known.starting
             extended = (replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *starting)))) for b in asked.branches)
             return replace(asked, branches=tuple(extended)) if starting else asked
@@ -132,7 +134,7 @@ class _Search:
         self.parameter = of_quantity[0] if only_parameters else None
         occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
         rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
-        self.rule = dependent(self.configuration, rather_not, question.by)
+        self.rule = setting.dependent(rather_not, question.by)
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
@@ -337,7 +339,8 @@ class _Search:
 
     def _slip_is_open(self, b: AnswerBranch) -> bool:
         """Whether a state of a branch does not say that slip has the sense that the file states."""
-        if self._is_at_start or self.question.by is not None:
+        moving, about = {*self.place.moving}, [e.xreplace(self.rule) for e in (*self.when, self.quantity)]
+        if self._is_at_start or self.question.by is not None or all(e.free_symbols.isdisjoint(moving) for e in about):
             return False
         speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
         return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
@@ -421,7 +424,7 @@ class _Search:
             self.quantity,
             missing=tuple(sorted(self.setting.missing, key=str)),
             open=tuple(sorted(free, key=str)),
-            initial=tuple(Substituted(v.symbol, under_one_root(v.value)) for v in self.setting.problem.initial),
+            initial=given_state(self.setting.problem),
             senses=self.setting.known.senses,
         )
 
@@ -435,6 +438,8 @@ class _Search:
         wanted = {base(s) for s in named} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
+        if self.question.by == t:
+            slipping |= {base(v) for v in self.setting.known.senses if v.is_Symbol}
         places = self._places_of_no_matter(accelerations)
         motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
         branches: list[AnswerBranch] = []
@@ -584,12 +589,8 @@ class _Search:
         stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
         if stated is None:
             return None
-        v, rate, start, end = stated
         asked = replace(self._asked(Route.QUADRATURE, None, ()), integrand=stated)
-        if (taken := time_between_speeds(v, rate, start, end)) is None or sign_of(rate.xreplace({v: start})) is None:
+        if (found := taken_between_speeds(*stated, self.setting.values)) is None:
             return None
-        way = sign_of(rate.xreplace({v: start}))
-        later = more_than_zero(way * (end - start))
-        conditions = () if sign_of_value(way * (end - start).xreplace(self.setting.values)) == 1 else (later,)
-        branch = AnswerBranch(t, taken, (taken,), (), conditions)
+        branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
         return replace(asked, branches=(shown(branch),), how=How.EXACT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import field, replace
 from enum import StrEnum
 from typing import TypeVar
@@ -11,7 +11,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
-from lagrange.problem.model import Question
+from lagrange.core.symbols import base
+from lagrange.problem.model import Measured, Question
 
 
 class How(StrEnum):
@@ -27,6 +28,7 @@ class IntegralKind(StrEnum):
     CONSERVED = "conserved"  # a conserved quantity of the motion
     WORK = "work"  # q'' = f(q) + g(q) q'^2, multiplied by an integrating factor and q', and integrated
     IMPULSE = "impulse"  # q'' = g(q) q', integrated over time
+    SPEED = "speed"  # q'' = a(q'): q' dq'/a is dq
 
 
 class Route(StrEnum):
@@ -121,10 +123,14 @@ def one_value(values: Sequence[_Value]) -> _Value | None:
 
 @record
 class Substituted:
-    """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'²."""
+    """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'².
+
+    measured  an initial value that the file gives as a number with a unit
+    """
 
     symbol: sp.Expr
     value: sp.Expr
+    measured: Measured | None = None
 
 
 @record
@@ -177,6 +183,11 @@ class Asked:
     def answered(self) -> bool:
         """Whether there is an answer."""
         return bool(self.branches)
+
+    def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr], moving: Collection[sp.Symbol]) -> bool:
+        """Whether the motion never gets there with these values; a parameter that is asked for may have any value."""
+        of_motion = any(base(s) in moving for s in self.question.quantity.free_symbols)
+        return bool(self.branches) and of_motion and all(b.excluded_by(values) for b in self.branches)
 
     @property
     def has_bare_numbers(self) -> bool:

@@ -6,7 +6,7 @@ initial one.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cached_property
 
 import sympy as sp
@@ -15,7 +15,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
-from lagrange.mechanics.questions.dependent import dependent, reduced
+from lagrange.mechanics.questions.dependent import Rule, dependent, held_at, reduced
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.states import (
@@ -24,6 +24,7 @@ from lagrange.mechanics.questions.states import (
     Senses,
     Values,
     fixed_coordinates,
+    held_in_place,
     meanings,
     with_senses,
 )
@@ -44,8 +45,8 @@ class Setting:
         self.place = place
         self.problem = problem
         self.initial: Values = initial
-        self.known: Meanings = with_senses(meanings(place), initial, senses, self.values, place.law.frictions)
-        self.rule = dependent(place.configuration)
+        known = held_in_place(meanings(place), self.fixed)
+        self.known: Meanings = with_senses(known, initial, senses, self.values, place.law.frictions)
         self.integrals, self.missing = integrals(place, self.known, initial)
 
     @cached_property
@@ -89,10 +90,10 @@ class Setting:
     def _square(self, q: sp.Symbol) -> sp.Expr | None:
         configuration = self.place.configuration
         slots = configuration.slots
-        rule = dependent(configuration, {q, prime(q)}, q)
+        rule = self.dependent({q, prime(q)}, q)
         rates = [r.velocity_form(slots) for r in configuration.rows]
         used = [i.expression - i.value for i in self.integrals]
-        equations = reduced([*used, *configuration.finite_constraints, *rates], {**rule, **self.fixed})
+        equations = reduced([*used, *configuration.finite_constraints, *rates], rule)
         unknowns = [s for s in (*slots.velocities, *slots.coordinates) if s != q and s not in rule]
         velocities = [v for v in slots.velocities if v in unknowns]
         if not used or prime(q) in rule:
@@ -109,6 +110,11 @@ class Setting:
     def fixed(self) -> Values:
         """The coordinates that the constraints hold where they are at t = 0, and their velocities."""
         return fixed_coordinates(self.place, self.initial)
+
+    def dependent(self, rather_not: Collection[sp.Symbol] = (), never: sp.Symbol | None = None) -> Rule:
+        """The symbols that the constraints give outright, those that they hold where they are at t = 0 among them."""
+        held = {s: e for s, e in self.fixed.items() if s != never}
+        return held_at(dependent(self.place.configuration, rather_not, never), held)
 
     def turned(self, state: Values, senses: Senses) -> Setting:
         """The motion after a state of rest, with these senses."""

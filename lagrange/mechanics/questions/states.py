@@ -28,9 +28,10 @@ from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import Conserved
+from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
-from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem
 
 Values = Mapping[sp.Symbol, sp.Expr]
@@ -143,13 +144,19 @@ def meanings_at(place: Place, known: Meanings, state: Values) -> Meanings:
     state  with expressions in parameters; what is left out stays
     """
     law, configuration = place.law, place.configuration
-    if law.frictions or not state:
+    frictions = friction_forces(law.frictions, law.newton, law.configuration, configuration)
+    if not state or any(f.also for f in frictions):
         return known
     rule = dict(state)
     slots = law.configuration.slots
     configured = {s: configuration.rewritten(s).xreplace(rule) for s in (*slots.coordinates, *slots.velocities)}
     rows = [[e.xreplace(configured).xreplace(rule) for e in row] for row in law.system.rows]
     right = [e.xreplace(configured).xreplace(rule) for e in law.system.right]
+    signs = {sp.sign(v): sp.Integer(s) for v, s in known.senses.items()}
+    for f in frictions:  # proportional to the reaction
+        column = law.system.unknowns.index(f.reaction.multiplier)
+        for k, share in enumerate(f.generalized(f.share)):
+            rows[k][column] -= share.xreplace(rule).xreplace(signs)
     try:
         solved = solved_linear(rows, right, configuration.states)
     except DivisionByZeroError:
@@ -185,6 +192,22 @@ def fixed_coordinates(place: Place, initial: Values) -> dict[sp.Symbol, sp.Expr]
     except DivisionByZeroError:
         return {}
     return fixed
+
+
+def held_in_place(known: Meanings, fixed: Values) -> Meanings:
+    """The meanings where the constraints hold some coordinates where they are at t = 0: the tilt of a crate, 0."""
+    if not fixed:
+        return known
+    rule = dict(fixed)
+    accelerations = {a: e.xreplace(rule) for a, e in known.accelerations.items()}
+    accelerations |= {prime(q, 2): sp.S.Zero for q in fixed if prime(q) in fixed}
+    reactions = {s: e if e is None else textbook_form(e.xreplace(rule)) for s, e in known.reactions.items()}
+    return replace(
+        known,
+        accelerations=accelerations,
+        reactions=reactions,
+        energies={s: e.xreplace(rule) for s, e in known.energies.items()},
+    )
 
 
 def with_senses(
@@ -347,7 +370,31 @@ def _velocities(
             if v in slope.free_symbols or is_zero(slope) is not False:
                 continue
             rates[v] = tidy_quotient(-e.xreplace({v: sp.S.Zero}) / slope)
+    rates |= _together([e.xreplace(rates) for e in equations], [v for v in velocities if v not in rates])
     return {v: value for v, value in rates.items() if v not in known}
+
+
+def _together(equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """The velocities that several equations determine together: both feet of a crate stay on the floor."""
+    present = [v for v in velocities if any(v in e.free_symbols for e in equations)]
+    left = [e for e in equations if not e.free_symbols.isdisjoint(present)]
+    if len(left) < 2 or len(present) > MOST_TOGETHER:
+        return {}
+    rows = [[e.diff(v) for v in present] for e in left]
+    if any(not c.free_symbols.isdisjoint(velocities) for row in rows for c in row):
+        return {}
+    at_rest = dict.fromkeys(present, sp.S.Zero)
+    right = [-e.xreplace(at_rest) for e in left]
+    reduced, pivots = sp.Matrix([[*row, b] for row, b in zip(rows, right, strict=True)]).rref(
+        iszerofunc=lambda e: is_zero(e) is not False, simplify=sp.cancel
+    )
+    if len(present) in pivots:
+        return {}
+    return {
+        present[k]: tidy_quotient(reduced[n, len(present)])
+        for n, k in enumerate(pivots)
+        if all(reduced[n, other] == 0 for other in range(len(present)) if other != k)
+    }
 
 
 def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]) -> None:

@@ -120,3 +120,13 @@ def test_what_was_divided_by_and_cancels_is_no_condition() -> None:
         assert sp.cancel(r.rhs - 2 * a * k / (2 * k - m * w**2)) == 0
     [c] = solutions([(k - m) * x, x * y - a * x, y - m], [x, y]).branches[:1]
     assert {r.lhs: r.rhs for r in c.relations} == {x: 0, y: m}
+
+
+def test_three_spheres_meet_where_their_differences_are_planes() -> None:
+    x, y, z = sp.symbols("x y z", real=True)
+    l, b, c = sp.symbols("l b c", positive=True)
+    side = [x**2 + (y + s * b) ** 2 + (z - c) ** 2 - l**2 - b**2 - c**2 for s in (1, -1)]
+    found = solutions([x**2 + y**2 + z**2 - l**2, *map(sp.expand, side)], [x, y, z])
+    values = [{r.lhs: r.rhs for r in branch.relations} for branch in found.branches]
+    assert not any(branch.left for branch in found.branches)
+    assert sorted(str(v[x]) for v in values) == ["-l", "l"]

@@ -50,3 +50,35 @@ def test_conditions_as_an_answer(problem: Read, text: str, answer: list[str], ve
     """`check -e` reads inequalities, alone and beside the limit."""
     judged = check_answer(problem(text), tuple(map(Fragment.of, answer)))
     assert judged.verdict.value == verdict
+
+
+CRATE = """title: Crate that is pushed
+axes: {i: right, j: up}
+parameters: {m: 40 kg, g: 9.81 m/s^2, mu: 0.3}
+unknowns: [P]
+coordinates: [x, y]
+particles: {crate: {mass: m, position: x*i + y*j}}
+constraints: {floor: {equation: y >= 0, reaction: N}}
+gravity: -g*j
+forces:
+  push: {on: crate, vector: P*i}
+  rub: {friction: mu, static: mu, constraint: floor, on: crate}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict", "reason"),
+    [
+        ("P <= 117.7 N", "equivalent", ""),
+        ("P <= 0.1177 kN", "equivalent", ""),
+        ("P <= 26.46 lb", "equivalent", ""),
+        ("P >= -117.7 N", "incomplete", "P has an upper limit as well"),
+        ("P >= 117.7 N", "wrong", "the inequality has the wrong sense: its limit is right"),
+        ("P <= 120 N", "wrong", ""),
+    ],
+)
+def test_limits_of_a_force_in_numbers_with_units(problem: Read, stated: str, verdict: str, reason: str) -> None:
+    [answer] = compared_answers(solved(problem, f"{CRATE}answers: {{rest: [{stated}]}}\n"))
+    assert answer.verdict.value == verdict
+    assert reason in answer.diagnosis

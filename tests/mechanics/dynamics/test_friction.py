@@ -434,3 +434,17 @@ answers: {{equations: ["(m_A + m_B)*x_A'' = F + {sign}*mu*m_B*g"]}}
     solution = solve(problem(text))
     assert [c.name for c in solution.checks if c.passed is not True] == []
     assert [a.verdict for a in compared_answers(solution)] == [Verdict.EQUIVALENT]
+
+
+@pytest.mark.parametrize("constraint", ['"dot(r_block - r_plank, j) >= 0"', '"dot(r_plank, j) <= dot(r_block, j)"'])
+def test_a_block_drags_the_plank_on_which_it_slides(problem: Read, constraint: str) -> None:
+    """Friction has its opposite on what a constraint names, though the plank cannot move along the normal."""
+    text = f"""axes: {{i: right, j: up}}
+parameters: [m, M, g, mu]
+coordinates: [x, y, s]
+particles: {{block: {{mass: m, position: x*i + y*j}}, plank: {{mass: M, position: s*i}}}}
+constraints: {{top: {{equation: {constraint}, reaction: N}}}}
+gravity: -g*j
+forces: {{rub: {{friction: mu, constraint: top, on: block, slip: i}}}}
+"""
+    assert verdict(solution(problem, text), "x'' = -mu*g", "M*s'' = mu*m*g") is Verdict.EQUIVALENT

@@ -65,3 +65,17 @@ def test_what_is_no_integral_is_left_to_others() -> None:
     assert multiple_of_integral(x, x, [], {x}) is None
     assert parameter_of_integral([v - c], c, c, [], {v}) is None
     assert parameter_of_integral([v], None, c, [], {v}) is None
+
+
+def test_constant_power_integrates_over_the_way(problem: Read) -> None:
+    text = """title: Car with constant power
+parameters: [m, P, v_1, v_2]
+coordinates: [x]
+particles: {car: {mass: m, position: x*i}}
+forces: {engine: {on: car, vector: "P/x'*i"}}
+initial: {x: 0, x': v_1}
+ask: {way: {quantity: x, when: x' = v_2}}
+"""
+    [asked] = solve(problem(text)).asked
+    m, p, v_1, v_2 = sp.symbols("m P v_1 v_2", positive=True)
+    assert [sp.expand(v - m * (v_2**3 - v_1**3) / (3 * p)) for b in asked.branches for v in b.values] == [0]

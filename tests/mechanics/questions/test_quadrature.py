@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded
-from lagrange.mechanics.questions.quadrature import time_between, time_between_speeds
+from lagrange.mechanics.questions.quadrature import in_sine, time_between, time_between_speeds
 
 g, l = sp.symbols("g l", positive=True)
 theta = sp.Symbol("theta", real=True)
@@ -39,3 +39,24 @@ def test_between_two_speeds_the_acceleration_is_integrated() -> None:
     backwards = time_between_speeds(v, f - c * v**3, -first, -last)  # v < 0 where the acceleration is positive
     assert backwards is None or float(backwards.xreplace({s: sp.Float(x) for s, x in values.items()})) > 0
     assert time_between_speeds(v, -c * v**3, first, -last) is None  # through rest
+
+
+x = sp.Symbol("x", real=True)
+u, v, a = sp.symbols("U v a", positive=True)
+VALUES = {u: sp.Rational(3, 2), v: sp.Rational(6, 5), a: sp.Rational(7, 10)}
+WELL = v**2 - u * sp.tan(a * x) ** 2
+
+
+@pytest.mark.parametrize("end", [sp.atan(v / sp.sqrt(u)) / a, sp.pi / (8 * a)])
+def test_the_time_is_that_of_numerical_integration(end: sp.Expr) -> None:
+    time = time_between(x, sp.sqrt(WELL), sp.S.Zero, end, 1)
+    assert time is not None
+    most, way = (float(s.evalf(subs=VALUES)) for s in (sp.atan(v / sp.sqrt(u)) / a, end))
+    square = lambda y: 1.44 - 1.5 * mpmath.tan(mpmath.mpf("0.7") * y) ** 2  # noqa: E731
+    number = mpmath.quad(lambda s: 2 * s / mpmath.sqrt(abs(square(most - s**2))), [(most - way) ** 0.5, most**0.5])
+    assert abs(float(time.xreplace(VALUES)) - number) < 1e-6
+
+
+def test_a_sine_is_no_variable_beyond_a_right_angle() -> None:
+    assert in_sine(x, WELL, sp.S.Zero, sp.pi / a) is None
+    assert in_sine(x, v**2 - u * sp.cos(a * x), sp.S.Zero, sp.pi / (8 * a)) is None

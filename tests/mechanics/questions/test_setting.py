@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.answers.questions.own_answers import compared_answers
+from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import ProblemError
 from lagrange.mechanics.solution import solve
 from tests.mechanics.questions.test_questions import PENDULUM, WIRE, Read
@@ -25,3 +27,45 @@ def test_what_contradicts_or_is_not_determined_is_an_error_with_its_place(text: 
         solve(problem(text), complete=False)
     [found] = error.value.diagnostics
     assert (found.code, found.span is not None) == (code, True)
+
+
+CRATE = """title: Crate that is pushed
+axes: {i: right, j: up}
+parameters: {m: 20 kg, g: 9.81 m/s^2, a: 0.3 m, c: 0.9 m, mu: 0.25, P: 100 N, h: {unit: m}, J: {unit: kg m^2}}
+coordinates: [x, y, theta]
+bodies: {crate: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints:
+  left: {equation: "dot(r_crate - a*e1_crate - c*e2_crate, j) >= 0", reaction: N_A}
+  right: {equation: "dot(r_crate + a*e1_crate - c*e2_crate, j) >= 0", reaction: N_B}
+gravity: -g*j
+forces: {push: {on: crate, vector: P*i, at: r_crate + (h - c)*j}}
+initial: {x': 0, theta: 0}
+ask:
+  highest: {quantity: h, when: N_A = 0}
+  lowest: {quantity: h, when: N_B = 0}
+answers:
+  ask: {highest: 1.489 m, lowest: 0.311 m}
+"""
+
+
+def test_what_the_constraints_hold_stays_where_it_is_at_first(problem: Read) -> None:
+    """Two feet on the floor: theta = 0, not pi; its rate and that of y follow together."""
+    solution = solve(problem(CRATE))
+    [answer] = compared_answers(solution)
+    assert answer.verdict is Verdict.EQUIVALENT
+    assert [len(a.branches) for a in solution.asked] == [1, 1]
+    assert not any(b.provided for a in solution.asked for b in a.branches)
+
+
+def test_a_state_that_values_exclude_is_an_error(problem: Read) -> None:
+    text = """title: Throw
+parameters: {m: 2 kg, g: 9.81 m/s^2}
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: -g*j
+initial: {y: 0, y': 4 m/s}
+ask: {top: {quantity: t, when: y = 500 cm}}
+"""
+    with pytest.raises(ProblemError) as error:
+        solve(problem(text), complete=False)
+    assert error.value.diagnostics[0].code == "never-holds"

@@ -110,7 +110,24 @@ def in_one_number(number: str, factor: sp.Expr) -> str:
     power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
     if power is not None and _PLAIN.fullmatch(number):
         return f"({number}e{power})"
-    return f"({number})*({str(factor).replace('180', '(2*90)')})"
+    return f"({number})*({_in_short_numbers(factor)})"
+
+
+def _in_short_numbers(factor: sp.Expr) -> str:
+    """A factor without numbers of three digits, which would count as rounded: an inch is (2+54/(10*10))/(10*10) m."""
+    if not factor.is_Rational or factor.q <= 1 or factor.q >= 10**14:
+        return str(factor).replace("180", "(2*90)")
+    digits = next((n for n in range(0, 20, 2) if (10**n) % factor.q == 0), None)
+    if digits is None:
+        return str(factor)
+    pairs, whole = [], int(factor * 10**digits)
+    for _ in range(digits // 2):
+        whole, pair = divmod(whole, 100)
+        pairs.append(pair)
+    text = "0"
+    for pair in pairs:
+        text = f"({pair}+{text})/(10*10)"
+    return f"{whole}+{text}" if whole < 100 else str(factor)
 
 
 _PLAIN = re.compile(r"[-+]?[0-9]+(?:\.[0-9]+)?")

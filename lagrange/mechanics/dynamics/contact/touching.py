@@ -14,10 +14,13 @@ A' being the point of the other body at the same place.
 
 from __future__ import annotations
 
+import re
+
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.problem.model import Constraint
 
 
 def centre_of(configuration: Configuration, name: str) -> Vector:
@@ -56,6 +59,16 @@ def relative_partials(configuration: Configuration, on: str, opposite: str, plac
     if not opposite:
         return own
     return [a - b for a, b in zip(own, partials_at(configuration, opposite, place), strict=True)]
+
+
+def named_beside(constraint: Constraint, name: str, configuration: Configuration) -> list[str]:
+    """What a constraint names beside a body and what moves, though it does not press on its coordinates: a plank that
+    only slides, in dot(r_ball - r_plank, j) >= R.
+    """
+    span = constraint.span
+    positions = set(re.findall(r"(?<!\w)r_(\w+)", span.source.text[span.start : span.end]))
+    moving = (p.name for p in configuration.points if any(not moved.is_zero for moved in p.partials))
+    return [other for other in moving if other != name and other in positions]
 
 
 def acts_at(reaction: Reaction, on: str, opposite: str, place: Vector, original: Configuration) -> bool | None:

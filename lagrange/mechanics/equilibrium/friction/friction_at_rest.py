@@ -26,11 +26,8 @@ from itertools import islice, permutations, product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.polynomial_roots import factors
-from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed
-from lagrange.core.operations import count_operations
 from lagrange.core.ranges import without_known_magnitudes
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -40,8 +37,9 @@ from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rough_reaction, unit_toward, unpressed
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
-from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
+from lagrange.mechanics.equilibrium.friction.balance import Balance, RoughContact, SolvedBalance
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws, sought_forces, tensions_between
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
@@ -52,6 +50,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     without_weaker,
 )
 from lagrange.mechanics.equilibrium.friction.held_positions import equal_angles, held_coordinates
+from lagrange.mechanics.equilibrium.friction.limits_of_load import LoadLimits, limits_of_load
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     Inequality,
     NotEliminatedError,
@@ -59,61 +58,16 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS, UNITS_OF_REST
+from lagrange.mechanics.equilibrium.limits import (
+    CONTACTS_OF_LIMITS,
+    MOST_CASES,
+    MOST_ORDERS,
+    MOST_ROUGH_CONTACTS,
+    UNITS_OF_REST,
+)
 from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
-
-
-@record
-class RoughContact:
-    """A contact with friction at rest, in the coordinates of a configuration.
-
-    reaction     that presses
-    opposite     what takes the opposite friction; empty if it is at rest
-    place        the point that touches
-    coefficient  μ_s
-    normal       |N| is `normal` times the magnitude of the unknown in which the reaction is written
-    tangents     the unit vectors of the components of F; in the plane there is one
-    components   F, along these
-    generalized  for each component, shape (n,): its generalized forces for the file's coordinates, for F = 1
-    sign         of that unknown, +1 or −1; None if it is not known
-    also         the other reactions on the same particle, if N is the size of their resultant
-    units        in this case, of each of them: the force in which it is written, and the reaction for 1 of that
-    """
-
-    friction: Friction
-    reaction: Reaction
-    opposite: str
-    place: Vector
-    coefficient: sp.Expr
-    normal: sp.Expr
-    tangents: tuple[Vector, ...]
-    components: tuple[sp.Symbol, ...]
-    generalized: tuple[tuple[sp.Expr, ...], ...]
-    sign: int | None
-    also: tuple[Reaction, ...] = ()
-    units: tuple[tuple[sp.Symbol, Vector], ...] = ()
-
-    @property
-    def name(self) -> str:
-        """The name of the friction."""
-        return self.friction.name
-
-    def at(self, position: Mapping[sp.Symbol, sp.Expr]) -> RoughContact:
-        """The contact where some coordinates have given values."""
-        rule = dict(position)
-        rows = tuple(tuple(shortest(e.xreplace(rule)) for e in row) for row in self.generalized)
-        coefficient, normal = self.coefficient.xreplace(rule), self.normal.xreplace(rule)
-        units = tuple((force, unit.xreplace(rule)) for force, unit in self.units)
-        return replace(self, coefficient=coefficient, normal=normal, generalized=rows, units=units) if rule else self
-
-    def resultant(self, forces: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-        """The size of the resultant of all reactions, for given forces."""
-        total = [sp.S.Zero] * 3
-        for force, unit in self.units:
-            total = [a + forces[force] * b for a, b in zip(total, unit.fixed().components, strict=True)]
-        return sp.sqrt(shortest(sp.Add(*(a**2 for a in total))))
 
 
 @record
@@ -128,6 +82,8 @@ class AtRest:
     assumed      sines and cosines that are taken to be positive
     presupposed  what the equations are divided by, if its sign is not known: it is not zero
     verified     whether the forces satisfy Lagrange's equations at rest
+    where        what must be positive for the conditions to be these, if they are the limits of one force
+    partly       whether the cases are those that were seen at drawn numbers, so that there may be others
     equal        angles that the constraints make equal to others, if both are acute
     """
 
@@ -142,6 +98,8 @@ class AtRest:
     assumed: tuple[sp.Expr, ...]
     presupposed: tuple[sp.Expr, ...]
     verified: bool | None
+    where: tuple[RestCondition, ...] = ()
+    partly: bool = False
     equal: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     @property
@@ -282,10 +240,53 @@ def _at_rest(
     held = {**equal, **held_coordinates(configuration)}
     contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
-    system = _System(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
+    system = Balance(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
     wanted = Wanted(sought, tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
+
+    def resting(
+        solved: SolvedBalance,
+        cases: tuple[tuple[RestCondition, ...], ...],
+        signs: Signs,
+        where: tuple[RestCondition, ...] = (),
+        partly: bool = False,
+    ) -> AtRest:
+        return AtRest(
+            configuration,
+            contacts,
+            belts,
+            {q: e for q, e in zip(original.slots.coordinates, system.balance, strict=True) if e != 0},
+            solved.forces,
+            solved.open,
+            solved.equations,
+            cases,
+            tuple(sorted(signs.used, key=str)),
+            solved.presupposed,
+            _verified(solved, contacts, newton, original, configuration, held),
+            where,
+            partly,
+            {q: e for q, e in equal.items() if held[q] == e},
+        )
+
+    if len(contacts) >= CONTACTS_OF_LIMITS and not belts and len(system.sought) == 1:
+        signs = Signs(positions)
+        solved = system.solved(signs, system.pressing)
+        limits = _limits_of(solved, contacts, problem, system.sought[0], signs)
+        regimes = [
+            (
+                tuple(c for e in one.where for c in not_negative(e, Wanted(), signs)),
+                tuple(c for slack in one.slacks for c in not_negative(slack, Wanted(sought), signs)),
+            )
+            for one in limits
+        ]
+        if len(regimes) == 1:
+            [(where, case)] = regimes
+            return resting(solved, (without_weaker(case, signs),), signs, where)
+        if regimes:
+            return resting(
+                solved, tuple((*where, *without_weaker(case, signs)) for where, case in regimes), signs, partly=True
+            )
     for most, acute in product((0, MOST_CASES), (angles, positions)):
         for order in islice(permutations(system.pressing), MOST_ORDERS):
             signs = Signs(acute)
@@ -298,22 +299,20 @@ def _at_rest(
                 continue
             if acute is angles and angles != positions and _is_evident(cases, Signs(positions)):
                 break
-            return AtRest(
-                configuration,
-                contacts,
-                belts,
-                {q: e for q, e in zip(original.slots.coordinates, system.balance, strict=True) if e != 0},
-                solved.forces,
-                solved.open,
-                solved.equations,
-                cases,
-                tuple(sorted(signs.used, key=str)),
-                solved.presupposed,
-                _verified(solved, contacts, newton, original, configuration, held),
-                {q: e for q, e in equal.items() if held[q] == e},
-            )
+            return resting(solved, cases, signs)
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def _limits_of(
+    solved: SolvedBalance, contacts: Sequence[RoughContact], problem: Problem, load: sp.Symbol, signs: Signs
+) -> list[LoadLimits]:
+    """Between which limits one force must be, case by case; none where the signs of reactions are open."""
+    if not solved.open or solved.equations or any(c.sign is None or len(c.components) > 1 for c in contacts):
+        return []
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    coefficients = [c.coefficient for c in contacts]
+    return limits_of_load(_in_cones(solved, contacts), load, coefficients, values, signs)
 
 
 def rest_within(
@@ -341,115 +340,8 @@ def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:
     return any(signs.of(shortest(c.right - c.left)) == 1 for case in cases for c in case)
 
 
-@record
-class _Solved:
-    """The unknowns in terms of those left open; `linear` has (constant, coefficients) of each."""
-
-    forces: Mapping[sp.Symbol, sp.Expr]
-    linear: Mapping[sp.Symbol, Inequality]
-    open: tuple[sp.Symbol, ...]
-    equations: tuple[sp.Expr, ...]
-    presupposed: tuple[sp.Expr, ...]
-
-
-class _System:
-    """The equations of balance, in the coordinates of a configuration."""
-
-    def __init__(
-        self,
-        newton: Newton,
-        contacts: Sequence[RoughContact],
-        original: Configuration,
-        configuration: Configuration,
-        work: VirtualWork,
-        unknown: Sequence[sp.Symbol],
-        sought: Sequence[sp.Symbol],
-        held: Mapping[sp.Symbol, sp.Expr],
-    ) -> None:
-        def write(e: sp.Expr) -> sp.Expr:
-            return configuration.rewritten(e).xreplace(dict(held))
-
-        columns: dict[sp.Symbol, list[sp.Expr]] = {}
-        extra: list[dict[sp.Symbol, sp.Expr]] = []
-        for c in contacts:
-            columns |= {f: list(row) for f, row in zip(c.components, c.generalized, strict=True)}
-            if len(c.components) > 1:
-                normals = (r.on(c.friction.on) for r in (c.reaction, *c.also))
-                extra += [dict(zip(c.components, map(write, n.fixed().components), strict=True)) for n in normals if n]
-        for r in newton.reactions:
-            form = without_root(r.row, original.slots).coefficients
-            columns[r.force] = [shortest(write(a * r.per_force)) for a in form]
-        linear = [f for f in unknown if all(q.diff(f, 2) == 0 for q in work.forces)]
-        forces = {f: [shortest(write(q.diff(f))) for q in work.forces] for f in linear}
-        forces = {f: column for f, column in forces.items() if any(a != 0 for a in column)}
-        columns |= forces
-        self.unknowns = tuple(columns)
-        self.sought = tuple(f for f in sought if f in forces)
-        self.pressing = tuple(r.force for r in newton.reactions if r.constraint.side is not None)
-        self.surface: Surface = configuration.surface
-        count = len(original.slots.coordinates)
-        right = [shortest(write(-q.xreplace(dict.fromkeys(forces, sp.S.Zero)))) for q in work.forces]
-        self.rows = [[*(columns[u][k] for u in self.unknowns), right[k]] for k in range(count)]
-        self.balance = [
-            sp.Add(*(a * u for a, u in zip(row, self.unknowns, strict=False)), -row[-1]) for row in self.rows
-        ]
-        self.rows += [[*(e.get(u, sp.S.Zero) for u in self.unknowns), sp.S.Zero] for e in extra]
-
-    def solved(self, signs: Signs, last: Sequence[sp.Symbol]) -> _Solved:
-        """The unknowns by elimination, `last` after the others, so that these remain open."""
-        first = [u for u in self.unknowns if u not in self.pressing and u not in self.sought]
-        places = [self.unknowns.index(u) for u in (*first, *last, *self.sought)]
-        work = [list(row) for row in self.rows]
-        pivots: dict[int, int] = {}
-        presupposed: list[sp.Expr] = []
-        for column in places:
-            candidates = [
-                (signs.of(row[column]) is None, count_operations(row[column]), n)
-                for n, row in enumerate(work)
-                if n not in pivots.values() and not self._is_zero(row[column])
-            ]
-            if not candidates:
-                continue
-            unsure, _, chosen = min(candidates)
-            pivot = work[chosen][column]
-            if unsure:
-                presupposed += [f for f in _factors_that_may_vanish(pivot, signs) if f not in presupposed]
-            work[chosen] = [shortest(e / pivot) for e in work[chosen]]
-            for n, row in enumerate(work):
-                if n != chosen and row[column] != 0:
-                    factor = row[column]
-                    work[n] = [shortest(a - factor * b) for a, b in zip(row, work[chosen], strict=True)]
-            pivots[column] = chosen
-        given = [k for k, u in enumerate(self.unknowns) if k not in pivots and u in self.sought]
-        open_ = [k for k in range(len(self.unknowns)) if k not in pivots and k not in given]
-        linear, forces = {}, {}
-        for k, unknown in enumerate(self.unknowns):
-            if k in given:
-                continue
-            if k in pivots:
-                row = work[pivots[k]]
-                constant = sp.Add(row[-1], *(-row[g] * self.unknowns[g] for g in given))
-                linear[unknown] = Inequality(tuple(-row[o] for o in open_), shortest(constant))
-            else:
-                linear[unknown] = Inequality(tuple(sp.Integer(o == k) for o in open_), sp.S.Zero)
-            terms = zip(linear[unknown].coefficients, open_, strict=True)
-            forces[unknown] = sp.Add(linear[unknown].constant, *(c * self.unknowns[o] for c, o in terms))
-        left = [row[-1] for n, row in enumerate(work) if n not in pivots.values()]
-        equations = tuple(e for e in left if not self._is_zero(e))
-        return _Solved(forces, linear, tuple(self.unknowns[k] for k in open_), equations, tuple(presupposed))
-
-    def _is_zero(self, e: sp.Expr) -> bool:
-        return e == 0 or self.surface.is_zero(e) is True
-
-
-def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
-    above, _ = sp.fraction(sp.together(pivot))
-    split = factors(above)
-    return [pivot] if split is None else [f for f in split if signs.of(f) is None]
-
-
 def _cases(
-    solved: _Solved,
+    solved: SolvedBalance,
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
     newton: Newton,
@@ -486,7 +378,7 @@ def _sum(a: Inequality, b: Inequality) -> Inequality:
     return Inequality(tuple(shortest(x + y) for x, y in pairs), shortest(a.constant + b.constant))
 
 
-def _one_sided(solved: _Solved, newton: Newton) -> list[Inequality]:
+def _one_sided(solved: SolvedBalance, newton: Newton) -> list[Inequality]:
     """That one-sided constraints only push or pull."""
     inequalities = []
     for r in newton.reactions:
@@ -496,7 +388,7 @@ def _one_sided(solved: _Solved, newton: Newton) -> list[Inequality]:
     return inequalities
 
 
-def _in_cones(solved: _Solved, contacts: Sequence[RoughContact]) -> list[Inequality]:
+def _in_cones(solved: SolvedBalance, contacts: Sequence[RoughContact]) -> list[Inequality]:
     """μ N ± F ≥ 0 in each contact, and N ≥ 0."""
     inequalities = []
     for c in contacts:
@@ -509,12 +401,12 @@ def _in_cones(solved: _Solved, contacts: Sequence[RoughContact]) -> list[Inequal
     return inequalities
 
 
-def _on_drums(solved: _Solved, belts: Sequence[BeltLaw]) -> list[Inequality]:
+def _on_drums(solved: SolvedBalance, belts: Sequence[BeltLaw]) -> list[Inequality]:
     """T_2 e^(μ β) − T_1 ≥ 0 and T_1 ≥ 0 for each belt."""
     return [_in_open(solved, e) for b in belts for e in (b.reserve, b.tight)]
 
 
-def _in_open(solved: _Solved, e: sp.Expr) -> Inequality:
+def _in_open(solved: SolvedBalance, e: sp.Expr) -> Inequality:
     """e ≥ 0, e being linear in the unknowns, in terms of those that are open. Raises NotEliminatedError."""
     known = [u for u in solved.linear if u in e.free_symbols]
     rates = {u: sp.expand(e).diff(u) for u in known}
@@ -527,7 +419,7 @@ def _in_open(solved: _Solved, e: sp.Expr) -> Inequality:
 
 
 def _determined(
-    solved: _Solved,
+    solved: SolvedBalance,
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
     newton: Newton,
@@ -575,7 +467,7 @@ def _determined(
 
 
 def _verified(
-    solved: _Solved,
+    solved: SolvedBalance,
     contacts: Sequence[RoughContact],
     newton: Newton,
     original: Configuration,

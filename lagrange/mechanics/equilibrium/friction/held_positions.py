@@ -4,6 +4,8 @@ angles that they make equal.
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping, Sequence
+
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
@@ -12,6 +14,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.core.operations import count_operations
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import shortest
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK
 
 
@@ -24,6 +27,8 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     if len(used) > len(finite):
         return _held_outright(configuration)
     turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
+    if (upright := _upright(finite, used, turning, _held_outright(configuration))) is not None:
+        return upright
     try:
         solved = solutions(finite, used)
     except (NotAlgebraicError, DivisionByZeroError):
@@ -36,6 +41,29 @@ def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
         if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
             held.append(values)
     return held[0] if len(held) == 1 else {}
+
+
+def _upright(
+    finite: Sequence[sp.Expr],
+    used: Sequence[sp.Symbol],
+    turning: Collection[sp.Expr],
+    outright: Mapping[sp.Symbol, sp.Expr],
+) -> dict[sp.Symbol, sp.Expr] | None:
+    """The position in which all angles are 0, where the constraints admit it and hold the system there: a bracket on a
+    pipe is upright as it is drawn, though it would fit in another position, too."""
+    if not turning or not {*turning} <= {*used}:
+        return None
+    at = {q: sp.S.Zero for q in used if q in turning} | dict(outright)
+    left = [e for e in (shortest(f.xreplace(at)) for f in finite) if e != 0]
+    others = [q for q in used if q not in at]
+    if any(e.diff(q).free_symbols & {*others} for e in left for q in others):
+        return None
+    for values in sp.linsolve(left, others) if left and others else () if left else ((),):
+        place = at | dict(zip(others, values, strict=False))
+        slopes = sp.Matrix([[shortest(f.diff(q).xreplace(place)) for q in used] for f in finite])
+        fixed = all(v.free_symbols.isdisjoint(used) for v in place.values())
+        return place if fixed and len(place) == len(used) and slopes.rank() == len(used) else None
+    return None
 
 
 def _held_outright(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
