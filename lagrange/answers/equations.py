@@ -386,6 +386,7 @@ def _with_reasons(
             from lagrange.answers.hints import Advisor, cause_of
             from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
             from lagrange.answers.results.forces import explained_force
+            from lagrange.answers.results.one_sense import one_sense
 
             residues = attempt.candidate.residues
             advisor = Advisor(system.configuration.slots)
@@ -402,7 +403,9 @@ def _with_reasons(
             units = reference.mismatch(readings[n]) if wanted else None
             name = model.name if model is not None else ""
             cause = model.cause if model is not None else cause_of(change)
-            force = explained_force(equation, attempt.candidate) if wanted and model is None else ""
+            force = one_sense(equation, system) if wanted and model is None else ""
+            change = None if force else change
+            force = force or (explained_force(equation, attempt.candidate) if wanted and model is None else "")
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)

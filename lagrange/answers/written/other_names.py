@@ -109,7 +109,7 @@ def other_names(
 
 
 def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr]:
-    """theta_0 inside an equation as theta, in statics; what stands alone on a side is defined there."""
+    """theta_0 as theta at rest, in statics; beside `x = R*phi + x_0`, which states x itself, x_0 is a constant."""
     coordinates = {q.name: q for q in scope.slots.coordinates}
     at_rest: dict[str, sp.Expr] = {}
     for text in texts:
@@ -118,10 +118,10 @@ def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr
             name = f"{symbol}_{match['index']}"
             if symbol is not None and match["index"] in AT_EQUILIBRIUM and scope.role(name) is Role.UNDECLARED:
                 at_rest[name] = symbol
-    alone = {
+    stated = {
         n for n in at_rest if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
     }
-    return {n: q for n, q in at_rest.items() if n not in alone}
+    return {n: q for n, q in at_rest.items() if n not in stated}
 
 
 def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:

@@ -36,6 +36,7 @@ from lagrange.answers.written.other_names import (
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
 from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
+from lagrange.answers.written.special_cases import about_special_cases
 from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
@@ -251,8 +252,12 @@ class _Sorting:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
                 try:
-                    line.fragment = with_value_in_si(line.fragment, self.reference)
+                    written = line.fragment
+                    line.fragment = with_value_in_si(written, self.reference)
                     line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+                    if line.fragment is not written:  # `T = 2 N` may also be twice the reaction N
+                        product = read_as_written(written, self.scope, line.text, self.rounded)
+                        line.reading = replace(line.reading, other=None if product.error else product)
                 except ProblemError as error:
                     line.reading = Reading(line.text, error=error)
         if eliminating:
@@ -265,6 +270,7 @@ class _Sorting:
         for line in laws:
             self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
         quotes += laws
+        quotes += self._about_special_cases([line for line in waiting if not any(line is q for q in quotes)])
         conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
         if len(conditions) < len(waiting):
             for line in conditions:
@@ -370,6 +376,18 @@ class _Sorting:
         names = {n.strip("_") for n in _WORDS.findall(line.text)}
         names |= {GREEK[c] for c in line.text if c in GREEK}
         return names.isdisjoint(self.reference.coordinates)
+
+    def _about_special_cases(self, lines: list[_Line]) -> list[_Line]:
+        """The lines about a special case, with a note each; none where there is nothing else."""
+        if not self.values_are_asides:
+            return []
+        cases, special = about_special_cases([(x.fragment, x.reading or Reading("")) for x in lines], self.reference)
+        if len(cases) + len(special) in (0, len(lines)):
+            return []
+        for n in sorted(cases | special):
+            what = "states" if n in cases else "is about"
+            self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
+        return [lines[n] for n in cases | special]
 
     def _note(self, line: _Line, message: str, help_: str = "") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
