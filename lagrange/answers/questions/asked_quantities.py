@@ -421,4 +421,4 @@ def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | 
     [value] = values
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
-    return value, None
+    return sp.sqrt(value) if stated.label.endswith("^2") else value, None

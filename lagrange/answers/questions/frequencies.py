@@ -227,9 +227,14 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
         name = match[0].strip(" $=") if match else ""
         others = [_LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
-        if match and not is_natural and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
+        if is_natural and any(_ACCELERATION.search(text) for text in others):
+            continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
+        if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
+
+
+_ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
 
 
 def _has_name(name: str, text: str) -> bool:

@@ -38,10 +38,14 @@ _MAYBE = re.compile(r"[<>≤≥]|\\[lg](?:t|e|eq|eqslant)(?![A-Za-z])")
 _ROW = re.compile(r"\n|;|\\\\|\bwhere\b")
 _CONNECTIVE = (
     r"(?:\b(?:for|if|when|where|while|and|but|with|in\s+the\s+case|case|fall|für|wenn|falls|bei|und|pour|si|et|is|moving|then|it|so)\b"
-    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|\\[,;: !]|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&(),:.;$\[\]~]|\\(?:left|right)\s*[().\[\]]|\\\\|\s)"
+    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|\\[,;: !]|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&,:.;$~]|\\\\|\s)"
 )
-_BEFORE = re.compile(rf"(?:{_CONNECTIVE})+\Z", re.IGNORECASE)
-_AFTER = re.compile(rf"(?:{_CONNECTIVE}|and\b)+", re.IGNORECASE)
+_LAST = re.compile(
+    rf"(?:{_CONNECTIVE}|[(\[]|\\left\s*[(\[]|\\\(|\b(?:while|as|when)\s(?:[^\W\d_]{{1,20}}\s){{1,6}})\Z", re.IGNORECASE
+)
+"""One of the words and signs between an equation and its condition, at the end of a text."""
+_WINDOW = 100
+_AFTER = re.compile(rf"(?:{_CONNECTIVE}|[)\]]|\\right\s*[)\].])+", re.IGNORECASE)
 _CASES = re.compile(
     r"(?:\\left\s*\\\{\s*)?\\begin\s*\{(?P<kind>d?cases|rcases|array|aligned)\}(?:\s*\{[lcr@{} ]{1,12}\})?(?P<rows>.*?)\\end\s*\{(?P=kind)\}"
     r"(?:\s*\\right\s*\.)?",
@@ -55,6 +59,9 @@ _SIGNS = re.compile(r"[±∓]|\\(?:pm|mp)(?![A-Za-z])")
 _UPPER = re.compile(r"\(?\s*(?:with\s+)?(?:the\s+)?upper\s+sign(?:\s+(?:for|if|when|where)|\s*:)\s*\$?", re.IGNORECASE)
 _LOWER = re.compile(r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I)
 _EQUALS = re.compile(r"(?<![<>!:=])==?(?![=>])")
+
+
+_DOTTED = re.compile(r"\\dot\s*\{?\s*\\?([A-Za-z]+)\s*\}?")
 
 
 @record
@@ -124,11 +131,14 @@ def _together(condition: _Condition, first: str, second: str, latex: bool) -> st
     return f"{_halves(condition, *made, latex)} = 0"
 
 
+_MOST_CALLS = 8
+
+
 def _calls(text: str, latex: bool) -> str:
     """`Piecewise((a, x' > 0), (b, True))`, `Piecewise[{{a, x' > 0}, {b, x' < 0}}]`, `If[x' > 0, a, b]`."""
     for _ in range(4):
         ends = closings(text)
-        for call in _CALL.finditer(text):
+        for call in [*_CALL.finditer(text)][:_MOST_CALLS]:
             if (close := ends.get(call.end())) is None:
                 continue
             parts = _parts(text[call.end() + 1 : close])
@@ -169,7 +179,7 @@ def _environments(text: str, latex: bool) -> str:
             end = where.start if where else m.start() if (m := re.search(r"[&,](?=[^&,]*\Z)", row)) else len(row)
             if where is None and not _OTHERWISE.search(row[end:].lstrip("&,")):
                 return match[0]
-            pieces.append((_BEFORE.sub("", row[:end]).strip(" &,"), where))
+            pieces.append((_without_last(row[:end]).strip(" &,"), where))
         (first, condition), (second, other) = pieces
         if condition is None or (other is not None and not condition.opposite(other)):
             return match[0]
@@ -226,16 +236,24 @@ def _pair(text: str, first: _Condition, second: _Condition, latex: bool) -> str:
     else:  # for x' > 0: a = b
         stop = next((m.start() for m in _ROW.finditer(text, second.end) if text[second.end : m.start()].strip(" :,\n")), len(text))
         one, other = _bare(between), _bare(text[second.end : stop])
-        rest, start = text[stop:], begin + len(_BEFORE.sub("", before))
+        rest, start = text[stop:], begin + len(_without_last(before))
     together = _together(first, one, other, latex)
     return f"{text[:start]}{together}{rest}" if together else text
 
 
+def _without_last(text: str) -> str:
+    """A text without the words and signs at its end that join it to a condition."""
+    end = len(text)
+    while last := _LAST.search(text, max(0, end - _WINDOW), end):
+        end = last.start()
+    return text[:end]
+
+
 def _bare(text: str) -> str:
     """An equation without the words and signs that join it to its condition."""
-    text = _BEFORE.sub("", text)
+    text = _without_last(text)
     after = _AFTER.match(text)
-    return text[after.end() :].strip() if after and after[0].strip() not in ("(", "[") else text.strip()
+    return text[after.end() :].strip() if after else text.strip()
 
 
 def _single(text: str, every: Sequence[_Condition], latex: bool) -> str:
@@ -248,8 +266,11 @@ def _single(text: str, every: Sequence[_Condition], latex: bool) -> str:
     equation = _bare(before)
     rest = text[only.end :]
     rest = rest.lstrip(" ")[1:] if rest.lstrip(" ")[:1] in (")", "]") else rest
-    condition = text[only.start : only.end]
+    condition = _DOTTED.sub(r"\1'", text[only.start : only.end])
     words = rf"\text{{for {condition}: }}" if latex else f"for {condition}: "
+    if "$" in before:
+        equation = f"${equation}$"
+        rest = rest.lstrip("$").removeprefix(")")
     return f"{text[:begin]}{words}{equation}{rest}"
 
 

@@ -57,11 +57,13 @@ _QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
 _MODULUS = re.compile(
     r"[\s$&]*(?P<bars>(?:\\left\s*)?(?:\||\\[lv]vert)\s*(?P<name>\\?[^\W\d_]\w{0,12})\s*(?:\\right\s*)?(?:\||\\[rv]vert))\s*&?=(?!=)"
 )
-_STATIONARY = re.compile(
+_RATE_OVER = (
     rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
     rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
-    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?=\s*0[\s.,;$]*\Z"
+    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?="
 )
+_STATIONARY = re.compile(rf"{_RATE_OVER}\s*0[\s.,;$]*\Z")
+_RATE_ALONG = re.compile(rf"{_RATE_OVER}(?!\s*0[\s.,;$]*\Z)")
 AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
 """The index of a coordinate at rest."""
 _WITH_INDEX = re.compile(
@@ -222,6 +224,16 @@ def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:
     draft = Draft(fragment)
     draft.apply([(0, len(fragment.text), f"δ{name} = 0")])
     return draft.finished()
+
+
+def is_rate_along(fragment: Fragment, scope: Scope) -> bool:
+    """Whether a line of statics is `dy/dθ = ...`, a total derivative of what is no coordinate by one, in its working."""
+    match = _RATE_ALONG.match(fragment.text)
+    if match is None:
+        return False
+    name, by = _plain(match["name"] or match["name2"]), _plain(match["by"] or match["by2"])
+    coordinates = {q.name for q in scope.slots.coordinates}
+    return scope.spelling(by) in coordinates and scope.spelling(name) not in coordinates
 
 
 def _plain(name: str) -> str:

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field, replace
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
-from lagrange.answers.readings import GivenEquation, Reading, decimals_in
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
 from lagrange.answers.written.lines import in_pairs
 from lagrange.answers.written.new_coordinates import defined_coordinate
@@ -29,6 +29,7 @@ from lagrange.answers.written.other_names import (
     AT_EQUILIBRIUM,
     as_virtual,
     coordinates_at_rest,
+    is_rate_along,
     other_names,
     rates_without_bar,
     without_arguments,
@@ -50,7 +51,7 @@ from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import read_value, token_texts
-from lagrange.expressions.scope import RESERVED
+from lagrange.expressions.scope import RESERVED, Scope
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
 _ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
@@ -135,11 +136,17 @@ class _Line:
 
 
 def understood(
-    answer: Sequence[Fragment], reference: Reference, *, eliminating: bool = True, moving: bool = True
+    answer: Sequence[Fragment],
+    reference: Reference,
+    *,
+    eliminating: bool = True,
+    moving: bool = True,
+    naming: bool = False,
 ) -> Working:
     """The answer sorted into what is judged and what is not.
 
     eliminating  with undeclared names as unknown forces
+    naming       with the reactions' short names in several lines, too, where they otherwise are unknown forces
     moving       whether it is about motion; in statics a parameter may be stated to have a particular value
 
     Raises ProblemError if it has too many lines.
@@ -148,7 +155,7 @@ def understood(
         message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
-    sorting = _Sorting(reference, moving)
+    sorting = _Sorting(reference, moving, naming)
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -209,8 +216,9 @@ def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
 class _Sorting:
     """One answer on its way through; `scope` grows with the definitions."""
 
-    def __init__(self, reference: Reference, values_are_asides: bool) -> None:
+    def __init__(self, reference: Reference, values_are_asides: bool, naming: bool) -> None:
         self.reference = reference
+        self.naming = naming
         self.values_are_asides = values_are_asides
         self.scope = reference.scope_of_answers
         self.declared = reference.declared
@@ -219,6 +227,8 @@ class _Sorting:
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
         self.texts: list[str] = []
+        self.sides: dict[str, tuple[Scope, sp.Expr | Vector | None]] = {}  # what was read of a side, and with which names
+        self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}  # the same of a side that may be a name alone
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
@@ -251,6 +261,9 @@ class _Sorting:
             elif not line.definition and line.reading is None:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
+                    if is_rate_along(line.fragment, self.scope):
+                        self._note(line, f"`{line.text}` is a derivative along the constraints, and is not judged")
+                        continue
                 try:
                     written = line.fragment
                     line.fragment = with_value_in_si(written, self.reference)
@@ -349,18 +362,15 @@ class _Sorting:
         stated = [line.fragment.text for line in lines]
         for name, symbol in printed_names(self.reference, stated).items():
             renamed = lines_with(name, stated)
-            if len(renamed) != 1:
+            if len(renamed) != 1 and not (self.naming and renamed):
                 continue
             line = lines[renamed[0]]
             alone, value = False, None
             for side, other in (sides, sides[::-1]) if (sides := _sides(line.fragment)) else ():
                 if self._name_alone(side)[0] == name:
                     alone = True
-                    try:
-                        value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
-                    except ProblemError:
-                        value = None
-            if isinstance(value, Vector) or (symbol.name.startswith("lambda") and not alone):
+                    value = self._value_of(other)
+            if isinstance(value, Vector) or (symbol.name.startswith("lambda") and not alone and not self.naming):
                 continue
             if may_be_force(name, value, texts, self.reference):
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
@@ -440,6 +450,12 @@ class _Sorting:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
         if len(side.text.strip()) > _LONGEST_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
             return "", ""
+        known = self.names.get(side.text)
+        if known is None or known[0] is not self.scope:
+            known = self.names[side.text] = self.scope, self._name_in(side)
+        return known[1]
+
+    def _name_in(self, side: Fragment) -> tuple[str, str]:
         try:
             texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
@@ -474,9 +490,7 @@ class _Sorting:
                 return False
             if applied not in ("", "^2") and self.scope.scalar(name) is not None:
                 continue
-            try:
-                value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
-            except ProblemError:
+            if (value := self._value_of(other)) is None:
                 continue
             if kinematic and (isinstance(value, Vector) or not self._is_rate_of(value)):
                 continue
@@ -489,15 +503,27 @@ class _Sorting:
                 if known in value.free_symbols and self.scope.scalar(name) == known:
                     continue
                 undone = _UNDOING[applied]
-                rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
-                with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
-                if decimals_in([with_decimals]):
-                    self.rounded[name] = undone(with_decimals)
+                if self.rounded or has_decimals(other.text):
+                    rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
+                    with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                    if decimals_in([with_decimals]):
+                        self.rounded[name] = undone(with_decimals)
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
             self.defined.append(name)
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
         return False
+
+    def _value_of(self, side: Fragment) -> sp.Expr | Vector | None:
+        """What one side means; None if it cannot be read. Each is asked for several times."""
+        known = self.sides.get(side.text)
+        if known is None or known[0] is not self.scope:
+            try:
+                value = tried(side, self.scope, lambda f: read_value(f, self.scope, latex=True))
+            except ProblemError:
+                value = None
+            known = self.sides[side.text] = self.scope, value
+        return known[1]
 
     def _is_rate_of(self, value: sp.Expr) -> bool:
         """Whether an expression is a velocity or an acceleration, linear in the velocities and accelerations."""
