@@ -191,7 +191,8 @@ class Examiner:
             verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
         if working.unknowns and verdict.verdict is Verdict.WRONG:
             named = self._on_motion(understood(answer, scope, naming=True))
-            if any(e.verdict is Verdict.EQUIVALENT for e in named.equations) and any(e.cause for e in named.equations):
+            some_right = any(e.verdict is Verdict.EQUIVALENT for e in named.equations)
+            if any(e.model or (e.cause and some_right) for e in named.equations):
                 verdict = replace(named, verdict=Verdict.WRONG)  # of a force that is eliminated nothing can be said
         if is_about_release(verdict):
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (replace(verdict, name="ask"),))

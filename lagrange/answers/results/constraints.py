@@ -48,7 +48,10 @@ def _changes(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> Iterator[tuple[str
         exchanged = e.xreplace(rule)
         yield f"it would be right with sine and cosine of {text(a)} exchanged", exchanged
         for term in sp.Add.make_args(sp.expand(exchanged))[1:]:
-            yield f"it would be right with sine and cosine of {text(a)} exchanged, and one sign changed", exchanged - 2 * term
+            yield (
+                f"it would be right with sine and cosine of {text(a)} exchanged, and one sign changed",
+                exchanged - 2 * term,
+            )
     used = [q for q in coordinates if any(base(s) == q or s in (differential(q), variation(q)) for s in e.free_symbols)]
     for a, b in combinations(used, 2):
         rule = {kind(x): kind(y) for x, y in ((a, b), (b, a)) for kind in (lambda q: q, prime, differential, variation)}

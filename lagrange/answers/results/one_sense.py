@@ -40,9 +40,7 @@ def _senses(equation: sp.Expr, system: System) -> Iterator[sp.Expr]:
     for u in sorted({w.args[0] for w in signs}, key=sp.default_sort_key)[:MOST_SENSES]:
         for s in (sp.S.One, sp.S.NegativeOne):
             rule = {sp.sign(u): s, sp.Abs(u): s * u}
-            one = System(
-                system.configuration, tuple(e.xreplace(rule) for e in system.equations), system.multipliers
-            )
+            one = System(system.configuration, tuple(e.xreplace(rule) for e in system.equations), system.multipliers)
             try:
                 result = compare([equation.xreplace(rule)], one)
             except DivisionByZeroError:
@@ -63,7 +61,11 @@ def right_as_far_as_stated(
         if stated is None or not _holds_where(equations[n], stated, reference):
             return None
         greater, less = stated
-        judged[n] = e.__class__(e.text, Verdict.EQUIVALENT, remarks=(f"right while {greater} > {less}; another equation holds while {greater} < {less}",))
+        judged[n] = e.__class__(
+            e.text,
+            Verdict.EQUIVALENT,
+            remarks=(f"right while {greater} > {less}; another equation holds while {greater} < {less}",),
+        )
     return AnswerVerdict(
         Verdict.INCOMPLETE, tuple(judged), max(1, verdict.missing), verdict.choice, notes=verdict.notes
     )

@@ -1,4 +1,4 @@
-r"""Equations that differ with the sense of the motion, as people write friction: one equation with the sign of a velocity.
+r"""Equations that differ with the sense of the motion, as for friction, as one with the sign of a velocity.
 
     for x' > 0: m x'' = -k x - mu m g           m x'' = (1 + s)/2 (-k x - mu m g) + (1 - s)/2 (-k x + mu m g),
     for x' < 0: m x'' = -k x + mu m g           s = sign(x')
@@ -57,7 +57,9 @@ _OTHERWISE = re.compile(
 )
 _SIGNS = re.compile(r"[±∓]|\\(?:pm|mp)(?![A-Za-z])")
 _UPPER = re.compile(r"\(?\s*(?:with\s+)?(?:the\s+)?upper\s+sign(?:\s+(?:for|if|when|where)|\s*:)\s*\$?", re.IGNORECASE)
-_LOWER = re.compile(r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I)
+_LOWER = re.compile(
+    r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I
+)
 _EQUALS = re.compile(r"(?<![<>!:=])==?(?![=>])")
 
 
@@ -74,8 +76,8 @@ class _Condition:
     less: str
 
     def opposite(self, other: _Condition) -> bool:
-        own, its = ("".join(c.greater.split() + [">"] + c.less.split()) for c in (self, other))
-        return own.split(">") == its.split(">")[::-1]
+        own, its = (["".join(side.split()) for side in (c.greater, c.less)] for c in (self, other))
+        return own == its[::-1]
 
     def sign(self, latex: bool) -> str:
         """The sign of the difference."""
@@ -234,7 +236,10 @@ def _pair(text: str, first: _Condition, second: _Condition, latex: bool) -> str:
             other = f"{one[: cuts(one, _EQUALS)[0][1]]} = {other}"
         start = begin + before.find(one)
     else:  # for x' > 0: a = b
-        stop = next((m.start() for m in _ROW.finditer(text, second.end) if text[second.end : m.start()].strip(" :,\n")), len(text))
+        stop = next(
+            (m.start() for m in _ROW.finditer(text, second.end) if text[second.end : m.start()].strip(" :,\n")),
+            len(text),
+        )
         one, other = _bare(between), _bare(text[second.end : stop])
         rest, start = text[stop:], begin + len(_without_last(before))
     together = _together(first, one, other, latex)

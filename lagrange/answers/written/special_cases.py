@@ -1,7 +1,7 @@
-"""What an answer says of a special case beside its equations: `if M = 3 m, then T = 3 m g/2`; `T = 3 m g when theta = 0`.
+"""What an answer says of a special case beside its equations: `if M = 3 m, then T = 3 m g/2`.
 
-The case is a relation between parameters, or the place of a coordinate, after `for`, `if`, `when` and the like. It is no
-statement about every motion, and neither is what stands on its line behind it, or right before it. A relation that
+The case is a relation between parameters, or the place of a coordinate (`T = 3 m g when theta = 0`), after `for`, `if`,
+`when` and the like. It is no statement about every motion, and neither is what stands on its line behind it, or right before it. A relation that
 every motion satisfies, `for r = R`, is a constraint and no case.
 """
 
@@ -27,11 +27,11 @@ _JOINS = re.compile(
 )
 
 
-def about_special_cases(equations: Sequence[tuple[Fragment, Reading]], reference: Reference) -> tuple[set[int], set[int]]:
+def about_special_cases(
+    equations: Sequence[tuple[Fragment, Reading]], reference: Reference
+) -> tuple[set[int], set[int]]:
     """Of equations in their order, the numbers of those that state a case, and of those that hold in one."""
-    cases = {
-        n for n, (f, r) in enumerate(equations) if _CASE.search(_before(f)) and _is_case(r, reference)
-    }
+    cases = {n for n, (f, r) in enumerate(equations) if _CASE.search(_before(f)) and _is_case(r, reference)}
     special: set[int] = set()
     for n in cases:
         case = equations[n][0].span(0, len(equations[n][0].text))

@@ -227,7 +227,9 @@ class _Sorting:
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
         self.texts: list[str] = []
-        self.sides: dict[str, tuple[Scope, sp.Expr | Vector | None]] = {}  # what was read of a side, and with which names
+        self.sides: dict[
+            str, tuple[Scope, sp.Expr | Vector | None]
+        ] = {}  # what was read of a side, and with which names
         self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}  # the same of a side that may be a name alone
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
