@@ -236,11 +236,11 @@ def _explained(
             yield from filter(None, [_of_models(claims, places, reference)])
         yield from filter(None, (p.held_fast(alone, values) for p in places))
         yield from filter(None, (_of_models(stated, places, reference) for stated in (claims, alone) if stated))
-        yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
     for claims in lists:
         alone = [c for c in claims if not right([c])]
         for stated in (claims, alone):
             yield from (sentence for sentence, meant in explained_frequencies(stated) if right(meant))
+        yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
 
 
 _LABELLED = re.compile(
