@@ -124,8 +124,8 @@ class _Attempt:
     def quality(self) -> tuple[int, int, int, int, int, bool]:
         """The rank of the verdict; then the number of right equations, then that of linear ones.
 
-        Then the coordinates of the answer are preferred, then fewer, in which a mistake is easier to name. Last, radii taken as positive are
-        preferred: a mistake that remains there is not the sign of a radius.
+        Then the coordinates of the answer are preferred, then fewer, in which a mistake is easier to name. Last, radii
+        taken as positive are preferred: a mistake that remains there is not the sign of a radius.
         """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         nonlinear = sum(Standing.NOT_LINEAR in standings for standings in self.standings)

@@ -31,7 +31,7 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.questions.texts.stability_alone import is_about_stability
 from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
-from lagrange.answers.written.cases import with_cases
+from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points

@@ -236,7 +236,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
             special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
-        if right.is_rational_function(p) and _same(claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero})):
+        if right.is_rational_function(p) and _same(
+            claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero})
+        ):
             yield f"this is the answer for a very large {p}, as if nothing moved that has it"
     legs = sp.Add.make_args(sp.expand(right**2))
     if len(legs) == 2:

@@ -15,7 +15,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.answers.written.cases import single_condition
+from lagrange.answers.written.cases.by_sense import single_condition
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.document.math_writer import text
 from lagrange.expressions.reader import read_value

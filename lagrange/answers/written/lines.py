@@ -14,7 +14,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
-from lagrange.answers.written.cases import with_cases
+from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one

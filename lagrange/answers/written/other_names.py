@@ -227,7 +227,7 @@ def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:
 
 
 def is_rate_along(fragment: Fragment, scope: Scope) -> bool:
-    """Whether a line of statics is `dy/dθ = ...`, a total derivative of what is no coordinate by one, in its working."""
+    """Whether a line of statics is `dy/dθ = ...`, a total derivative by a coordinate, in its working."""
     match = _RATE_ALONG.match(fragment.text)
     if match is None:
         return False

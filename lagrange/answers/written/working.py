@@ -11,20 +11,19 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, replace
 
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
-from lagrange.answers.written.lines import in_pairs
+from lagrange.answers.written.cases.special import about_special_cases
 from lagrange.answers.written.new_coordinates import defined_coordinate
-from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices, with_named_matrices
-from lagrange.answers.written.notation.plain import cleaned, is_rate
-from lagrange.answers.written.notation.programs import as_equation
-from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
+from lagrange.answers.written.notation.plain import is_rate
+from lagrange.answers.written.one_line import Line, finished, in_place_of, lines_of
 from lagrange.answers.written.other_names import (
     AT_EQUILIBRIUM,
     as_virtual,
@@ -36,8 +35,7 @@ from lagrange.answers.written.other_names import (
 )
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
-from lagrange.answers.written.special_cases import about_special_cases
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
@@ -45,30 +43,17 @@ from lagrange.answers.written.vector_names import with_names_of_vectors
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import ABOUT, GREEK
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
-from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import read_value, token_texts
 from lagrange.expressions.scope import RESERVED, Scope
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
-_ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
 _AT_ZERO = re.compile(
     r"[^=+/]{1,40}(?:\(\s*(?:t\s*=\s*)?(?:0|t_?\{?0\}?)\s*\)|\[\s*0\s*\]|\|_\{?\s*t\s*=\s*0\s*\}?|_\{t=0\})\s*\Z"
 )
-_ALTERNATIVES = re.compile(r"(?<![\w\\])or(?![\w'])|\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
-_ITEM = re.compile(r"\s*\(([a-h]|[ivx]{1,4})\)\s+")
-_IN_BRACKETS = re.compile(
-    r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
-)
-_LABEL = re.compile(
-    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
-    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
-    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
-)
-"""What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
@@ -123,18 +108,6 @@ class Working:
     quoting: bool = False
 
 
-@dataclass
-class _Line:
-    """One equation of the answer, as far as it has been understood; a `whole` one states alternatives."""
-
-    fragment: Fragment
-    text: str
-    number: str = ""
-    reading: Reading | None = None
-    definition: bool = False
-    whole: bool = False
-
-
 def understood(
     answer: Sequence[Fragment],
     reference: Reference,
@@ -160,57 +133,13 @@ def understood(
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
         answer = [
-            f if text == f.text else _in_place_of(f, text)
+            f if text == f.text else in_place_of(f, text)
             for f, text in zip(answer, texts, strict=True)
             if text is not None
         ]
     else:
         answer = with_names_of_vectors(answer, sorting.scope)
-    return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
-
-
-def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
-    """The equations of a fragment without its number: a = b = c is a = b and b = c."""
-    if isinstance(fragment, GivenEquation):
-        return [_Line(fragment, fragment.text, reading=fragment.reading)]
-    text = fragment.text.strip()
-    if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
-        return [_Line(fragment, text, reading=Reading(text, error=too_long(fragment)))]
-    if _ALTERNATIVES.search(fragment.text):
-        return [_Line(fragment, text, whole=True)]
-    if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
-        return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
-    draft = Draft(cleaned(fragment, declared))
-    as_equation(draft, declared)
-    if (item := _ITEM.match(draft.text)) and item[1] not in declared:
-        draft.keep(item.end(), len(draft.text))
-    if label := _LABEL.match(draft.text):
-        draft.keep(label.end(), len(draft.text))
-    if boxed := _IN_BRACKETS.match(draft.text):
-        draft.keep(*boxed.span(boxed.lastgroup or 0))
-    without_braces(draft)
-    end, number = number_at_the_end(draft.text)
-    about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
-    latex = is_latex(fragment)
-    draft.keep(0, min(end, about))
-    whole = _finished(draft, fragment, latex)
-    pieces = in_pairs(whole) if draft.text.count("=") > 1 else []
-    if not pieces:
-        return [_Line(whole, text, number)]
-    made = [_finished(piece, fragment, latex) for piece in pieces]
-    return [_Line(m, m.text.strip(" &$\n")) for m in made]
-
-
-def _in_place_of(fragment: Fragment, text: str) -> Fragment:
-    draft = Draft(fragment)
-    draft.apply([(0, len(fragment.text), text)])
-    return draft.finished(latex=True)
-
-
-def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
-    made = draft.finished(latex=latex and draft.text != draft.outer.text)
-    beside = getattr(fragment, "beside", "")
-    return replace(made, beside=beside) if isinstance(made, OneEquation) else made
+    return sorting.sorted([line for f in answer for line in lines_of(f, sorting.declared)], eliminating)
 
 
 class _Sorting:
@@ -233,7 +162,7 @@ class _Sorting:
         self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}  # the same of a side that may be a name alone
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
-    def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
+    def sorted(self, lines: list[Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
         for line in plain:
@@ -309,7 +238,7 @@ class _Sorting:
             len(quotes) > 0,
         )
 
-    def _use_other_names(self, lines: list[_Line]) -> None:
+    def _use_other_names(self, lines: list[Line]) -> None:
         """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
         scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
         if not self.values_are_asides:
@@ -324,7 +253,7 @@ class _Sorting:
             message = f"`{name}` is taken as `{meaning}`"
             self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
 
-    def _without_time(self, lines: list[_Line]) -> None:
+    def _without_time(self, lines: list[Line]) -> None:
         """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
         velocities = {*self.scope.slots.velocities}
         speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
@@ -335,11 +264,11 @@ class _Sorting:
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1"):
-                line.fragment = _finished(draft, line.fragment, False)
+                line.fragment = finished(draft, line.fragment, False)
 
-    def _write_rates(self, lines: list[_Line]) -> None:
+    def _write_rates(self, lines: list[Line]) -> None:
         """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
-        names: dict[str, _Line | None] = {}
+        names: dict[str, Line | None] = {}
         for line in lines:
             match = _RATE_ALONE.match(line.fragment.text)
             if (
@@ -356,9 +285,9 @@ class _Sorting:
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
-                line.fragment = _finished(draft, line.fragment, False)
+                line.fragment = finished(draft, line.fragment, False)
 
-    def _use_printed_names(self, lines: list[_Line]) -> None:
+    def _use_printed_names(self, lines: list[Line]) -> None:
         """Take T for the tension T_rod, as on a page, where it occurs in one equation and is no energy."""
         texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
         stated = [line.fragment.text for line in lines]
@@ -381,7 +310,7 @@ class _Sorting:
                 span = line.fragment.span(0, len(line.fragment.text))
                 self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
 
-    def _is_general_law(self, line: _Line) -> bool:
+    def _is_general_law(self, line: Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
         if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > _LONGEST_LAW:
             return False
@@ -389,7 +318,7 @@ class _Sorting:
         names |= {GREEK[c] for c in line.text if c in GREEK}
         return names.isdisjoint(self.reference.coordinates)
 
-    def _about_special_cases(self, lines: list[_Line]) -> list[_Line]:
+    def _about_special_cases(self, lines: list[Line]) -> list[Line]:
         """The lines about a special case, with a note each; none where there is nothing else."""
         if not self.values_are_asides:
             return []
@@ -401,11 +330,11 @@ class _Sorting:
             self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
         return [lines[n] for n in cases | special]
 
-    def _note(self, line: _Line, message: str, help_: str = "") -> None:
+    def _note(self, line: Line, message: str, help_: str = "") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
         self.notes.append(Diagnostic("not-judged", message, span, help=help_, level=Severity.NOTE))
 
-    def _note_number(self, line: _Line) -> None:
+    def _note_number(self, line: Line) -> None:
         if line.number:
             span = line.fragment.span(0, len(line.fragment.text))
             message = f"`{line.number}` after the equation numbers it, and is no factor"
@@ -413,7 +342,7 @@ class _Sorting:
 
     # -- asides ----------------------------------------------------------------------------------------------
 
-    def _is_aside(self, line: _Line) -> bool:
+    def _is_aside(self, line: Line) -> bool:
         """Whether a line is an initial condition or a value, which is noted."""
         if line.reading is not None:
             return False
@@ -438,7 +367,7 @@ class _Sorting:
                 return True
         return False
 
-    def _note_value(self, line: _Line, name: str, number: re.Match[str]) -> None:
+    def _note_value(self, line: Line, name: str, number: re.Match[str]) -> None:
         known = self.reference.values.get(self.reference.parameters[name])
         stated = value_of(number)
         if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
@@ -476,7 +405,7 @@ class _Sorting:
                 return name, function
         return "", ""
 
-    def _defines(self, line: _Line, kinematic: bool) -> bool:
+    def _defines(self, line: Line, kinematic: bool) -> bool:
         """Whether an equation defines a name that the problem does not declare; it is in scope from here on.
 
         kinematic  only of a velocity or an acceleration, v = x': of several equations with v, this one defines it
@@ -533,7 +462,7 @@ class _Sorting:
         rates = {*slots.velocities, *slots.accelerations} & value.free_symbols
         return bool(rates) and all(rates.isdisjoint(sp.diff(value, s).free_symbols) for s in rates)
 
-    def _defines_coordinate(self, line: _Line) -> bool:
+    def _defines_coordinate(self, line: Line) -> bool:
         """Whether an equation with a coordinate defines one of the answer's own: s by r = l + s."""
         names = {*undeclared(read_as_written(line.fragment, self.scope, line.text), line.text)}
         if len(names) != 1 or not self.values_are_asides or not is_name(name := names.pop()):
@@ -546,7 +475,7 @@ class _Sorting:
         self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
         return True
 
-    def _leave_prose_out(self, lines: list[_Line]) -> None:
+    def _leave_prose_out(self, lines: list[Line]) -> None:
         """Take the equations out of their sentences."""
         known = words_known(self.scope, [line.fragment.text for line in lines])
         for line in lines:
@@ -557,7 +486,7 @@ class _Sorting:
                 line.fragment = replace(kept, beside=words) if isinstance(kept, OneEquation) else kept
                 line.text = kept.text.strip()
 
-    def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
+    def _marks_a_coordinate(self, line: Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
         asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
@@ -575,9 +504,9 @@ class _Sorting:
         alone = len(lines_with(name, self.texts)) == 1 and not lines_with(coordinate, self.texts)
         return alone and (index.isdigit() or index in ("min", "max"))
 
-    def _find_unknowns(self, lines: list[_Line]) -> None:
+    def _find_unknowns(self, lines: list[Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
-        occurring: dict[str, list[_Line]] = {}
+        occurring: dict[str, list[Line]] = {}
         for line in lines:
             for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
@@ -627,7 +556,7 @@ def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
     return made[0], made[1]
 
 
-def _given(line: _Line) -> Fragment:
+def _given(line: Line) -> Fragment:
     return (
         line.fragment
         if line.whole or line.reading is None
@@ -635,6 +564,6 @@ def _given(line: _Line) -> Fragment:
     )
 
 
-def _is_approximation(line: _Line) -> bool:
+def _is_approximation(line: Line) -> bool:
     beside = getattr(line.fragment, "beside", "")
     return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)

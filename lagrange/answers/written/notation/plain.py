@@ -37,8 +37,8 @@ _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
 _DOTS_OF_WORD = re.compile(
-    rf"(?:(?P<bracket>\()\s*)?(?<![A-Za-z0-9_])(?P<letter>[{''.join(GREEK)}A-Za-z])(?P<index>_[0-9A-Za-z]{{1,2}})\s*(?(bracket)\)\s*|[ \u00a0]+)"
-    "(?P<dot>[\u0307\u0308])"
+    rf"(?:(?P<bracket>\()\s*)?(?<![A-Za-z0-9_])(?P<letter>[{''.join(GREEK)}A-Za-z])(?P<index>_[0-9A-Za-z]{{1,2}})"
+    "\\s*(?(bracket)\\)\\s*|[ \u00a0]+)(?P<dot>[\u0307\u0308])"
 )
 """Word's linear form of a rate with an index: `θ_2 ̈`, `(θ_2 ) ̇`."""
 _NAME = rf"(?:[{''.join(GREEK)}]|[A-Za-z]+)(?:_?\{{[A-Za-z0-9]{{1,8}}\}}|[A-Za-z0-9_{''.join(SUBSCRIPTS)}])*"

@@ -31,14 +31,16 @@ _TERM = rf"(?:{_RATE}|{_NAME}|0)"
 _SUM = rf"{_TERM}(?:\s*[-+−]\s*{_TERM})?"
 _RELATION = r">=?|<=?|[≥≤]|\\(?:gt|lt|geq?|leq?|geqslant|leqslant)(?![A-Za-z])"
 _CONDITION = re.compile(
-    rf"(?<![\w\\'=<>≤≥/*^+−-])(?P<left>{_SUM})\s*(?P<relation>{_RELATION})\s*(?P<right>{_SUM})(?![\w'(]|[ \t]*(?:[*/^+−=<>≤≥-]|\\[lg]))"
+    rf"(?<![\w\\'=<>≤≥/*^+−-])(?P<left>{_SUM})\s*(?P<relation>{_RELATION})\s*(?P<right>{_SUM})"
+    r"(?![\w'(]|[ \t]*(?:[*/^+−=<>≤≥-]|\\[lg]))"
 )
 _IS_RATE = re.compile(_RATE)
 _MAYBE = re.compile(r"[<>≤≥]|\\[lg](?:t|e|eq|eqslant)(?![A-Za-z])")
 _ROW = re.compile(r"\n|;|\\\\|\bwhere\b")
 _CONNECTIVE = (
     r"(?:\b(?:for|if|when|where|while|and|but|with|in\s+the\s+case|case|fall|für|wenn|falls|bei|und|pour|si|et|is|moving|then|it|so)\b"
-    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|\\[,;: !]|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&,:.;$~]|\\\\|\s)"
+    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|\\[,;: !]"
+    r"|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&,:.;$~]|\\\\|\s)"
 )
 _LAST = re.compile(
     rf"(?:{_CONNECTIVE}|[(\[]|\\left\s*[(\[]|\\\(|\b(?:while|as|when)\s(?:[^\W\d_]{{1,20}}\s){{1,6}})\Z", re.IGNORECASE
@@ -47,7 +49,8 @@ _LAST = re.compile(
 _WINDOW = 100
 _AFTER = re.compile(rf"(?:{_CONNECTIVE}|[)\]]|\\right\s*[)\].])+", re.IGNORECASE)
 _CASES = re.compile(
-    r"(?:\\left\s*\\\{\s*)?\\begin\s*\{(?P<kind>d?cases|rcases|array|aligned)\}(?:\s*\{[lcr@{} ]{1,12}\})?(?P<rows>.*?)\\end\s*\{(?P=kind)\}"
+    r"(?:\\left\s*\\\{\s*)?\\begin\s*\{(?P<kind>d?cases|rcases|array|aligned)\}(?:\s*\{[lcr@{} ]{1,12}\})?"
+    r"(?P<rows>.*?)\\end\s*\{(?P=kind)\}"
     r"(?:\s*\\right\s*\.)?",
     re.DOTALL,
 )

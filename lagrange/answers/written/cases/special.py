@@ -1,8 +1,8 @@
 """What an answer says of a special case beside its equations: `if M = 3 m, then T = 3 m g/2`.
 
 The case is a relation between parameters, or the place of a coordinate (`T = 3 m g when theta = 0`), after `for`, `if`,
-`when` and the like. It is no statement about every motion, and neither is what stands on its line behind it, or right before it. A relation that
-every motion satisfies, `for r = R`, is a constraint and no case.
+`when` and the like. It is no statement about every motion, and neither is what stands on its line behind it, or right
+before it. A relation that every motion satisfies, `for r = R`, is a constraint and no case.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ _CASE = re.compile(
     re.IGNORECASE,
 )
 _JOINS = re.compile(
-    r"[\s,($]*(?:\\[,;: ]|\\q?quad|\\text\s*\{)?\s*(?:\b(?:for|if|when|in\s+the\s+case|wenn|für|falls|bei|at)\b)[\s}(:$]*\Z",
+    r"[\s,($]*(?:\\[,;: ]|\\q?quad|\\text\s*\{)?\s*"
+    r"(?:\b(?:for|if|when|in\s+the\s+case|wenn|für|falls|bei|at)\b)[\s}(:$]*\Z",
     re.IGNORECASE,
 )
 
