@@ -54,7 +54,7 @@ def _changes(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> Iterator[tuple[str
             )
     used = [q for q in coordinates if any(base(s) == q or s in (differential(q), variation(q)) for s in e.free_symbols)]
     for a, b in combinations(used, 2):
-        rule = {kind(x): kind(y) for x, y in ((a, b), (b, a)) for kind in (lambda q: q, prime, differential, variation)}
+        rule = {kind(x): kind(y) for x, y in ((a, b), (b, a)) for kind in (base, prime, differential, variation)}
         yield f"it would be right with {text(a)} and {text(b)} exchanged", e.xreplace(rule)
     for term in terms if len(terms) > 1 else ():
         yield f"one change makes it right: {text(2 * term)} in place of {text(term)}", e + term

@@ -39,7 +39,7 @@ _MAYBE = re.compile(r"[<>≤≥]|\\[lg](?:t|e|eq|eqslant)(?![A-Za-z])")
 _ROW = re.compile(r"\n|;|\\\\|\bwhere\b")
 _CONNECTIVE = (
     r"(?:\b(?:for|if|when|where|while|and|but|with|in\s+the\s+case|case|fall|für|wenn|falls|bei|und|pour|si|et|is|moving|then|it|so)\b"
-    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|\\[,;: !]"
+    r"|\\(?:text|mathrm|mbox)\s*\{[^{}=]{0,40}\}|\\q?quad|(?<!\\)\\[,;: !]"
     r"|\(?\b(?:[0-9]|[iI]{1,3}|[abAB])[):.]|[&,:.;$~]|\\\\|\s)"
 )
 _LAST = re.compile(
@@ -133,7 +133,7 @@ def _together(condition: _Condition, first: str, second: str, latex: bool) -> st
     if "".join(left.split()) == "".join(other.split()):
         return f"{left} = {_halves(condition, right, its, latex)}"
     made = [rf"{a} - \left({b}\right)" if latex else f"{a} - ({b})" for a, b in sides]
-    return f"{_halves(condition, *made, latex)} = 0"
+    return f"{_halves(condition, made[0], made[1], latex)} = 0"
 
 
 _MOST_CALLS = 8
@@ -154,7 +154,7 @@ def _calls(text: str, latex: bool) -> str:
             values = [p for p, c in zip(parts, conditions, strict=True) if c is None and not _OTHERWISE.match(p)]
             if first is None or len(values) != 2:
                 continue
-            made = _halves(first, *values, latex)
+            made = _halves(first, values[0], values[1], latex)
             text = f"{text[: call.start()]}({made}){text[close + 1 :]}"
             break
         else:
