@@ -95,7 +95,7 @@ MAX_CONDITIONS = 8
 UNITS_OF_CHECKING = 200_000
 """Of work (`core.effort`) for one answer, with its diagnosis."""
 
-UNITS_OF_EXPLAINING = 15_000
+UNITS_OF_EXPLAINING = 8_000
 """Of work for what a wrong position of equilibrium is instead, about a second: each model is solved and compared."""
 
 MOST_MEANINGS = 100
