@@ -111,24 +111,27 @@ class _Attempt:
 
     components  of each equation, as they were compared; empty for an equation that cannot be read
     standings   of the components; empty if the comparison was undecided or not made
+    replaced    how many coordinates of the answer are expressed by others, where it is wrong
     """
 
     verdict: AnswerVerdict
     candidate: ReferenceCandidate
     components: tuple[tuple[sp.Expr, ...], ...] = ()
     standings: tuple[tuple[Standing, ...], ...] = ()
+    replaced: int = 0
 
     @property
-    def quality(self) -> tuple[int, int, int, int, bool]:
+    def quality(self) -> tuple[int, int, int, int, int, bool]:
         """The rank of the verdict; then the number of right equations, then that of linear ones.
 
-        Then fewer coordinates are preferred, in which a mistake is easier to name. Last, radii taken as positive are
-        preferred: a mistake that remains there is not the sign of a radius.
+        Then the coordinates of the answer are preferred, then fewer, in which a mistake is easier to name. Last, radii
+        taken as positive are preferred: a mistake that remains there is not the sign of a radius.
         """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         nonlinear = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
         size = len(self.candidate.configuration.slots.coordinates) if self.verdict.verdict is Verdict.WRONG else 0
-        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, -size, bool(self.candidate.positive)
+        worst = WORST_TO_BEST.index(self.verdict.verdict)
+        return worst, right, -nonlinear, -self.replaced, -size, bool(self.candidate.positive)
 
 
 def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
@@ -216,7 +219,9 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
         verdict = _with_meanings(verdict, readings, candidate)
     # Unknown forces that only the answer has are columns that `compare` projects out of all its rows together. Then no
     # row of a single equation is left in which the change of one term could be weighed: nothing is diagnosed.
-    return _Attempt(verdict, candidate, () if free else components, standings)
+    wrong = verdict.verdict is Verdict.WRONG
+    replaced = len({q.name for q in candidate.configuration.expressed} & used) if wrong else 0
+    return _Attempt(verdict, candidate, () if free else components, standings, replaced)
 
 
 def _compared_parts(components: Sequence[sp.Expr], candidate: ReferenceCandidate) -> tuple[sp.Expr, ...]:
@@ -386,6 +391,7 @@ def _with_reasons(
             from lagrange.answers.hints import Advisor, cause_of
             from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
             from lagrange.answers.results.forces import explained_force
+            from lagrange.answers.results.one_sense import one_sense
 
             residues = attempt.candidate.residues
             advisor = Advisor(system.configuration.slots)
@@ -402,7 +408,9 @@ def _with_reasons(
             units = reference.mismatch(readings[n]) if wanted else None
             name = model.name if model is not None else ""
             cause = model.cause if model is not None else cause_of(change)
-            force = explained_force(equation, attempt.candidate) if wanted and model is None else ""
+            force = one_sense(equation, system) if wanted and model is None else ""
+            change = None if force else change
+            force = force or (explained_force(equation, attempt.candidate) if wanted and model is None else "")
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
                 model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)

@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
-from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS, MAX_SIDE_FACTORS
+from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS, MAX_SIDE_FACTORS, UNITS_OF_EXPLAINING
 from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.models.variation import Variation
 from lagrange.answers.readings import (
@@ -41,6 +41,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.symbols import Decimal, Sign
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.core.vectors import Vector
@@ -262,6 +263,19 @@ def explained_equilibria(
     problem: Problem | None = None,
 ) -> str:
     """Of which changed problem the wrong alternatives give the equilibria, in a sentence; empty if not found."""
+    try:
+        with allowed(UNITS_OF_EXPLAINING):
+            return _explained(alternatives, equilibria, reference, problem)
+    except GivenUpError:
+        return ""
+
+
+def _explained(
+    alternatives: Sequence[Sequence[Fragment]],
+    equilibria: Sequence[Equilibrium],
+    reference: Reference,
+    problem: Problem | None,
+) -> str:
     everything = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
     for e in [e for e in equilibria if e.branches]:
         values = dict(reference.values)
@@ -367,11 +381,12 @@ def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list
         yield _INVERTED, with_side(sp.Mul(*waving) ** 2 / rhs)
     waves = {w for e in (lhs, rhs) for w in e.atoms(sp.sin, sp.cos, sp.tan)}
     angles = sorted({w.args[0] for w in waves}, key=str)
-    factors = [f(a) for a in angles for f in (sp.sin, sp.cos)]
+    factors: list[sp.Expr] = [sp.Integer(2)]
+    factors += [f(a) for a in angles for f in (sp.sin, sp.cos)]
     factors += sorted(rhs.free_symbols, key=str)
     for factor in factors[:MAX_SIDE_FACTORS]:
-        yield f"a factor {text(factor, Notation())} is missing on one of its sides", with_side(rhs * factor)
-        yield f"a factor {text(factor, Notation())} is missing on one of its sides", with_side(rhs / factor)
+        yield f"a factor {text(factor, Notation())} is missing on its right side", with_side(rhs * factor)
+        yield f"a factor {text(factor, Notation())} is missing on its left side", with_side(rhs / factor)
 
 
 def _unreadable(

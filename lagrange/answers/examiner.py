@@ -189,6 +189,11 @@ class Examiner:
         if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
             alone = understood(answer, scope, eliminating=False)
             verdict = self._on_motion(alone if alone.judged else Working(tuple(answer)))
+        if working.unknowns and verdict.verdict is Verdict.WRONG:
+            named = self._on_motion(understood(answer, scope, naming=True))
+            some_right = any(e.verdict is Verdict.EQUIVALENT for e in named.equations)
+            if any(e.model or (e.cause and some_right) for e in named.equations):
+                verdict = replace(named, verdict=Verdict.WRONG)  # of a force that is eliminated nothing can be said
         if is_about_release(verdict):
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (replace(verdict, name="ask"),))
         return self._judgement(verdict)

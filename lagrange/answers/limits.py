@@ -95,6 +95,9 @@ MAX_CONDITIONS = 8
 UNITS_OF_CHECKING = 200_000
 """Of work (`core.effort`) for one answer, with its diagnosis."""
 
+UNITS_OF_EXPLAINING = 8_000
+"""Of work for what a wrong position of equilibrium is instead, about a second: each model is solved and compared."""
+
 MOST_MEANINGS = 100
 """Readings of the names of reactions in one answer: three names of four meanings each have 63 besides the usual one."""
 

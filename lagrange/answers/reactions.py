@@ -23,6 +23,7 @@ from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, remark_on, rounded, rounded_in_motion
 from lagrange.core.diagnostics import Fragment
+from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -32,7 +33,8 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.constraints.kinematics import Configuration
+    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 
 def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> EquationVerdict | None:
@@ -79,7 +81,7 @@ def _stated(
     return _best((verdict for claim in claims for verdict in judged(text, claim)), _STATED)
 
 
-_STATED = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
+_STATED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
 
 
 def _best(verdicts: Iterable[EquationVerdict], order: Sequence[Verdict]) -> EquationVerdict | None:
@@ -178,6 +180,48 @@ def _verdict(claim: sp.Expr, candidate: ReferenceCandidate, reference: Reference
     return Verdict.WRONG if bad & set(result.standings) else Verdict.EQUIVALENT
 
 
+_AT_SOME = "it holds at some positions of equilibrium only: say at which, or give it as a function of the position"
+
+
+@record
+class _AtBranch:
+    """What claims are at the points of a branch of equilibria, and which of these the answer names beside them."""
+
+    claims: list[list[bool | None]]
+    beside: list[bool]
+
+    @classmethod
+    def of(
+        cls,
+        r: ReactionsAtRest | None,
+        claims: Sequence[sp.Expr],
+        places: Sequence[Sequence[sp.Expr]],
+        configuration: Configuration,
+        values: Mapping[sp.Symbol, sp.Expr],
+    ) -> _AtBranch | None:
+        """At one branch; None if the reactions there are not known. Raises DivisionByZeroError."""
+        if r is None or r.verified is not True:
+            return None
+        by_claim = [[*r.points.verdicts(e.xreplace(r.rule), values)] for e in claims]
+        stated = [[configuration.rewritten(as_written(e)) for e in place] for place in places]
+
+        def at_each(e: sp.Expr) -> list[bool | None]:
+            known = {s for point in r.points.values for s in point}
+            angles = [q for q in configuration.slots.coordinates if q not in known]
+            if any(e.diff(q) in (1, -1) for q in angles):  # theta = pi; its sine and cosine are known
+                e = sp.expand_trig(sp.cos(e)) - 1
+            return [*r.points.verdicts(e, values)]
+
+        named = [[*zip(*map(at_each, place), strict=True)] for place in stated if place]
+        claimed = [[*at] for at in zip(*by_claim, strict=True)]
+        beside = [any(all(v is True for v in place[n]) for place in named) for n in range(len(claimed))]
+        return cls(claimed, beside)
+
+    def chosen(self, *, beside: bool) -> list[list[bool | None]]:
+        """The claims at each point, or at each that the answer names."""
+        return [c for c, named in zip(self.claims, self.beside, strict=True) if named or not beside]
+
+
 MOST_OPERATIONS = 100
 """Of a reaction at rest with which a wrong one is compared term by term."""
 
@@ -232,26 +276,36 @@ class AtRest:
         """Whether reactions occur in an equation of an answer."""
         return reading.error is None and any(e.free_symbols & self.names for e in reading.components)
 
-    def check(self, reading: Reading) -> EquationVerdict:
-        """The verdict on an equation of an answer that is about reactions."""
+    def check(self, reading: Reading, places: Sequence[Sequence[sp.Expr]] = ()) -> EquationVerdict:
+        """The verdict on an equation of an answer that is about reactions.
+
+        places  the positions beside which it stands, as alternatives; empty if it stands alone
+        """
         order = (Verdict.TRIVIAL, *_STATED)
-        best = _best(self._judged(reading.text, reading.with_decimals or reading.components), order)
+        best = _best(self._judged(reading.text, reading.with_decimals or reading.components, (), places), order)
         verdict = best.verdict if best is not None else Verdict.UNREADABLE
         diagnosis = {
-            Verdict.WRONG: "it does not hold at every equilibrium",
+            Verdict.WRONG: "it does not hold at " + ("the equilibrium beside it" if places else "every equilibrium"),
+            Verdict.INCOMPLETE: _AT_SOME,
             Verdict.UNDECIDED: UNDECIDED,
             Verdict.UNREADABLE: f"{DIVIDES_BY_ZERO}, or mixes coordinates of several choices",
             Verdict.TRIVIAL: "it is an identity",
         }
         return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""), best.remarks if best else ())
 
-    def _judged(self, text: str, claims: Sequence[sp.Expr], remarks: tuple[str, ...] = ()) -> Iterator[EquationVerdict]:
+    def _judged(
+        self,
+        text: str,
+        claims: Sequence[sp.Expr],
+        remarks: tuple[str, ...] = (),
+        places: Sequence[Sequence[sp.Expr]] = (),
+    ) -> Iterator[EquationVerdict]:
         """The verdicts on claims that are all meant, for each meaning of the names in each set of coordinates."""
         used = set().union(*(e.free_symbols for e in claims))
         for meaning, remarks_on_names in self._meanings({s.name for s in used}):
             of_names = tuple(remarks_on_names.values())
             for reactions in self.reactions:
-                verdict = self._holds(claims, meaning, reactions)
+                verdict = self._holds(claims, meaning, reactions, places)
                 if verdict is not None:
                     right = verdict is Verdict.EQUIVALENT
                     yield EquationVerdict(text, verdict, remarks=(*remarks, *of_names) if right else ())
@@ -265,27 +319,36 @@ class AtRest:
             yield {**usual, **other}, reading.remarks
 
     def _holds(
-        self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions
+        self,
+        claims: Sequence[sp.Expr],
+        meaning: Mapping[sp.Symbol, sp.Expr],
+        reactions: StaticReactions,
+        places: Sequence[Sequence[sp.Expr]],
     ) -> Verdict | None:
-        """Whether claims hold at every equilibrium of one configuration; None if they use other coordinates."""
+        """Whether claims hold at every equilibrium of one configuration, or at those of places.
+
+        None if they use other coordinates.
+        """
         configuration = reactions.configuration
         used = {base(s).name for e in claims for s in e.free_symbols}
         known = {s.name for s in (*configuration.slots.coordinates, *configuration.expressed)}
         if not used & {q.name for q in self.reference.scope.slots.coordinates} <= known or not reactions.at:
             return None
         meant = [configuration.rewritten(as_written(e).xreplace(dict(meaning))) for e in claims]
-        verdicts: list[bool | None] = []
+        by_branch: list[list[bool | None]] = []
+        values = dict(self.reference.values)
         try:
             if all(is_zero(e) for e in meant):
                 return Verdict.TRIVIAL
-            for r in reactions.at:
-                if r is None or r.verified is not True:
-                    verdicts.append(None)
-                    continue
-                values = dict(self.reference.values)
-                verdicts += [r.points.holds(e.xreplace(r.rule), values) for e in meant]
+            at = [_AtBranch.of(r, meant, places, configuration, values) for r in reactions.at]
+            beside = any(x is not None and True in x.beside for x in at)
+            for x in at:
+                by_branch += [[None]] if x is None else x.chosen(beside=beside)
         except DivisionByZeroError:
             return None
+        verdicts = [v for each in by_branch for v in each]
+        if False in verdicts and not places and any(all(v is True for v in each) for each in by_branch):
+            return Verdict.INCOMPLETE
         if False in verdicts and decimals_in(claims) and self._round(claims, meaning, reactions):
             return Verdict.EQUIVALENT
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT

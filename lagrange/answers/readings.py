@@ -128,11 +128,16 @@ def _read(fragment: Fragment, scope: Scope) -> Reading:
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
         return Reading(text, parts, notes=notes, sides=(lhs, rhs))
-    source = (fragment, replace(scope, decimals="")) if scope.decimals is None and _DECIMAL.search(text) else None
+    source = (fragment, replace(scope, decimals="")) if scope.decimals is None and has_decimals(text) else None
     return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs), source=source)
 
 
 _DECIMAL = re.compile(r"[0-9](?:\.|\{,\})[0-9]|\.[0-9][0-9]|[0-9]{3}")
+
+
+def has_decimals(text: str) -> bool:
+    """Whether a text has numbers that may have been rounded."""
+    return _DECIMAL.search(text) is not None
 
 
 def decimals_in(expressions: Iterable[sp.Expr]) -> list[Decimal]:

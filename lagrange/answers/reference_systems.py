@@ -19,7 +19,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, UnsupportedError
 from lagrange.answers.readings import read_answer
-from lagrange.answers.references import Reference, ReferenceCandidate, occurring, values_of
+from lagrange.answers.references import Reference, ReferenceCandidate, declared_names, occurring, values_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.mechanics.constraints.classification import classify
@@ -61,7 +61,9 @@ def reference_of_equations(problem: Problem) -> Reference:
         *(_rewritten(system, c, forces, values) for c in chosen),
     )
     _check(candidates[0].system, problem)
-    return Reference(scope, candidates, values, forces, units_of(problem))
+    declared = declared_names(problem) | {*signs}
+    parameters = {p.symbol.name: p.symbol for p in problem.parameters}
+    return Reference(scope, candidates, values, forces, units_of(problem), declared=declared, parameters=parameters)
 
 
 def _rewritten(

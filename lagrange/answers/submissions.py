@@ -31,6 +31,7 @@ from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.questions.texts.stability_alone import is_about_stability
 from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.in_words import stated_in_words
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
@@ -114,7 +115,7 @@ def answer_in_file(
     Raises ProblemError as `equations_in_file` does.
     """
     source = replace(source, text=with_sign_after_names(source.text, names)) if names else source
-    source = replace(source, text=with_bracketed_arrays(source.text))
+    source = replace(source, text=with_bracketed_arrays(with_cases(source.text)))
     equations = equations_in_file(source, ending, conditions=conditions)
     in_words = not equations and (stated_in_words(source.text) != Answers() or is_about_stability(source.text))
     if in_words or (not equations and is_expressions(source.text)):

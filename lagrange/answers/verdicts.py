@@ -319,6 +319,7 @@ _HEADLINES_OF_REACTIONS = {
     False: {
         Verdict.EQUIVALENT: "equivalent: these are reactions at every position of equilibrium",
         Verdict.WRONG: "wrong: these are not the reactions at every position of equilibrium",
+        Verdict.INCOMPLETE: "incomplete: these are not the reactions at every position of equilibrium",
         Verdict.TRIVIAL: "trivial: the equations say nothing about the reactions",
         Verdict.UNDECIDED: "undecided: it could not be settled whether these are the reactions",
     },

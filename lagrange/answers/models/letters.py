@@ -64,6 +64,10 @@ def _letters(
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
         yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)
+        if q in slots.coordinates:
+            rule = {q: q + sp.pi / 2}
+            clause = f"for {q} measured from the perpendicular direction (sine and cosine, with a sign)"
+            yield Variation(clause, f"{q}", rule=rule)
     for a, b in combinations(used, 2):
         yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
     for a, b in permutations(needed, 2):

@@ -236,6 +236,10 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
             special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
+        if right.is_rational_function(p) and _same(
+            claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero})
+        ):
+            yield f"this is the answer for a very large {p}, as if nothing moved that has it"
     legs = sp.Add.make_args(sp.expand(right**2))
     if len(legs) == 2:
         sides = [sp.sqrt(leg) for leg in legs]
@@ -276,6 +280,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
     for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):
         if _same(claim, right.xreplace({p: q, q: p})):
             yield f"this is the answer with {p} and {q} exchanged"
+    for angle in sorted({a for w in claim.atoms(sp.sin, sp.cos, sp.tan) for a in w.free_symbols}, key=str):
+        if _same(claim.xreplace({angle: sp.pi / 2 - angle}), right):
+            yield f"this is the answer for {angle} measured from the perpendicular direction (sine and cosine)"
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
         yield f"the right answer does not depend on {', '.join(map(str, more))}"

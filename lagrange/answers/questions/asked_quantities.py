@@ -155,8 +155,8 @@ class Claim:
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
         of, stated = (self.quantity, value) if value is not None else self._of_function(claim)
-        if stated is not None and (changed := self._of_another_body(stated, of)):
-            return changed
+        if stated is not None and (body := self._of_another_body(stated, of)):
+            return body
         impact = self.solution.impact
         before = None if impact is None else impact.kinetic[0]
         if stated is not None and (lost := explained_answer(self.asked, stated, of, before)):
@@ -170,7 +170,8 @@ class Claim:
                 return how
         for variation in letter_variations([claim], (), self.scope.slots):
             try:
-                if variation.rule and judged(claim.xreplace(dict(variation.rule)))[0] is Verdict.EQUIVALENT:
+                changed = claim.xreplace(dict(variation.rule))
+                if changed != claim and judged(changed)[0] is Verdict.EQUIVALENT:
                     return f"this is the answer {variation.clause}"
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
@@ -255,7 +256,7 @@ class Claim:
             return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED
-        if self._is_odd() and any(self._same(claim, -v) for v in derived):
+        if self._is_odd() and any(self._same(claim, -v) or self._same(claim**2, v**2) for v in derived):
             return Verdict.EQUIVALENT, _SPEED
         for meaning in meanings(self.reaction)[1:] if self.reaction is not None else ():
             if any(self._same(claim, v) for v in self._values_for(meaning)):
@@ -421,4 +422,4 @@ def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | 
     [value] = values
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
-    return value, None
+    return sp.sqrt(value) if stated.label.endswith("^2") else value, None

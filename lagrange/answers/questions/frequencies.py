@@ -106,6 +106,23 @@ class Place:
         alone = " and ".join(dict.fromkeys(str(coordinates[free[j]]) for j in names))
         return f"that is the frequency of {alone} with the other coordinates held fast"
 
+    def of_one_term(self, claim: sp.Expr, values: Values) -> str:
+        """Which term or factor is wrong in the square of a frequency, where there is one; a sentence, or empty."""
+        from lagrange.answers.models.questions import explained_value
+
+        if len(self.oscillations.free) != 1:
+            return ""
+        system = self.oscillations.system
+        [j] = self.oscillations.free if len(system.mass) > 1 else [0]
+        try:
+            right = sp.expand(sp.cancel(self.at(system.stiffness[j][j] / system.mass[j][j])))
+        except (NotAlgebraicError, IndexError):
+            return ""
+        if sp.count_ops(right) > MOST_OPERATIONS:
+            return ""
+        why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
+        return f"in omega^2, {why}" if why else ""
+
     def _is_own(self, claim: sp.Expr, stiffness: sp.Expr, mass: sp.Expr, values: Values) -> bool:
         try:
             return claim != 0 and is_zero(self.at(as_written(claim**2 * mass - stiffness)).xreplace(values)) is True
@@ -170,6 +187,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
         return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NONE_KNOWN)
     complete = any(_is_complete(f) for f, rates in oscillating if not rates) or all(map(_is_complete, linearizations))
     values = dict(reference.values)
+    complete = complete or _asked_by_the_file(solution, places, values, reference)
     texts = [[f.text.strip() for f in fragments] for fragments in stated]
     verdicts = [_of_list(c, t, places, values, complete=complete) for c, t in zip(lists, texts, strict=True)]
     best = max(verdicts, key=lambda v: _BEST.index(v.verdict))
@@ -182,6 +200,21 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
     ]
     sentence = next(_explained(wrong, places, values, reference), "")
     return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
+
+
+def _asked_by_the_file(
+    solution: Solution, places: Sequence[Place], values: dict[sp.Symbol, sp.Rational], reference: Reference
+) -> bool:
+    """Whether the file states frequencies of its own, and all of them are those of known equilibria.
+
+    Then these are what is asked for, although there may be other equilibria.
+    """
+    own = solution.problem.answers.frequencies if solution.problem.answers is not None else ()
+    try:
+        lists = [[v for f in fragments for v in _values(f, reference)] for fragments in own]
+    except ProblemError:
+        return False
+    return bool(lists) and all(any(all(p.is_root(c, values) for c in claims) for p in places) for claims in lists)
 
 
 def _explained(
@@ -207,6 +240,7 @@ def _explained(
         alone = [c for c in claims if not right([c])]
         for stated in (claims, alone):
             yield from (sentence for sentence, meant in explained_frequencies(stated) if right(meant))
+        yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
 
 
 _LABELLED = re.compile(
@@ -215,6 +249,8 @@ _LABELLED = re.compile(
 _BETWEEN = re.compile(
     r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
 )
+MOST_OPERATIONS = 40
+"""Of the square of a frequency with which a wrong one is compared term by term."""
 _HIGHEST = 2
 """The degree in ω² of a frequency equation that is solved."""
 
@@ -227,9 +263,14 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
         name = match[0].strip(" $=") if match else ""
         others = [_LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
-        if match and not is_natural and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
+        if is_natural and any(_ACCELERATION.search(text) for text in others):
+            continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
+        if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
+
+
+_ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
 
 
 def _has_name(name: str, text: str) -> bool:

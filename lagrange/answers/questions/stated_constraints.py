@@ -65,6 +65,8 @@ def check_constraints(working: Working, solution: Solution) -> AnswerVerdict:
                 verdict, why, components = Verdict.EQUIVALENT, _DIFFERENTIALS, other
             elif verdict is Verdict.WRONG and (up_to_constant := _up_to_a_constant(components, solution)):
                 verdict, why, components = Verdict.EQUIVALENT, _INTEGRATED, up_to_constant
+            elif verdict is Verdict.WRONG and (change := _changed(components, solution)):
+                why = f"{why}; {change}"
         except DivisionByZeroError:
             verdict, why = Verdict.UNREADABLE, DIVIDES_BY_ZERO
         judged.append(EquationVerdict.of(text, verdict, why))
@@ -166,6 +168,14 @@ def _judged(components: Sequence[sp.Expr], solution: Solution) -> tuple[Verdict,
         return Verdict.UNDECIDED, UNDECIDED
     right = all(s is Standing.CONSTRAINT for s in result.standings)
     return (Verdict.EQUIVALENT, "") if right else (Verdict.WRONG, _NOT_REQUIRED)
+
+
+def _changed(components: Sequence[sp.Expr], solution: Solution) -> str:
+    """Which one change makes a wrong statement right, in a sentence; empty if none does."""
+    from lagrange.answers.results.constraints import explained_constraint
+
+    moving = [q for v in solution.views for q in v.configuration.slots.coordinates]
+    return explained_constraint(components, moving, lambda e: _judged((e,), solution)[0] is Verdict.EQUIVALENT)
 
 
 def _conditions(e: sp.Expr, configuration: Configuration) -> Sequence[sp.Expr]:

@@ -51,6 +51,10 @@ def verdict_on(working: Working, reference: Reference, check: Check, *, moving: 
         judged = [replace(e, diagnosis=_SOLVED) if e.verdict is Verdict.WRONG else e for e in verdict.equations]
         judged = [replace(e, verdict=Verdict.UNDECIDED) if e.verdict is Verdict.WRONG else e for e in judged]
         verdict = replace(verdict, verdict=Verdict.UNDECIDED, equations=tuple(judged), diagnosis=_SOLVED)
+    if verdict.verdict is Verdict.WRONG and moving and len(equations) == len(verdict.equations):
+        from lagrange.answers.results.one_sense import right_as_far_as_stated
+
+        verdict = right_as_far_as_stated(equations, verdict, reference) or verdict
     if verdict.verdict is Verdict.WRONG:
         verdict = check(equations, True)
     return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), equations, working)

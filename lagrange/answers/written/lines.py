@@ -14,6 +14,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.answers.written.approximations import is_about, results, with_equality
+from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
@@ -40,7 +41,7 @@ _BETWEEN = (
 )
 """Words between two equations."""
 _SEPARATOR = re.compile(
-    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
+    rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|(?<=[\w)\]²³'])\s+(?:if|when)\s(?=[^=]*=)|(?<=\s)(?:und|et|mit|avec|wobei|sowie|où)\s(?=[^=]*=)"
     rf"|{_BETWEEN}|{_SENTENCE}|\\n"
 )
 _LEADS_ON = re.compile(_BETWEEN)
@@ -500,6 +501,11 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
+    answer = [*answer]
+    if len(answer) > 1 and not any(isinstance(f, OneEquation) for f in answer):  # a case each
+        texts = "\n".join(f.text for f in answer)
+        together = with_cases(texts)
+        answer = answer if together == texts else [Fragment.of(together, answer[0].whole.source.name)]
     return results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
 
 
@@ -557,6 +563,8 @@ def conditions_of(fragment: Fragment) -> list[Fragment]:
 def _separated(fragment: Fragment) -> list[Fragment]:
     if isinstance(fragment, OneEquation):
         return [fragment]
+    if (cases := with_cases(fragment.text)) != fragment.text:
+        fragment = Fragment.of(cases, fragment.whole.source.name)
     if is_latex(fragment):
         fragment = replace(fragment, text=with_bracketed_arrays(fragment.text))
         return list(_in_latex(fragment, "")) or list(equations(fragment))

@@ -57,11 +57,13 @@ _QUANTITY = r"\\?[^\W\d_]+(?:_\w{1,8}|_\{\w{1,8}\})?"
 _MODULUS = re.compile(
     r"[\s$&]*(?P<bars>(?:\\left\s*)?(?:\||\\[lv]vert)\s*(?P<name>\\?[^\W\d_]\w{0,12})\s*(?:\\right\s*)?(?:\||\\[rv]vert))\s*&?=(?!=)"
 )
-_STATIONARY = re.compile(
+_RATE_OVER = (
     rf"[\s$&]*(?:d\s?(?P<name>{_QUANTITY})\s*/\s*d\s?(?P<by>{_QUANTITY})"
     rf"|\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<name2>{_QUANTITY})\s*\}}"
-    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?=\s*0[\s.,;$]*\Z"
+    rf"\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}})\s*(?P<by2>{_QUANTITY})\s*\}})\s*&?="
 )
+_STATIONARY = re.compile(rf"{_RATE_OVER}\s*0[\s.,;$]*\Z")
+_RATE_ALONG = re.compile(rf"{_RATE_OVER}(?!\s*0[\s.,;$]*\Z)")
 AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
 """The index of a coordinate at rest."""
 _WITH_INDEX = re.compile(
@@ -109,7 +111,7 @@ def other_names(
 
 
 def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr]:
-    """theta_0 inside an equation as theta, in statics; what stands alone on a side is defined there."""
+    """theta_0 as theta at rest, in statics; beside `x = R*phi + x_0`, which states x itself, x_0 is a constant."""
     coordinates = {q.name: q for q in scope.slots.coordinates}
     at_rest: dict[str, sp.Expr] = {}
     for text in texts:
@@ -118,10 +120,10 @@ def coordinates_at_rest(texts: Sequence[str], scope: Scope) -> dict[str, sp.Expr
             name = f"{symbol}_{match['index']}"
             if symbol is not None and match["index"] in AT_EQUILIBRIUM and scope.role(name) is Role.UNDECLARED:
                 at_rest[name] = symbol
-    alone = {
+    stated = {
         n for n in at_rest if any(re.match(rf"[\s$]*\\?{n.partition('_')[0]}\b[^=+*/()-]*=", text) for text in texts)
     }
-    return {n: q for n, q in at_rest.items() if n not in alone}
+    return {n: q for n, q in at_rest.items() if n not in stated}
 
 
 def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
@@ -222,6 +224,16 @@ def as_virtual(fragment: Fragment, scope: Scope) -> Fragment:
     draft = Draft(fragment)
     draft.apply([(0, len(fragment.text), f"δ{name} = 0")])
     return draft.finished()
+
+
+def is_rate_along(fragment: Fragment, scope: Scope) -> bool:
+    """Whether a line of statics is `dy/dθ = ...`, a total derivative by a coordinate, in its working."""
+    match = _RATE_ALONG.match(fragment.text)
+    if match is None:
+        return False
+    name, by = _plain(match["name"] or match["name2"]), _plain(match["by"] or match["by2"])
+    coordinates = {q.name for q in scope.slots.coordinates}
+    return scope.spelling(by) in coordinates and scope.spelling(name) not in coordinates
 
 
 def _plain(name: str) -> str:

@@ -45,8 +45,10 @@ def read_as_written(
     return replace(first, text=text or fragment.text.strip())
 
 
-def _errors(reading: Reading) -> int:
-    return len(reading.error.diagnostics) if reading.error else 0
+def _errors(reading: Reading) -> tuple[bool, int]:
+    """How far an equation is from being read: undeclared names may still be defined elsewhere."""
+    errors = reading.error.diagnostics if reading.error else ()
+    return any(e.code != "unknown-symbol" for e in errors), len(errors)
 
 
 def _notations(fragment: Fragment, scope: Scope) -> Iterator[Fragment]:

@@ -73,9 +73,10 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
     if not beyond or len(beyond) > _MOST_DEFINITIONS:
         parts = [text]
     else:
+        is_value = len(cuts(parts[0].text, _EQUALS)) == 1
         for _ in beyond:
             for part in beyond:
-                scope = _with_definition(part, scope)
+                scope = _with_definition(part, scope, places=is_value)
         parts = parts[:1]
     sides = [cut(parts[0], *place) for place in cuts(parts[0].text, _EQUALS)]
     label = ""
@@ -106,14 +107,20 @@ def _parts(text: Fragment) -> list[Fragment]:
     return [cut(text, *place) for place in places]
 
 
-def _with_definition(part: Fragment, scope: Scope) -> Scope:
-    """The scope with a name that a part defines; the same if it defines none."""
+def _with_definition(part: Fragment, scope: Scope, *, places: bool) -> Scope:
+    """The scope with a name that a part defines; the same if it defines none.
+
+    places  whether it may be a coordinate, which then has this value at the place in question: `2 x/v, x = ...`
+    """
     left, right = (cut(part, *place) for place in cuts(part.text, _EQUALS))
     try:
         names = tried(left, scope, lambda f: token_texts(f, scope))
         squared = names[1:] == ["^", "2"]
         names = names[:1] if squared else names
-        if len(names) != 1 or names[0] in RESERVED or scope.scalar(names[0]) is not None or not names[0][:1].isalpha():
+        if len(names) != 1 or names[0] in RESERVED or not names[0][:1].isalpha():
+            return scope
+        known = scope.scalar(names[0])
+        if known is not None and not (places and known in scope.slots.coordinates):
             return scope
         value = tried(right, scope, lambda f: read_value(f, scope, [], latex=True))
     except ProblemError:

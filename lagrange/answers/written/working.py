@@ -11,31 +11,31 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import field, replace
 
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
-from lagrange.answers.readings import GivenEquation, Reading, decimals_in
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
-from lagrange.answers.written.lines import in_pairs
+from lagrange.answers.written.cases.special import about_special_cases
 from lagrange.answers.written.new_coordinates import defined_coordinate
-from lagrange.answers.written.notation.matrices import has_matrix, rows_of_matrices, with_named_matrices
-from lagrange.answers.written.notation.plain import cleaned, is_rate
-from lagrange.answers.written.notation.programs import as_equation
-from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
+from lagrange.answers.written.notation.plain import is_rate
+from lagrange.answers.written.one_line import Line, finished, in_place_of, lines_of
 from lagrange.answers.written.other_names import (
     AT_EQUILIBRIUM,
     as_virtual,
     coordinates_at_rest,
+    is_rate_along,
     other_names,
     rates_without_bar,
     without_arguments,
 )
 from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
 from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.stated_units import with_value_in_si
 from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
 from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
@@ -43,30 +43,17 @@ from lagrange.answers.written.vector_names import with_names_of_vectors
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.characters import ABOUT, GREEK
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
-from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import read_value, token_texts
-from lagrange.expressions.scope import RESERVED
+from lagrange.expressions.scope import RESERVED, Scope
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
-_ABOUT = re.compile(rf"{ABOUT}|\\sim(?![A-Za-z])|~=|(?<=\s)~(?=\s)")
 _AT_ZERO = re.compile(
     r"[^=+/]{1,40}(?:\(\s*(?:t\s*=\s*)?(?:0|t_?\{?0\}?)\s*\)|\[\s*0\s*\]|\|_\{?\s*t\s*=\s*0\s*\}?|_\{t=0\})\s*\Z"
 )
-_ALTERNATIVES = re.compile(r"(?<![\w\\])or(?![\w'])|\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
-_ITEM = re.compile(r"\s*\(([a-h]|[ivx]{1,4})\)\s+")
-_IN_BRACKETS = re.compile(
-    r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
-)
-_LABEL = re.compile(
-    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
-    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
-    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
-)
-"""What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
@@ -121,24 +108,18 @@ class Working:
     quoting: bool = False
 
 
-@dataclass
-class _Line:
-    """One equation of the answer, as far as it has been understood; a `whole` one states alternatives."""
-
-    fragment: Fragment
-    text: str
-    number: str = ""
-    reading: Reading | None = None
-    definition: bool = False
-    whole: bool = False
-
-
 def understood(
-    answer: Sequence[Fragment], reference: Reference, *, eliminating: bool = True, moving: bool = True
+    answer: Sequence[Fragment],
+    reference: Reference,
+    *,
+    eliminating: bool = True,
+    moving: bool = True,
+    naming: bool = False,
 ) -> Working:
     """The answer sorted into what is judged and what is not.
 
     eliminating  with undeclared names as unknown forces
+    naming       with the reactions' short names in several lines, too, where they otherwise are unknown forces
     moving       whether it is about motion; in statics a parameter may be stated to have a particular value
 
     Raises ProblemError if it has too many lines.
@@ -147,69 +128,26 @@ def understood(
         message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
-    sorting = _Sorting(reference, moving)
+    sorting = _Sorting(reference, moving, naming)
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
         answer = [
-            f if text == f.text else _in_place_of(f, text)
+            f if text == f.text else in_place_of(f, text)
             for f, text in zip(answer, texts, strict=True)
             if text is not None
         ]
     else:
         answer = with_names_of_vectors(answer, sorting.scope)
-    return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
-
-
-def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
-    """The equations of a fragment without its number: a = b = c is a = b and b = c."""
-    if isinstance(fragment, GivenEquation):
-        return [_Line(fragment, fragment.text, reading=fragment.reading)]
-    text = fragment.text.strip()
-    if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
-        return [_Line(fragment, text, reading=Reading(text, error=too_long(fragment)))]
-    if _ALTERNATIVES.search(fragment.text):
-        return [_Line(fragment, text, whole=True)]
-    if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
-        return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
-    draft = Draft(cleaned(fragment, declared))
-    as_equation(draft, declared)
-    if (item := _ITEM.match(draft.text)) and item[1] not in declared:
-        draft.keep(item.end(), len(draft.text))
-    if label := _LABEL.match(draft.text):
-        draft.keep(label.end(), len(draft.text))
-    if boxed := _IN_BRACKETS.match(draft.text):
-        draft.keep(*boxed.span(boxed.lastgroup or 0))
-    without_braces(draft)
-    end, number = number_at_the_end(draft.text)
-    about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
-    latex = is_latex(fragment)
-    draft.keep(0, min(end, about))
-    whole = _finished(draft, fragment, latex)
-    pieces = in_pairs(whole) if draft.text.count("=") > 1 else []
-    if not pieces:
-        return [_Line(whole, text, number)]
-    made = [_finished(piece, fragment, latex) for piece in pieces]
-    return [_Line(m, m.text.strip(" &$\n")) for m in made]
-
-
-def _in_place_of(fragment: Fragment, text: str) -> Fragment:
-    draft = Draft(fragment)
-    draft.apply([(0, len(fragment.text), text)])
-    return draft.finished(latex=True)
-
-
-def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
-    made = draft.finished(latex=latex and draft.text != draft.outer.text)
-    beside = getattr(fragment, "beside", "")
-    return replace(made, beside=beside) if isinstance(made, OneEquation) else made
+    return sorting.sorted([line for f in answer for line in lines_of(f, sorting.declared)], eliminating)
 
 
 class _Sorting:
     """One answer on its way through; `scope` grows with the definitions."""
 
-    def __init__(self, reference: Reference, values_are_asides: bool) -> None:
+    def __init__(self, reference: Reference, values_are_asides: bool, naming: bool) -> None:
         self.reference = reference
+        self.naming = naming
         self.values_are_asides = values_are_asides
         self.scope = reference.scope_of_answers
         self.declared = reference.declared
@@ -218,9 +156,13 @@ class _Sorting:
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
         self.texts: list[str] = []
+        self.sides: dict[
+            str, tuple[Scope, sp.Expr | Vector | None]
+        ] = {}  # what was read of a side, and with which names
+        self.names: dict[str, tuple[Scope, tuple[str, str]]] = {}  # the same of a side that may be a name alone
         self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
-    def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
+    def sorted(self, lines: list[Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
         for line in plain:
@@ -250,9 +192,16 @@ class _Sorting:
             elif not line.definition and line.reading is None:
                 if not self.values_are_asides:
                     line.fragment = as_virtual(line.fragment, self.scope)
+                    if is_rate_along(line.fragment, self.scope):
+                        self._note(line, f"`{line.text}` is a derivative along the constraints, and is not judged")
+                        continue
                 try:
-                    line.fragment = with_value_in_si(line.fragment, self.reference)
+                    written = line.fragment
+                    line.fragment = with_value_in_si(written, self.reference)
                     line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
+                    if line.fragment is not written:  # `T = 2 N` may also be twice the reaction N
+                        product = read_as_written(written, self.scope, line.text, self.rounded)
+                        line.reading = replace(line.reading, other=None if product.error else product)
                 except ProblemError as error:
                     line.reading = Reading(line.text, error=error)
         if eliminating:
@@ -265,6 +214,7 @@ class _Sorting:
         for line in laws:
             self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
         quotes += laws
+        quotes += self._about_special_cases([line for line in waiting if not any(line is q for q in quotes)])
         conditions = [line for line in waiting if is_condition(getattr(line.fragment, "beside", ""))]
         if len(conditions) < len(waiting):
             for line in conditions:
@@ -288,7 +238,7 @@ class _Sorting:
             len(quotes) > 0,
         )
 
-    def _use_other_names(self, lines: list[_Line]) -> None:
+    def _use_other_names(self, lines: list[Line]) -> None:
         """Take th for theta, a_x for x'', r_1 for the position of the first particle."""
         scalars, vectors = other_names([line.text for line in lines], self.scope, self.reference)
         if not self.values_are_asides:
@@ -303,7 +253,7 @@ class _Sorting:
             message = f"`{name}` is taken as `{meaning}`"
             self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
 
-    def _without_time(self, lines: list[_Line]) -> None:
+    def _without_time(self, lines: list[Line]) -> None:
         """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
         velocities = {*self.scope.slots.velocities}
         speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
@@ -314,11 +264,11 @@ class _Sorting:
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1"):
-                line.fragment = _finished(draft, line.fragment, False)
+                line.fragment = finished(draft, line.fragment, False)
 
-    def _write_rates(self, lines: list[_Line]) -> None:
+    def _write_rates(self, lines: list[Line]) -> None:
         """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
-        names: dict[str, _Line | None] = {}
+        names: dict[str, Line | None] = {}
         for line in lines:
             match = _RATE_ALONE.match(line.fragment.text)
             if (
@@ -335,26 +285,23 @@ class _Sorting:
         for line in lines:
             draft = Draft(line.fragment)
             if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
-                line.fragment = _finished(draft, line.fragment, False)
+                line.fragment = finished(draft, line.fragment, False)
 
-    def _use_printed_names(self, lines: list[_Line]) -> None:
+    def _use_printed_names(self, lines: list[Line]) -> None:
         """Take T for the tension T_rod, as on a page, where it occurs in one equation and is no energy."""
         texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
         stated = [line.fragment.text for line in lines]
         for name, symbol in printed_names(self.reference, stated).items():
             renamed = lines_with(name, stated)
-            if len(renamed) != 1:
+            if len(renamed) != 1 and not (self.naming and renamed):
                 continue
             line = lines[renamed[0]]
             alone, value = False, None
             for side, other in (sides, sides[::-1]) if (sides := _sides(line.fragment)) else ():
                 if self._name_alone(side)[0] == name:
                     alone = True
-                    try:
-                        value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
-                    except ProblemError:
-                        value = None
-            if isinstance(value, Vector) or (symbol.name.startswith("lambda") and not alone):
+                    value = self._value_of(other)
+            if isinstance(value, Vector) or (symbol.name.startswith("lambda") and not alone and not self.naming):
                 continue
             if may_be_force(name, value, texts, self.reference):
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
@@ -363,7 +310,7 @@ class _Sorting:
                 span = line.fragment.span(0, len(line.fragment.text))
                 self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
 
-    def _is_general_law(self, line: _Line) -> bool:
+    def _is_general_law(self, line: Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
         if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > _LONGEST_LAW:
             return False
@@ -371,11 +318,23 @@ class _Sorting:
         names |= {GREEK[c] for c in line.text if c in GREEK}
         return names.isdisjoint(self.reference.coordinates)
 
-    def _note(self, line: _Line, message: str, help_: str = "") -> None:
+    def _about_special_cases(self, lines: list[Line]) -> list[Line]:
+        """The lines about a special case, with a note each; none where there is nothing else."""
+        if not self.values_are_asides:
+            return []
+        cases, special = about_special_cases([(x.fragment, x.reading or Reading("")) for x in lines], self.reference)
+        if len(cases) + len(special) in (0, len(lines)):
+            return []
+        for n in sorted(cases | special):
+            what = "states" if n in cases else "is about"
+            self._note(lines[n], f"`{lines[n].text}` {what} a special case, and is not judged")
+        return [lines[n] for n in cases | special]
+
+    def _note(self, line: Line, message: str, help_: str = "") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
         self.notes.append(Diagnostic("not-judged", message, span, help=help_, level=Severity.NOTE))
 
-    def _note_number(self, line: _Line) -> None:
+    def _note_number(self, line: Line) -> None:
         if line.number:
             span = line.fragment.span(0, len(line.fragment.text))
             message = f"`{line.number}` after the equation numbers it, and is no factor"
@@ -383,7 +342,7 @@ class _Sorting:
 
     # -- asides ----------------------------------------------------------------------------------------------
 
-    def _is_aside(self, line: _Line) -> bool:
+    def _is_aside(self, line: Line) -> bool:
         """Whether a line is an initial condition or a value, which is noted."""
         if line.reading is not None:
             return False
@@ -408,7 +367,7 @@ class _Sorting:
                 return True
         return False
 
-    def _note_value(self, line: _Line, name: str, number: re.Match[str]) -> None:
+    def _note_value(self, line: Line, name: str, number: re.Match[str]) -> None:
         known = self.reference.values.get(self.reference.parameters[name])
         stated = value_of(number)
         if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
@@ -422,6 +381,12 @@ class _Sorting:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
         if len(side.text.strip()) > _LONGEST_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
             return "", ""
+        known = self.names.get(side.text)
+        if known is None or known[0] is not self.scope:
+            known = self.names[side.text] = self.scope, self._name_in(side)
+        return known[1]
+
+    def _name_in(self, side: Fragment) -> tuple[str, str]:
         try:
             texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
@@ -440,7 +405,7 @@ class _Sorting:
                 return name, function
         return "", ""
 
-    def _defines(self, line: _Line, kinematic: bool) -> bool:
+    def _defines(self, line: Line, kinematic: bool) -> bool:
         """Whether an equation defines a name that the problem does not declare; it is in scope from here on.
 
         kinematic  only of a velocity or an acceleration, v = x': of several equations with v, this one defines it
@@ -456,9 +421,7 @@ class _Sorting:
                 return False
             if applied not in ("", "^2") and self.scope.scalar(name) is not None:
                 continue
-            try:
-                value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
-            except ProblemError:
+            if (value := self._value_of(other)) is None:
                 continue
             if kinematic and (isinstance(value, Vector) or not self._is_rate_of(value)):
                 continue
@@ -471,15 +434,27 @@ class _Sorting:
                 if known in value.free_symbols and self.scope.scalar(name) == known:
                     continue
                 undone = _UNDOING[applied]
-                rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
-                with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
-                if decimals_in([with_decimals]):
-                    self.rounded[name] = undone(with_decimals)
+                if self.rounded or has_decimals(other.text):
+                    rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
+                    with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                    if decimals_in([with_decimals]):
+                        self.rounded[name] = undone(with_decimals)
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
             self.defined.append(name)
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
         return False
+
+    def _value_of(self, side: Fragment) -> sp.Expr | Vector | None:
+        """What one side means; None if it cannot be read. Each is asked for several times."""
+        known = self.sides.get(side.text)
+        if known is None or known[0] is not self.scope:
+            try:
+                value = tried(side, self.scope, lambda f: read_value(f, self.scope, latex=True))
+            except ProblemError:
+                value = None
+            known = self.sides[side.text] = self.scope, value
+        return known[1]
 
     def _is_rate_of(self, value: sp.Expr) -> bool:
         """Whether an expression is a velocity or an acceleration, linear in the velocities and accelerations."""
@@ -487,7 +462,7 @@ class _Sorting:
         rates = {*slots.velocities, *slots.accelerations} & value.free_symbols
         return bool(rates) and all(rates.isdisjoint(sp.diff(value, s).free_symbols) for s in rates)
 
-    def _defines_coordinate(self, line: _Line) -> bool:
+    def _defines_coordinate(self, line: Line) -> bool:
         """Whether an equation with a coordinate defines one of the answer's own: s by r = l + s."""
         names = {*undeclared(read_as_written(line.fragment, self.scope, line.text), line.text)}
         if len(names) != 1 or not self.values_are_asides or not is_name(name := names.pop()):
@@ -500,7 +475,7 @@ class _Sorting:
         self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
         return True
 
-    def _leave_prose_out(self, lines: list[_Line]) -> None:
+    def _leave_prose_out(self, lines: list[Line]) -> None:
         """Take the equations out of their sentences."""
         known = words_known(self.scope, [line.fragment.text for line in lines])
         for line in lines:
@@ -511,7 +486,7 @@ class _Sorting:
                 line.fragment = replace(kept, beside=words) if isinstance(kept, OneEquation) else kept
                 line.text = kept.text.strip()
 
-    def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
+    def _marks_a_coordinate(self, line: Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
         asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
@@ -529,9 +504,9 @@ class _Sorting:
         alone = len(lines_with(name, self.texts)) == 1 and not lines_with(coordinate, self.texts)
         return alone and (index.isdigit() or index in ("min", "max"))
 
-    def _find_unknowns(self, lines: list[_Line]) -> None:
+    def _find_unknowns(self, lines: list[Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
-        occurring: dict[str, list[_Line]] = {}
+        occurring: dict[str, list[Line]] = {}
         for line in lines:
             for name in undeclared(line.reading, line.text):
                 occurring.setdefault(name, []).append(line)
@@ -581,7 +556,7 @@ def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
     return made[0], made[1]
 
 
-def _given(line: _Line) -> Fragment:
+def _given(line: Line) -> Fragment:
     return (
         line.fragment
         if line.whole or line.reading is None
@@ -589,6 +564,6 @@ def _given(line: _Line) -> Fragment:
     )
 
 
-def _is_approximation(line: _Line) -> bool:
+def _is_approximation(line: Line) -> bool:
     beside = getattr(line.fragment, "beside", "")
     return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)

@@ -36,6 +36,11 @@ _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
+_DOTS_OF_WORD = re.compile(
+    rf"(?:(?P<bracket>\()\s*)?(?<![A-Za-z0-9_])(?P<letter>[{''.join(GREEK)}A-Za-z])(?P<index>_[0-9A-Za-z]{{1,2}})"
+    "\\s*(?(bracket)\\)\\s*|[ \u00a0]+)(?P<dot>[\u0307\u0308])"
+)
+"""Word's linear form of a rate with an index: `θ_2 ̈`, `(θ_2 ) ̇`."""
 _NAME = rf"(?:[{''.join(GREEK)}]|[A-Za-z]+)(?:_?\{{[A-Za-z0-9]{{1,8}}\}}|[A-Za-z0-9_{''.join(SUBSCRIPTS)}])*"
 _POWER = r"(?:\s*\^\s*\{?\s*([1-4])\s*\}?|([²³])|\*\*([1-4]))?"
 _RATE = re.compile(
@@ -214,6 +219,7 @@ def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> 
 
 def characters(draft: Draft) -> None:
     """Replace invisible operators, italic letters and spacing dots."""
+    draft.replace(_DOTS_OF_WORD, lambda m: f"{m['letter']}{m['dot']}{m['index']}")
     draft.replace(_BLANK_DOTS, "")
     draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))
     draft.replace(_DOTS_BEFORE_INDEX, lambda m: f"{m[2]}{_SPACED[m[1]]}")
