@@ -104,7 +104,7 @@ def _without_turns(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> 
     coordinates = {*view.configuration.slots.coordinates}
     turns = {
         s: sp.floor((e + sp.pi) / (2 * sp.pi)) for s, e in values.items()
-        if s in coordinates and e.is_number and not any(p.has(s) for p in plain)
+        if s in coordinates and e.is_number and not abs(e) < 3 and not any(p.has(s) for p in plain)
     }  # fmt: skip
     return {s: sp.N(e - 2 * sp.pi * turns[s], 6) if turns.get(s) else e for s, e in values.items()}
 
