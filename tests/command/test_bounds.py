@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib
 import signal
 import time
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -15,15 +17,43 @@ from lagsolve.main import main
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarms")
 
 
-@pytest.mark.parametrize("arguments", [("ex18",), ("check", "ex18")])
-def test_a_time_that_is_too_short(arguments: tuple[str, ...]) -> None:
-    """Whatever stage it is in: exit status 3, and the place, in place of an exception."""
+STAGES = {
+    "reading or printing": "lagrange.problem.loader.read_problem",
+    "classifying the constraints": "lagrange.mechanics.solution.classify",
+    "checks": "lagrange.mechanics.solution.check_motion",
+}
+
+
+@pytest.mark.parametrize("stage", STAGES)
+@pytest.mark.parametrize("arguments", [("ex11",), ("check", "ex11")])
+def test_a_time_that_is_too_short(arguments: tuple[str, ...], stage: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever stage it is in when the alarm goes off: exit status 3, and the place, in place of an exception."""
+    module, _, name = STAGES[stage].rpartition(".")
+    begun = getattr(importlib.import_module(module), name)
+
+    def alarmed(*values: Any, **named: Any) -> Any:
+        signal.raise_signal(signal.SIGPROF)
+        return begun(*values, **named)
+
+    monkeypatch.setattr(STAGES[stage], alarmed)
     handler = signal.getsignal(signal.SIGPROF)
-    result = CliRunner().invoke(main, (*arguments, "--timeout", "0.001"))
+    result = CliRunner().invoke(main, (*arguments, "--timeout", "3600"))
     assert result.exit_code == 3
-    assert "given up at: " in result.output
-    assert "after 0.001 s" in result.output
+    assert f"given up at: {stage}, after 3600 s" in result.output
     assert signal.getsignal(signal.SIGPROF) is handler
+
+
+def test_an_alarm_while_a_class_is_being_made() -> None:
+    """Python 3.11 makes a RuntimeError of any exception there, as it does in a module that is being imported."""
+
+    class Named:
+        def __set_name__(self, owner: type, name: str) -> None:
+            signal.raise_signal(signal.SIGPROF)
+
+    with pytest.raises(GaveUpError, match="after 3600 s"), bounded(3600, None):
+        type("Made", (), {"named": Named()})
+    with pytest.raises(RuntimeError, match="another"), bounded(3600, None):
+        raise RuntimeError("another")
 
 
 def test_a_time_that_is_long_enough() -> None:
