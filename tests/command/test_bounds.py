@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib
 import signal
+import subprocess
+import sys
 import time
 from typing import Any
 
@@ -13,6 +15,7 @@ from click.testing import CliRunner
 from lagrange.core.diagnostics import GaveUpError
 from lagsolve.bounds import bounded
 from lagsolve.main import main
+from tests.support.processes import PATIENCE
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarms")
 
@@ -67,6 +70,38 @@ def test_time_is_that_of_the_processor() -> None:
         time.sleep(0.1)
     with pytest.raises(GaveUpError, match=r"after 0\.02 s"), bounded(0.02, None):
         sum(1 for _ in iter(int, 1))
+
+
+LITTLE = """
+import sys
+from lagsolve.output import Destination
+from lagsolve.solve_task import Task
+pretty = Destination.of("pretty", None, False, "steps", None)
+sys.exit(Task((sys.argv[1],), None, "dalembert", pretty, megabytes=2).run())
+"""
+
+
+def test_a_file_that_needs_more_memory_than_is_given() -> None:
+    """The least value of `--memory` is 256, and no file reaches that before its work is used up: here it is 2."""
+    done = subprocess.run([sys.executable, "-c", LITTLE, "ex18"], capture_output=True, timeout=PATIENCE, check=False)
+    assert done.returncode == 3
+    assert b"given up at: " in done.stderr
+    assert b"there is not enough memory" in done.stderr
+    assert b"Traceback" not in done.stderr
+
+
+def test_memory_that_runs_out_in_a_stage(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was found before is printed."""
+
+    def too_large(*_: Any) -> Any:
+        return bytearray(1 << 30)  # of which nothing is touched
+
+    monkeypatch.setattr("lagrange.mechanics.solution.check_motion", too_large)
+    result = CliRunner().invoke(main, ("ex11", "--memory", "256"))
+    assert result.exit_code == 3
+    assert "given up at: checks" in result.output
+    assert "there is not enough memory" in result.output
+    assert "Ideal pendulum" in result.output
 
 
 @pytest.mark.parametrize("lost", [MemoryError, SystemError("error return without exception set")])
