@@ -97,7 +97,7 @@ def _are_shown(stated: StatedEquations, shown: Sequence[sp.Expr]) -> bool:
 
 def _is_same(e: sp.Expr, other: sp.Expr) -> bool:
     """Whether two expressions are equal when they are expanded, as those of different letters never are here."""
-    return e == other or (e.free_symbols == other.free_symbols and sp.expand(e - other) == 0)
+    return bool(e == other or (e.free_symbols == other.free_symbols and sp.expand(e - other) == 0))
 
 
 def _in_sines(e: sp.Expr) -> sp.Expr:
