@@ -2,11 +2,15 @@
 
 import os
 import sys
+from importlib import import_module
+from types import ModuleType
+from typing import Any
 
 
 def run() -> None:
     """Runs the command line."""
     _import_nothing_from_here()
+    _leave_tensors_out()
     try:
         _refuse_another_lagrange()
         from lagsolve.main import main
@@ -50,6 +54,27 @@ def _refuse_another_lagrange() -> None:
         "into an environment of its own, or: pip uninstall lagrange, then pip install --force-reinstall lagsolve\n"
     )
     sys.exit(2)
+
+
+def _leave_tensors_out() -> None:
+    """Spares `sympy.tensor.tensor` and `sympy.combinatorics`, a thirtieth of a short run.
+
+    The first sum imports them, only to ask of each term whether it is a tensor, and here none is. Whoever wants more of
+    that module than these two names gets the module itself.
+    """
+    name = "sympy.tensor.tensor"
+    stand_in: Any = ModuleType(name)
+    stand_in.TensExpr, stand_in.TensAdd = (type(n, (), {"__module__": name}) for n in ("TensExpr", "TensAdd"))
+
+    def wanted(attribute: str) -> object:
+        if attribute.startswith("__"):
+            raise AttributeError(attribute)
+        if sys.modules.get(name) is stand_in:
+            del sys.modules[name]
+        return getattr(import_module(name), attribute)
+
+    stand_in.__getattr__ = wanted
+    sys.modules.setdefault(name, stand_in)
 
 
 def _leave_at_once(status: object) -> None:

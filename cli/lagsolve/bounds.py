@@ -10,6 +10,7 @@ the machine is busy with something else.
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -50,6 +51,10 @@ def _time(seconds: float | None) -> Iterator[None]:
     remaining = signal.setitimer(signal.ITIMER_PROF, seconds)
     try:
         yield
+    except RuntimeError as error:  # up to Python 3.11, of a class that was being made when the alarm went off
+        if isinstance(error.__cause__, GivenUpError):
+            raise error.__cause__ from None
+        raise
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
@@ -65,12 +70,20 @@ def _memory(megabytes: int | None) -> Iterator[None]:
     limit = _address_space() + (megabytes << 20)
     hard = before[1]
     resource.setrlimit(resource.RLIMIT_AS, (limit if hard == resource.RLIM_INFINITY else min(limit, hard), hard))
+    report = sys.unraisablehook
+
+    def unless_of_memory(lost: sys.UnraisableHookArgs) -> None:  # in a callback, where Python can only print it
+        if not isinstance(lost.exc_value, MemoryError):
+            report(lost)
+
+    sys.unraisablehook = unless_of_memory
     try:
         yield
     except SystemError:  # `error return without exception set`: Python has lost a MemoryError of its own
         raise MemoryError from None
     finally:
         resource.setrlimit(resource.RLIMIT_AS, before)
+        sys.unraisablehook = report
 
 
 def _address_space() -> int:

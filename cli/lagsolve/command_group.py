@@ -44,6 +44,11 @@ def write_stderr(text: str) -> None:
         click.echo(visible(text), err=True)
 
 
+def abandon_stdout() -> None:
+    """Discards what is left in the buffer, so that Python does not complain about it when it exits."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def status_of_verdict(verdict: Verdict) -> int:
     """The exit status of `check` for a verdict on an answer."""
     return _OF_VERDICTS[verdict.value]
@@ -140,6 +145,14 @@ class CommandLine(click.Group):
             return list({option.value: option for option in options}.values())
         [problems] = (p for p in solving.command.params if p.name == "problems")
         return [*problems.shell_complete(solving, incomplete), *super().shell_complete(ctx, incomplete)]
+
+    def make_context(self, *values: Any, **named: Any) -> click.Context:
+        """The arguments, read; `--help` and `--version` print what they have to print here."""
+        try:
+            return super().make_context(*values, **named)
+        except BrokenPipeError:
+            abandon_stdout()
+            sys.exit(BROKEN_PIPE)
 
     def invoke(self, ctx: click.Context) -> Any:
         """Runs a command. Any error is shown as a message, and determines the exit status."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from lagrange.core.records import record
+from lagsolve.command_group import abandon_stdout
 from lagsolve.limits import NARROWEST, PIPED_WIDTH, WIDEST
 from lagsolve.progress_line import stage_shown
 
@@ -252,7 +253,7 @@ def write_stdout(text: str) -> None:
         sys.stdout.write(text)
         sys.stdout.flush()
     except OSError as error:
-        _abandon()
+        abandon_stdout()
         if isinstance(error, BrokenPipeError):
             raise
         raise _unwritable("standard output", error.strerror) from None
@@ -262,8 +263,3 @@ def _unwritable(what: str, reason: str | None) -> ProblemError:
     from lagrange.core.diagnostics import Diagnostic, ProblemError
 
     return ProblemError(Diagnostic("cannot-write", f"{what} cannot be written: {reason}"))
-
-
-def _abandon() -> None:
-    """Discards what is left in the buffer, so that Python does not complain about it when it exits."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -24,14 +24,14 @@ def report_text(simulation: Simulation, until: float, sampled: Collection[str] =
     sampled  the names of functions that nobody has given
     """
     width = terminal_width()
-    return "\n".join(wrapped(line, width, "    ") for line in _lines(simulation, until, sampled, by_default))
+    return "\n".join(wrapped(printable(line), width, "    ") for line in _lines(simulation, until, sampled, by_default))
 
 
 def _lines(simulation: Simulation, until: float, sampled: Collection[str], by_default: bool) -> Iterator[str]:
     states, start, units = simulation.equations, simulation.start, Units(simulation.equations)
     names = ", ".join(q.name for q in states.equations.slots.coordinates)
     where = f" (choice {states.name})" if states.name else ""
-    yield printable(states.problem.title)
+    yield states.problem.title
     yield f"0 to {until:g} s{' (by default; --until changes it)' if by_default else ''}, in {names}{where}"
     kept = states.equations.finite or states.equations.velocity_forms
     if kept:

@@ -38,7 +38,7 @@ class Allowance:
     def __init__(self, units: float) -> None:
         self.units = units
         self.left = units
-        self.remembered: dict[str, Any] = {}
+        self.remembered: dict[object, Any] = {}
 
     def spend(self, units: float) -> None:
         """Takes units away. Raises GivenUpError where there are none left."""
@@ -96,7 +96,7 @@ def spend(units: float) -> None:
         allowance.spend(units)
 
 
-def remembered() -> dict[str, Any]:
+def remembered() -> dict[object, Any]:
     """What is kept until the current allowance ends; forgotten at once where there is none."""
     allowance = _current.get()
     return {} if allowance is None else allowance.remembered

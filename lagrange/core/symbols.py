@@ -20,6 +20,7 @@ import sympy as sp
 from sympy.core.symbol import Str
 from sympy.printing.str import StrPrinter
 
+from lagrange.core.effort import remembered
 from lagrange.core.records import record
 
 t = sp.Symbol("t", real=True)
@@ -252,6 +253,7 @@ def free_letter(*candidates: str, taken: Collection[str], of: Sequence[str] = ()
     return candidates[-1] + "_"
 
 
+@lru_cache(maxsize=1000)
 def counting(name: str) -> str:
     """A sort key for a name, with its numbers as numbers: m_2 before m_10."""
     return re.sub(r"\d+", lambda n: n[0].zfill(4), name)
@@ -284,8 +286,12 @@ class Slots:
         return self.time_derivation()(expression)
 
     def time_derivation(self) -> Callable[[sp.Expr], sp.Expr]:
-        """d/dt of several expressions: momenta of one kinetic energy share the velocities."""
-        return derivation(self._rate({*self.coordinates, *self.prescribed}))
+        """d/dt of several expressions: momenta share the velocities, and positions along a chain those before them."""
+        kept = remembered()
+        rate: Callable[[sp.Expr], sp.Expr] | None = kept.get(self)
+        if rate is None:
+            rate = kept[self] = derivation(self._rate({*self.coordinates, *self.prescribed}))
+        return rate
 
     def frozen_derivative(self, expression: sp.Expr) -> sp.Expr:
         """∂/∂t with the configuration and the velocities frozen; prescribed motions continue."""

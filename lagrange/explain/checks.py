@@ -102,12 +102,12 @@ def _matters(view: InCoordinates, symbol: sp.Symbol) -> bool:
 
 def _without_turns(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
     """The values with angles between −π and π, where a coordinate occurs in sines and cosines only."""
-    plain = [e.replace(lambda x: isinstance(x, TrigonometricFunction), lambda _: sp.Dummy()) for e in _equations(view)]
     coordinates = {*view.configuration.slots.coordinates}
-    turns = {
-        s: sp.floor((e + sp.pi) / (2 * sp.pi)) for s, e in values.items()
-        if s in coordinates and e.is_number and not any(p.has(s) for p in plain)
-    }  # fmt: skip
+    far = {s: e for s, e in values.items() if s in coordinates and e.is_number and not abs(e) < 3}
+    if not far:
+        return {**values}
+    plain = [e.replace(lambda x: isinstance(x, TrigonometricFunction), lambda _: sp.Dummy()) for e in _equations(view)]
+    turns = {s: sp.floor((e + sp.pi) / (2 * sp.pi)) for s, e in far.items() if not any(p.has(s) for p in plain)}
     return {s: sp.N(e - 2 * sp.pi * turns[s], 6) if turns.get(s) else e for s, e in values.items()}
 
 

@@ -67,7 +67,7 @@ if TYPE_CHECKING:
 EVERY_CHOICE = "all"
 """In place of the name of a choice: all of them, and none folded. A choice that is called so takes precedence."""
 
-UNITS_OF_EXPLAINING = 400_000
+UNITS_OF_EXPLAINING = 200_000
 """Of work (`core.effort`) for all steps; pictures have their own."""
 
 DIGITS = 4

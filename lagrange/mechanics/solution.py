@@ -39,7 +39,7 @@ from lagrange.mechanics.dynamics.checks import (
 )
 from lagrange.mechanics.dynamics.conservation import check_conserved, conserved
 from lagrange.mechanics.dynamics.equations import check_inertia
-from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
+from lagrange.mechanics.dynamics.matrix_form import may_be_solved, solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import spot_of_motion
@@ -264,7 +264,8 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
     dynamics = dynamics.closed(view.coordinates.through_rates)
     if view.is_own:
         check_inertia(dynamics.equations, solution.problem.bodies)
-    if complete and not dynamics.accelerations and (solved := solved_accelerations(dynamics.matrices)):
+    open_ = complete and not dynamics.accelerations and may_be_solved(dynamics.equations.configuration)
+    if open_ and (solved := solved_accelerations(dynamics.matrices)):
         dynamics = replace(dynamics, solved=solved)
     frictions = {f.name for f in law.frictions}
     is_shown = complete or _is_preferred(view, solution)

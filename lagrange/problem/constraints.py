@@ -209,10 +209,11 @@ def _excluded(meanings: Alternatives) -> list[sp.Expr]:
 def _check_no_sum_of_squares(name: str, function: sp.Expr, span: Span, context: LoadContext) -> None:
     """Raises ProblemError for a geometric constraint such as x² + y² = 0, which is a point and has no normal there."""
     terms = sp.Add.make_args(function)
-    mixed = any(a.is_nonnegative for a in terms) and any(a.is_nonpositive for a in terms)
+    if not function.is_Add or (any(a.is_nonnegative for a in terms) and any(a.is_nonpositive for a in terms)):
+        return
     slots = context.scope.slots
     linear = all(function.diff(q).free_symbols.isdisjoint(slots.coordinates) for q in slots.coordinates)
-    if not function.is_Add or mixed or linear or not context.may_reduce(function):
+    if linear or not context.may_reduce(function):
         return
     from lagrange.algebra.forms.nonlinear_constraints import in_configuration
 

@@ -108,6 +108,8 @@ def quantity(symbol: sp.Symbol, slots: Slots, unknowns: Iterable[sp.Symbol]) -> 
     if plain in slots.coordinates:
         order = len(symbol.name) - len(plain.name)
         return (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY, AllowedQuantity.ACCELERATION)[min(order, 2)]
+    if not symbol.name.endswith(")"):
+        return None
     moving = (*slots.coordinates, *slots.prescribed, t)
     if symbol in {differential(q) for q in moving}:
         return AllowedQuantity.DIFFERENTIAL

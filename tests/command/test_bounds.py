@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 import signal
+import subprocess
+import sys
 import time
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -11,19 +15,48 @@ from click.testing import CliRunner
 from lagrange.core.diagnostics import GaveUpError
 from lagsolve.bounds import bounded
 from lagsolve.main import main
+from tests.support.processes import PATIENCE
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarms")
 
 
-@pytest.mark.parametrize("arguments", [("ex18",), ("check", "ex18")])
-def test_a_time_that_is_too_short(arguments: tuple[str, ...]) -> None:
-    """Whatever stage it is in: exit status 3, and the place, in place of an exception."""
+STAGES = {
+    "reading or printing": "lagrange.problem.loader.read_problem",
+    "classifying the constraints": "lagrange.mechanics.solution.classify",
+    "checks": "lagrange.mechanics.solution.check_motion",
+}
+
+
+@pytest.mark.parametrize("stage", STAGES)
+@pytest.mark.parametrize("arguments", [("ex11",), ("check", "ex11")])
+def test_a_time_that_is_too_short(arguments: tuple[str, ...], stage: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever stage it is in when the alarm goes off: exit status 3, and the place, in place of an exception."""
+    module, _, name = STAGES[stage].rpartition(".")
+    begun = getattr(importlib.import_module(module), name)
+
+    def alarmed(*values: Any, **named: Any) -> Any:
+        signal.raise_signal(signal.SIGPROF)
+        return begun(*values, **named)
+
+    monkeypatch.setattr(STAGES[stage], alarmed)
     handler = signal.getsignal(signal.SIGPROF)
-    result = CliRunner().invoke(main, (*arguments, "--timeout", "0.001"))
+    result = CliRunner().invoke(main, (*arguments, "--timeout", "3600"))
     assert result.exit_code == 3
-    assert "given up at: " in result.output
-    assert "after 0.001 s" in result.output
+    assert f"given up at: {stage}, after 3600 s" in result.output
     assert signal.getsignal(signal.SIGPROF) is handler
+
+
+def test_an_alarm_while_a_class_is_being_made() -> None:
+    """Python 3.11 makes a RuntimeError of any exception there, as it does in a module that is being imported."""
+
+    class Named:
+        def __set_name__(self, owner: type, name: str) -> None:
+            signal.raise_signal(signal.SIGPROF)
+
+    with pytest.raises(GaveUpError, match="after 3600 s"), bounded(3600, None):
+        type("Made", (), {"named": Named()})
+    with pytest.raises(RuntimeError, match="another"), bounded(3600, None):
+        raise RuntimeError("another")
 
 
 def test_a_time_that_is_long_enough() -> None:
@@ -37,6 +70,38 @@ def test_time_is_that_of_the_processor() -> None:
         time.sleep(0.1)
     with pytest.raises(GaveUpError, match=r"after 0\.02 s"), bounded(0.02, None):
         sum(1 for _ in iter(int, 1))
+
+
+LITTLE = """
+import sys
+from lagsolve.output import Destination
+from lagsolve.solve_task import Task
+pretty = Destination.of("pretty", None, False, "steps", None)
+sys.exit(Task((sys.argv[1],), None, "dalembert", pretty, megabytes=2).run())
+"""
+
+
+def test_a_file_that_needs_more_memory_than_is_given() -> None:
+    """The least value of `--memory` is 256, and no file reaches that before its work is used up: here it is 2."""
+    done = subprocess.run([sys.executable, "-c", LITTLE, "ex18"], capture_output=True, timeout=PATIENCE, check=False)
+    assert done.returncode == 3
+    assert b"given up at: " in done.stderr
+    assert b"there is not enough memory" in done.stderr
+    assert b"Traceback" not in done.stderr
+
+
+def test_memory_that_runs_out_in_a_stage(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What was found before is printed."""
+
+    def too_large(*_: Any) -> Any:
+        return bytearray(1 << 30)  # of which nothing is touched
+
+    monkeypatch.setattr("lagrange.mechanics.solution.check_motion", too_large)
+    result = CliRunner().invoke(main, ("ex11", "--memory", "256"))
+    assert result.exit_code == 3
+    assert "given up at: checks" in result.output
+    assert "there is not enough memory" in result.output
+    assert "Ideal pendulum" in result.output
 
 
 @pytest.mark.parametrize("lost", [MemoryError, SystemError("error return without exception set")])

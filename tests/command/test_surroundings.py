@@ -197,3 +197,20 @@ def test_a_template_is_not_left_half_written(tmp_path: Path) -> None:
     assert done.returncode == 2
     assert b"error[cannot-write]" in done.stderr
     assert os.listdir(tmp_path) == []
+
+
+def test_tensors_are_left_out_until_somebody_wants_them() -> None:
+    """The first sum would import them, and `sympy.combinatorics` with them."""
+    program_text = """
+import sys
+from lagsolve.__main__ import _leave_tensors_out
+_leave_tensors_out()
+import sympy
+assert sympy.Symbol("x") + 1 != 0 and "sympy.combinatorics" not in sys.modules
+from sympy.tensor.tensor import TensorHead, TensorIndexType, tensor_indices
+kind = TensorIndexType("L")
+a = TensorHead("A", [kind])(tensor_indices("i", kind))
+print(a + a)
+"""
+    done = subprocess.run([sys.executable, "-c", program_text], capture_output=True, timeout=PATIENCE, check=False)
+    assert done.stdout.strip() == b"2*A(i)", done.stderr

@@ -4,9 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from tests.support.fuzzers.inputs import KINDS
+from tests.support.fuzzers.kinds import KINDS
 
-NUMBERS = {"problems": 40, "grammar": 12, "files": 40, "texts": 100, "answers": 60, "submissions": 40, "journals": 60}
+NUMBERS = {
+    "problems": 40,
+    "grammar": 12,
+    "parts": 12,
+    "simulations": 6,
+    "files": 40,
+    "texts": 100,
+    "answers": 60,
+    "replies": 12,
+    "submissions": 40,
+    "journals": 60,
+}
 
 
 @pytest.mark.parametrize(("kind", "seed"), [(kind, seed) for kind, number in NUMBERS.items() for seed in range(number)])

@@ -33,6 +33,8 @@ _BITS = 89
 _WINDOW = 5
 _SMALL_PRIMES = prod(sp.primerange(2, 1000))
 _ODD_SMALL_PRIMES = _SMALL_PRIMES // 2
+_LEAST_PRIMES = prod(sp.primerange(2, 50))
+_LEAST_ODD_PRIMES = _LEAST_PRIMES // 2
 
 Circle = tuple[int, int]
 
@@ -75,6 +77,8 @@ class PrimeField:
             p = k * M - 1
             # k without small factors: small fractions of random angles exist and are unique. (p − 1)/2 without small
             # odd ones: so are odd roots.
+            if gcd(k, _LEAST_PRIMES) != 1 or gcd(p >> 1, _LEAST_ODD_PRIMES) != 1:  # nearly always, and soon seen
+                continue
             if gcd(k, _SMALL_PRIMES) != 1 or gcd(p >> 1, _ODD_SMALL_PRIMES) != 1:
                 continue
             if any(_jacobi(n, p) != 1 for n in wanted) or not sp.isprime(p):

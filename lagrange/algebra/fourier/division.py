@@ -16,11 +16,10 @@ from fractions import Fraction
 from typing import Any
 
 from sympy import QQ, QQ_I
-from sympy.polys.rings import PolyRing
 
 from lagrange.algebra.fourier.elements import Basis, Element, Terms
 from lagrange.algebra.fourier.limits import LARGEST_DIVISION, LONGEST_CHAIN, MOST_JOINING_ROUNDS
-from lagrange.algebra.fourier.polynomials import lowest, pack, place, unpack
+from lagrange.algebra.fourier.polynomials import lowest, pack, place, polynomials_in, unpack
 
 Complex = tuple[int, int]
 
@@ -209,8 +208,7 @@ class _LaurentVariables:
         self._basis: Basis = elements[0].basis
         self._generators = sorted({i for m, _ in keys for i, _ in unpack(m)})
         self._angles = sorted({i for _, w in keys for i, _ in unpack(w)})
-        names = [f"x{n}" for n in range(len(self._generators) + len(self._angles))]
-        self._ring = PolyRing(names, QQ_I)
+        self._ring = polynomials_in(len(self._generators) + len(self._angles), QQ_I)
 
     def polynomial(self, element: Element) -> tuple[list[int], Any]:
         """The lowest exponents, and twice the element divided by the monomial that they make."""

@@ -15,7 +15,6 @@ from fractions import Fraction
 from typing import Any
 
 import sympy as sp
-from sympy.polys.rings import PolyRing
 
 from lagrange.algebra.fourier.elements import Basis, Element
 from lagrange.algebra.fourier.limits import (
@@ -25,7 +24,7 @@ from lagrange.algebra.fourier.limits import (
     MOST_QUOTIENT_OPERATIONS,
     MULTIPLIED_IN_A_UNIT,
 )
-from lagrange.algebra.fourier.polynomials import lowest, pack, unpack
+from lagrange.algebra.fourier.polynomials import lowest, pack, polynomials_in, unpack
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import PowerProduct, common_factor
 from lagrange.algebra.fourier.textbook_form import Textbook
@@ -132,8 +131,7 @@ class _HalfAngles:
         self._generators = sorted({i for m, _ in keys for i, _ in unpack(m)})
         self._angles = sorted({i for _, w in keys for i, _ in unpack(w)})
         self.highest = [max(abs(self._turns(w)[k]) for _, w in keys) for k in range(len(self._angles))]
-        names = [f"x{i}" for i in self._generators] + [f"u{i}" for i in self._angles]
-        self._ring = PolyRing(names, sp.ZZ)
+        self._ring = polynomials_in(len(self._generators) + len(self._angles), sp.ZZ)
         self._tangents = self._ring.gens[len(self._generators) :]
 
     def _turns(self, frequency: int) -> list[int]:

@@ -214,12 +214,18 @@ def _root(monomial: int, number: Fraction) -> Fraction | None:
     return Fraction(above, below) if square else None
 
 
+@lru_cache(maxsize=64)
+def polynomials_in(number: int, coefficients: Any) -> PolyRing:
+    """SymPy's ring of polynomials in so many variables, for each of which it compiles seven functions."""
+    return PolyRing([f"x{i}" for i in range(number)], coefficients)
+
+
 class _PolynomialVariables:
     """The generators of a polynomial as variables of SymPy's sparse polynomials."""
 
     def __init__(self, polynomial: Polynomial) -> None:
         self._places = sorted({i for m in polynomial for i, _ in unpack(m)})
-        self._ring = PolyRing([f"x{i}" for i in self._places], sp.ZZ)
+        self._ring = polynomials_in(len(self._places), sp.ZZ)
 
     def outside(self, polynomial: Polynomial) -> Any:
         """The polynomial in SymPy's form; zero if it has other generators."""

@@ -58,6 +58,7 @@ class Factoring:
         self._found: dict[object, tuple[TrigProduct, ...]] = {}
         self._angles: dict[int, tuple[int, sp.Expr]] = {}
         self._names: dict[int, str] = {}
+        self._waves: dict[tuple[int, bool], tuple[tuple[Atom, int], ...]] = {}
 
     def products(self, element: Element) -> tuple[TrigProduct, ...]:
         """The sum of products that equals an element without generators."""
@@ -118,10 +119,12 @@ class Factoring:
         """One term; sin 2u is 2 sin u cos u."""
         if not w:
             return TrigProduct(number)
-        half = self._basis.half(w) if sine else None
-        if half is None:
-            return TrigProduct(number, ((Atom(w, sine), 1),))
-        return self._sorted(2 * number, {Atom(half, True): 1, Atom(half, False): 1})
+        powers = self._waves.get((w, sine))
+        if powers is None:
+            half = self._basis.half(w) if sine else None
+            atoms = (Atom(w, sine),) if half is None else (Atom(half, False), Atom(half, True))
+            powers = self._waves[w, sine] = tuple((atom, 1) for atom in atoms)
+        return TrigProduct(2 * number if len(powers) > 1 else number, powers)
 
     def _sorted(self, number: Fraction, powers: dict[Atom, int]) -> TrigProduct:
         return TrigProduct(number, tuple(sorted(powers.items(), key=lambda p: self._key(p[0]))))

@@ -29,6 +29,7 @@ from lagrange.algebra.fourier.limits import (
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
 from lagrange.core.operations import count_operations
+from lagrange.core.symbols import partial
 
 LARGEST_COUNT = 1e9
 
@@ -112,7 +113,7 @@ def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.
         return expression
     rest, differences = expression, {}
     for a, b in combinations(used, 2):
-        if {a, b} <= rest.free_symbols and is_zero(rest.diff(a) + rest.diff(b)):
+        if {a, b} <= rest.free_symbols and is_zero(partial(rest, a) + partial(rest, b)):
             difference = sp.Dummy(real=True)
             rest = rest.xreplace({a: sp.S.Zero, b: difference})
             differences[difference] = b - a

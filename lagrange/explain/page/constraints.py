@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.integrability import PartialsComparison
+from lagrange.core.expression_size import Sizes
 from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, paragraph, prose
@@ -28,6 +29,9 @@ from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
 from lagrange.problem.model import Constraint, Problem
 
+MOST_EXPANDED_TERMS = 2_000
+"""Of a form whose numbers are compared: those of books have a dozen, the twentieth arc tangent of another a million."""
+
 
 def is_plainly_geometric(classification: Classification) -> bool:
     """Whether all constraints are geometric, independent and free of time, and so are the positions."""
@@ -39,7 +43,10 @@ def is_plainly_geometric(classification: Classification) -> bool:
 
 def common_number(row: Row) -> sp.Integer:
     """The whole number that all coefficients of a form contain: 2 in 2x dx + 2y dy."""
-    content, _ = sp.expand(sp.Add(*(a * sp.Dummy() for a in row.form))).primitive()
+    total = sp.Add(*(a * sp.Dummy() for a in row.form))
+    if Sizes().of(total).widest > MOST_EXPANDED_TERMS:
+        return sp.S.One
+    content, _ = sp.expand(total).primitive()
     return content if content.is_Integer and content > 1 else sp.S.One
 
 

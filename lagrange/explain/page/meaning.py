@@ -97,7 +97,12 @@ def _are_shown(stated: StatedEquations, shown: Sequence[sp.Expr]) -> bool:
     """Whether equations are those of the page with terms brought to the other side."""
     left = [_in_sines(a - b) for a, b, *_ in stated]
     right = [_in_sines(s) for s in shown]
-    return all(any(sp.expand(e - s) == 0 or sp.expand(e + s) == 0 for s in right) for e in left)
+    return all(any(_is_same(e, s) or _is_same(e, -s) for s in right) for e in left)
+
+
+def _is_same(e: sp.Expr, other: sp.Expr) -> bool:
+    """Whether two expressions are equal when they are expanded, as those of different letters never are here."""
+    return bool(e == other or (e.free_symbols == other.free_symbols and sp.expand(e - other) == 0))
 
 
 def _in_sines(e: sp.Expr) -> sp.Expr:
@@ -406,7 +411,7 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
 
 def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
     """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations those that change."""
-    changed = [e for e in limit.equations if not any(sp.expand(e - f) == 0 for f in final)]
+    changed = [e for e in limit.equations if not any(_is_same(e, f) for f in final)]
     same = len(limit.equations) - len(changed)
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
     equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)

@@ -278,7 +278,10 @@ def _minor(pivots: Sequence[sp.Expr]) -> list[sp.Expr]:
 def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """The factors of a minor that can vanish, each once, without constants: x in 2 l x²."""
     numerators = (sp.fraction(p)[0] for p in minor)
-    parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED_SYMBOLS and _is_short(p) else p for p in numerators)
+    parts = (
+        sp.factor(p) if p.has(sp.Add) and len(p.free_symbols) <= MOST_FACTORED_SYMBOLS and _is_short(p) else p
+        for p in numerators
+    )
     bases = (f.as_base_exp()[0] for p in parts for f in sp.Mul.make_args(p))
     varying = (
         b
@@ -295,7 +298,7 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
         return quotient
     if not is_short(quotient) or count_operations(quotient) > LONGEST_FACTORED or quotient.atoms(sp.Function):
         return quotient
-    factors = sp.factor(quotient)
+    factors = sp.factor(quotient) if quotient.has(sp.Add) else quotient
     shorter = factors if count_operations(factors) < count_operations(quotient) else quotient
     return ordered_differences(in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name))))
 
@@ -306,7 +309,8 @@ def _is_short(expression: sp.Expr) -> bool:
 
 
 def _cancelled(expression: sp.Expr) -> sp.Expr:
-    return sp.cancel(expression) if _is_short(expression) else expression
+    """In lowest terms, as a quotient of products is already."""
+    return sp.cancel(expression) if expression.has(sp.Add) and _is_short(expression) else expression
 
 
 @lru_cache(maxsize=256)

@@ -19,7 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 
 import sympy as sp
@@ -403,10 +403,16 @@ def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
     """The element without its constant terms."""
     basis = element.basis
 
+    @cache
+    def turns(index: int) -> bool:
+        return _moves(basis.angles[index], moving)
+
+    @cache
+    def moves(index: int) -> bool:
+        return _moves(basis.generators[index].expression, moving)
+
     def is_constant(monomial: int, frequency: int) -> bool:
-        parts = [basis.generators[i].expression for i, _ in unpack(monomial)]
-        parts += [basis.angles[i] for i, _ in unpack(frequency)]
-        return not any(_moves(e, moving) for e in parts)
+        return not any(turns(i) for i, _ in unpack(frequency)) and not any(moves(i) for i, _ in unpack(monomial))
 
     kept = {key: value for key, value in element.terms.items() if not is_constant(*key)}
     return basis.element(kept, element.denominator)

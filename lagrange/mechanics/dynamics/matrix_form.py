@@ -55,10 +55,15 @@ def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
     )
 
 
+def may_be_solved(configuration: Configuration) -> bool:
+    """Whether the accelerations can be written as functions of the state: few coordinates, and no constraints."""
+    return not configuration.rows and len(configuration.slots.coordinates) <= MOST_FREE
+
+
 def solved_accelerations(form: MatrixForm) -> dict[sp.Symbol, sp.Expr]:
     """q'' = M⁻¹ f of independent coordinates; empty if there are constraints, or if it is too large."""
     slots = form.configuration.slots
-    if form.constraint_matrix or len(slots.coordinates) > MOST_FREE:
+    if not may_be_solved(form.configuration):
         return {}
     solved = solved_linear(form.mass, form.force, form.configuration.states)
     if solved is None or None in solved:

@@ -36,8 +36,7 @@ from lagrange.algebra.forms.exact_forms import primitive
 from lagrange.algebra.fourier.ring import Element
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, base, t
-from lagrange.core.vectors import Vector
-from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.dynamics.comparison import ContradictionError, agreed_in_motion, state
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions
 from lagrange.mechanics.dynamics.limits import (
@@ -163,25 +162,26 @@ def _unit(n: int, entries: Mapping[int, sp.Expr]) -> tuple[sp.Expr, ...]:
 
 def _planes(energies: EnergyFunctions) -> list[tuple[int, int]]:
     """Pairs of Cartesian coordinates of one point, in axes that may turn with time."""
-    coordinates = energies.slots.coordinates
-    pairs = [
+    ring = energies.ring
+    pairs = {
         (i, j)
-        for j in range(len(coordinates))
-        for i in range(j)
-        if any(_are_cartesian(p.partials[i], p.partials[j], energies) for p in energies.configuration.points)
-    ]
+        for point in energies.configuration.points
+        for (i, x), (j, y) in combinations(_straight(point, energies).items(), 2)
+        if not ring.dot(x, y) and not (ring.dot(x, x) - ring.dot(y, y))  # perpendicular and equally long
+    }
     return sorted(pairs) if len(pairs) <= MOST_ROTATIONS else []
 
 
-def _are_cartesian(a: Vector, b: Vector, energies: EnergyFunctions) -> bool:
-    """Whether two derivatives of a position are perpendicular, equally long, and independent of the coordinates."""
-    if a.is_zero or b.is_zero:
-        return False
+def _straight(point: MassPoint, energies: EnergyFunctions) -> dict[int, list[Element]]:
+    """The derivatives of a position, by their coordinate, that are not zero and independent of the coordinates."""
     ring, coordinates = energies.ring, energies.slots.coordinates
-    x, y = ([ring.from_sympy(c) for c in v.fixed().components] for v in (a, b))
-    if any(not ring.free_symbols(c).isdisjoint(coordinates) for c in (*x, *y)):
-        return False
-    return not ring.dot(x, y) and not (ring.dot(x, x) - ring.dot(y, y))
+    straight = {}
+    for k, slope in enumerate(point.partials):
+        if not slope.is_zero:
+            components = [ring.from_sympy(c) for c in slope.fixed().components]
+            if all(ring.free_symbols(c).isdisjoint(coordinates) for c in components):
+                straight[k] = components
+    return straight
 
 
 def symmetries(tried: Sequence[SymmetryCandidate], configuration: Configuration) -> list[Symmetry]:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
+import sympy as sp
 
 from lagrange.document.derivation import Rule
+from lagrange.explain.page.constraints import common_number
 from tests.support.derivation_text import said_in
 
 
@@ -22,3 +26,9 @@ from tests.support.derivation_text import said_in
 )
 def test_what_is_said_of_constraints(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule, on_page=True)
+
+
+def test_the_number_of_a_form_is_not_looked_for_among_a_million_terms() -> None:
+    x, y = sp.symbols("x y")
+    assert common_number(SimpleNamespace(form=(2 * x, 4 * y * (x + 1)))) == 2
+    assert common_number(SimpleNamespace(form=(2 * x, 2 * sp.Mul(*(sp.Symbol(f"x{k}") + y for k in range(20)))))) == 1

@@ -10,7 +10,7 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 
-from tests.support.fuzzers.inputs import KINDS
+from tests.support.fuzzers.kinds import KINDS
 
 
 def main() -> int:

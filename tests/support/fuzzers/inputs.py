@@ -11,7 +11,6 @@ import random
 import re
 import shutil
 import tempfile
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from unittest.mock import patch
@@ -58,7 +57,7 @@ STRANGE = [
 FUNCTIONS = ["sin", "cos", "tan", "atan", "sqrt", "exp", "log", "abs", "norm", "f"]
 
 
-def _mutated(text: str, rng: random.Random) -> str:
+def mutated(text: str, rng: random.Random) -> str:
     """A text with one to three tokens or lines exchanged, doubled, lost, wrapped or replaced."""
     for _ in range(rng.randint(1, 3)):
         tokens = TOKEN.findall(text)
@@ -111,7 +110,7 @@ def _by_grammar(rng: random.Random) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _refused(error: ProblemError) -> str:
+def refused(error: ProblemError) -> str:
     if not (error.diagnostics and str(error)):
         raise ValueError("an error without a message")
     return "refused"
@@ -128,7 +127,7 @@ def _of_problem(text: str) -> str:
     except GaveUpError:
         return "given up"
     except ProblemError as error:
-        return _refused(error)
+        return refused(error)
     return "given up" if solved.solution.given_up else "solved" if solved.holds else "solved in part"
 
 
@@ -140,16 +139,16 @@ def _shipped() -> list[str]:
 def mutated_problem(seed: int) -> str:
     """A shipped problem file with a few tokens changed."""
     rng = random.Random(seed)
-    return _of_problem(_mutated(rng.choice(_shipped()), rng))
+    return _of_problem(mutated(rng.choice(_shipped()), rng))
 
 
 def read_file(seed: int) -> str:
     """A shipped problem file with a few tokens changed, which is only read."""
     rng = random.Random(seed)
     try:
-        read_problem(Source("fuzz.yaml", _mutated(rng.choice(_shipped()), rng)))
+        read_problem(Source("fuzz.yaml", mutated(rng.choice(_shipped()), rng)))
     except ProblemError as error:
-        return _refused(error)
+        return refused(error)
     return "read"
 
 
@@ -175,13 +174,13 @@ ANSWERS = [
 def answer(seed: int) -> str:
     """An answer to the ideal pendulum with a few tokens changed."""
     rng = random.Random(seed)
-    lines = _mutated(rng.choice(ANSWERS), rng).splitlines() or [""]
+    lines = mutated(rng.choice(ANSWERS), rng).splitlines() or [""]
     try:
         judged = _pendulum().check(tuple(Fragment.of(line, f"answer {n}") for n, line in enumerate(lines)))
     except GaveUpError:
         return "given up"
     except ProblemError as error:
-        return _refused(error)
+        return refused(error)
     return str(judged.verdict)
 
 
@@ -205,14 +204,14 @@ def read_text(seed: int) -> str:
     """An equation, mutated or random, read and written in three styles, each of which is read back as the same."""
     rng = random.Random(seed)
     if rng.random() < 0.5:
-        text = _mutated(rng.choice(TEXTS), rng)
+        text = mutated(rng.choice(TEXTS), rng)
     else:
         text = f"{_expression(rng, rng.randint(1, 3), ATOMS)} = {rng.choice(ATOMS)}"
     names, writers = _names()
     try:
         read = read_equation(Fragment.of(text), names, [], latex=True)
     except ProblemError as error:
-        return _refused(error)
+        return refused(error)
     if isinstance(read.lhs, Vector) or isinstance(read.rhs, Vector):
         return "a vector"
     for style, writer in writers.items():
@@ -280,7 +279,7 @@ def submission(seed: int) -> str:
     """A file with macros, matrices, a program or sentences, handed in for the ideal pendulum, a few tokens changed."""
     rng = random.Random(seed)
     ending, text = rng.choice(FILES)
-    content = _mutated(text, rng).encode("utf-8", "replace")
+    content = mutated(text, rng).encode("utf-8", "replace")
     return _grader().grade(Submission("x", ((f"answer{ending}", content),))).verdict.value
 
 
@@ -304,7 +303,7 @@ def journal(seed: int) -> str:
     """The journal of a batch with a few bytes changed."""
     rng = random.Random(seed)
     path, text = _journal()
-    damaged = bytearray(_mutated(text, rng).encode("utf-8", "surrogatepass"))
+    damaged = bytearray(mutated(text, rng).encode("utf-8", "surrogatepass"))
     for _ in range(rng.randrange(3) if damaged else 0):
         damaged[rng.randrange(len(damaged))] = rng.randrange(256)
     path.write_bytes(bytes(damaged))
@@ -312,14 +311,3 @@ def journal(seed: int) -> str:
     found = [again.row(f"k{n}") for n in range(len(ROWS))]
     again.close(complete=False)
     return f"{len(ROWS) - found.count(None)} rows read"
-
-
-KINDS: dict[str, Callable[[int], str]] = {
-    "problems": mutated_problem,
-    "grammar": problem_by_grammar,
-    "files": read_file,
-    "texts": read_text,
-    "answers": answer,
-    "submissions": submission,
-    "journals": journal,
-}
