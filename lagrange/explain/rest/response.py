@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
@@ -115,9 +114,8 @@ def _resonance(response: Response) -> Iterator[Block]:
     w = response.drive.frequency
     if response.resonances and response.is_damped:
         yield prose("The amplitude is greatest at")
-        square = without_leading_minus(response.resonances[0])
         label = _label(response.forced, "resonance")
-        yield display(Equation((w**2, square), label=label, condition=("if that is positive",)))
+        yield display(Equation((w**2, response.greatest_at), label=label, condition=("if that is positive",)))
     elif response.resonances:
         count = len(response.resonances)
         words = plural(count, "a frequency of free oscillations", "frequencies of free oscillations")

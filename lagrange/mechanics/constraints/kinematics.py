@@ -118,6 +118,11 @@ class Configuration:
     variable_masses: tuple[VariableMass, ...] = ()
 
     @property
+    def velocity_potential(self) -> sp.Expr:
+        """U = −X, where X is the `velocity_part`."""
+        return sp.expand(-self.velocity_part)
+
+    @property
     def slots(self) -> Slots:
         """The coordinates and the prescribed motions."""
         return self.constrained.slots

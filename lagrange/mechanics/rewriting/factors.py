@@ -1,0 +1,58 @@
+"""Common factors in front of a sum: m l (l θ'' + g sin θ), H = J ω; without those that are constant where 0 follows."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.operations import count_operations
+from lagrange.core.vectors import Vector
+
+
+def in_factors(e: sp.Expr) -> sp.Expr:
+    """The shorter of the expression and its factors."""
+    return min(e, sp.factor(e), key=lambda form: count_operations(form))
+
+
+def with_common_factor(e: sp.Expr) -> sp.Expr:
+    """The expression with what all its terms share in front."""
+    return sp.factor_terms(e)
+
+
+def has_common_factor(e: sp.Expr) -> bool:
+    """Whether all terms share a factor."""
+    return bool(sp.factor_terms(e).is_Mul)
+
+
+def with_factor(e: sp.Expr, factor: sp.Expr) -> sp.Expr:
+    """The expression with this factor in front of the terms divided by it."""
+    return factor * sp.expand(e / factor)
+
+
+def vector_with_factor(v: Vector, factor: sp.Expr) -> sp.Expr:
+    """The same for a vector, as a sum of its components."""
+    return factor * v.map(lambda c: sp.expand(c / factor)).as_sum()
+
+
+def in_factors_where(e: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    """The factors of an expression with these values substituted."""
+    return sp.factor(e.xreplace(dict(values)))
+
+
+def without_constant_factors(e: sp.Expr, moving: Collection[sp.Symbol]) -> sp.Expr:
+    """The expression without the factors that are constants and differ from zero, multiplied out if there are any."""
+    factors = sp.Mul.make_args(sp.factor_terms(e))
+    kept = [f for f in factors if f.free_symbols & {*moving} or not f.is_nonzero]
+    return sp.expand(sp.Mul(*kept)) if len(kept) < len(factors) else e
+
+
+def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
+    """A symbol that abbreviates a value: positive where that is seen to be."""
+    return sp.Symbol(name, positive=True) if sp.expand(value).is_positive else sp.Symbol(name, real=True)
+
+
+def has_one_sign(value: sp.Expr) -> bool:
+    """Whether the value is positive wherever it is defined, or negative."""
+    return sign_of(value) in (1, -1)
