@@ -153,3 +153,10 @@ MAX_LETTER_VARIATIONS = 24
 
 MAX_SIDE_FACTORS = 8
 """Factors that are tried on a side of a wrong condition of equilibrium, each compared in full."""
+
+# Conditions that are tried at random numbers
+
+BESIDE_LIMIT = 1e-3
+BESIDE_ROUNDED_LIMIT = 0.06
+"""How far beside the limit of a stated condition of stability it is tried, and beside one that is written as a decimal:
+two digits are rounded by 5 % at most. A limit that is wrong by more is found at every state."""

@@ -6,20 +6,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
-from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
 from lagrange.explain.words import constraints_called, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.spot_formulas import acceleration_formula, values_that_matter
 
-LONGEST_FORMULA = 30
-"""The most operations of an acceleration that is written before its value."""
-LONGEST_SOLVED = 4 * LONGEST_FORMULA
-"""The most operations of an equation that is solved for it: one of 3,000 takes more than ten seconds."""
 LONGEST_SPOT = 20
 """The most numbers of a spot value that a reader may want to type."""
 
@@ -78,51 +72,14 @@ def _spot(solution: Solution) -> list[Block]:
     if view is None or view.spot is None:
         return []
     spot = view.spot
-    values = _without_turns(view, {s: e for s, e in spot.values.items() if _matters(view, s)})
+    values = values_that_matter(view, spot.values)
     if not values:
         return []  # nothing accelerates, whatever the values
-    results = [math(a, *_formula(view, a), value) for a, value in spot.accelerations.items()]
+    formulas = {a: f for a in spot.accelerations if (f := acceleration_formula(view, a)) is not None}
+    results = [math(a, *([formulas[a]] if a in formulas else []), value) for a, value in spot.accelerations.items()]
     long = len(values) + len(spot.accelerations) > LONGEST_SPOT
     words: list[Part] = ["Try it: ", *_assignments(values), plural(len(values), " gives ", " give ")]
     return [prose(*words, *listed(results), ".", detail=Detail.FULL if long else Detail.STEPS)]
-
-
-def _equations(view: InCoordinates) -> list[sp.Expr]:
-    """What the accelerations follow from."""
-    rows = view.configuration.rows
-    equations = [] if view.motion is None else [e.expression for e in view.motion.equations]
-    equations += [e for r in rows for e in (*r.coefficients, r.drift, *([r.finite] if r.finite is not None else []))]
-    return [*equations, *(r.nonlinear for r in rows if r.nonlinear is not None)]
-
-
-def _matters(view: InCoordinates, symbol: sp.Symbol) -> bool:
-    """Whether a coordinate occurs in the equations; anything else does."""
-    return symbol not in view.configuration.slots.coordinates or any(e.has(symbol) for e in _equations(view))
-
-
-def _without_turns(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-    """The values with angles between −π and π, where a coordinate occurs in sines and cosines only."""
-    coordinates = {*view.configuration.slots.coordinates}
-    far = {s: e for s, e in values.items() if s in coordinates and e.is_number and not abs(e) < 3}
-    if not far:
-        return {**values}
-    plain = [e.replace(lambda x: isinstance(x, TrigonometricFunction), lambda _: sp.Dummy()) for e in _equations(view)]
-    turns = {s: sp.floor((e + sp.pi) / (2 * sp.pi)) for s, e in far.items() if not any(p.has(s) for p in plain)}
-    return {s: sp.N(e - 2 * sp.pi * turns[s], 6) if turns.get(s) else e for s, e in values.items()}
-
-
-def _formula(view: InCoordinates, acceleration: sp.Symbol) -> list[sp.Expr]:
-    """The acceleration as a formula, where there is only one and it is short."""
-    if view.motion is None or len(view.motion.equations) != 1 or view.configuration.rows:
-        return []
-    equation = view.motion.equations[0].expression
-    if count_operations(equation) > LONGEST_SOLVED:
-        return []
-    factor = equation.diff(acceleration)
-    if factor == 0 or factor.has(acceleration):
-        return []
-    formula = textbook_form(-(equation - factor * acceleration).expand() / factor)
-    return [formula] if count_operations(formula) <= LONGEST_FORMULA and not formula.is_number else []
 
 
 def _grouped(checks: Sequence[Check]) -> list[Block]:

@@ -6,7 +6,6 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.forms.brackets import manoeuvre
 from lagrange.algebra.forms.hidden_relations import HiddenRelation
 from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
@@ -61,9 +60,8 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
 
 def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Block]:
     """Which displacement, forbidden at every step, several steps add up to."""
-    [row] = classification.constrained.rows
-    steps = manoeuvre(row.coefficients, slots.coordinates) if row.drift == 0 and row.nonlinear is None else None
-    if steps is None or t in {s for a in row.coefficients for s in a.free_symbols}:
+    steps = classification.manoeuvre
+    if steps is None:
         return []
     epsilon = sp.Symbol("epsilon", positive=True)
     first, second, left = (

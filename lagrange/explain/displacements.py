@@ -18,6 +18,7 @@ from lagrange.mechanics.constraints.displacements import (
     Elimination,
     displaced,
     displaced_force,
+    is_carried_as_a_whole,
     transport_velocity,
     virtual_displacement,
 )
@@ -134,9 +135,7 @@ def _relative(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Bl
         return []
     [p], [row] = configuration.points, configuration.rows
     carried = transport_velocity(p, slots, rates).fixed()
-    still = not any(c.free_symbols & {*slots.coordinates, *slots.velocities} for c in carried.components)
-    change = row.drift + sp.Add(*(a * w for a, w in zip(row.coefficients, rates, strict=True)))
-    if row.finite is None or carried.is_zero or not still or sp.expand(change) != 0:
+    if not is_carried_as_a_whole(row, carried, rates, slots):
         return []
     absolute, relative = VectorSymbol(f"r_{p.name}'"), VectorSymbol("v_R")
     moves = prose(f"The {surface} is carried along with the velocity ", math(carried.as_sum()), ". Divided by ",

@@ -26,6 +26,7 @@ from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction, WorkOfReaction
 from lagrange.mechanics.dynamics.reaction_signs import SURFACES, ForceKind, SingleForce
+from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
@@ -425,11 +426,6 @@ def _ends(name: str, first: str, second: str) -> list[Block]:
     ]
 
 
-def _shorter(work: sp.Expr) -> sp.Expr:
-    """A work in factors, where that is shorter."""
-    return min(work, sp.factor(work), key=lambda e: count_operations(e))
-
-
 def _through(moving: Sequence[WorkOfReaction]) -> str:
     """What does that work: a drive, or the force itself where nothing moves and only the velocities are restricted."""
     if all(w.reaction.row.nonlinear is not None for w in moving):
@@ -442,7 +438,7 @@ def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    lines = [Equation((_shorter(w.possible),), label=f"possible-work-{w.reaction.name}") for w in moving]
+    lines = [Equation((in_factors(w.possible),), label=f"possible-work-{w.reaction.name}") for w in moving]
     reactions = plural(len(moving), "the reaction of ", "the reactions of ")
     does = plural(len(moving), " does the work", " do the work")
     return [

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import VectorSymbol, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
@@ -35,7 +34,7 @@ from lagrange.explain.words import (
 )
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
-from lagrange.mechanics.dynamics.principle import given_forces
+from lagrange.mechanics.dynamics.principle import written_forces
 from lagrange.mechanics.energy_symbols import lagrangian_letter
 from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Parameter, Problem
 
@@ -279,15 +278,15 @@ def _beside_energies(problem: Problem, configuration: Configuration) -> list[Blo
         L = lagrangian_letter(problem.scope.names())
         given = Equation((L, X - configuration.potential), label="given-lagrangian")
         return [prose("The Lagrangian is given:"), display(given)]
-    forces = given_forces(configuration)
+    forces = written_forces(configuration)
     pairs = zip(configuration.slots.coordinates, forces, strict=False)
-    lines = [Equation((given_force(q), textbook_form(f)), label=f"given-{q.name}") for q, f in pairs if f != 0]
+    lines = [Equation((given_force(q), f), label=f"given-{q.name}") for q, f in pairs if f != 0]
     if not lines:
         return []
     words: Prose = prose(plural(len(lines), "A generalized force is given", "Generalized forces are given"))
     blocks: list[Block] = []
     if X != 0:
-        U = Equation((sp.Symbol("U", real=True), sp.expand(-X)), label="velocity-potential")
+        U = Equation((sp.Symbol("U", real=True), configuration.velocity_potential), label="velocity-potential")
         blocks = [prose("A potential energy depends on velocities:"), display(U)]
         also = ", with those that are given" if configuration.generalized else ""
         words = prose("It gives each coordinate the generalized force d/dt ∂U/∂q′ − ∂U/∂q" + also + ":")

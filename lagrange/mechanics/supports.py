@@ -23,7 +23,9 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
+from lagrange.core.ranges import ends_of
 from lagrange.core.records import record
+from lagrange.core.symbols import Bounded
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.equilibrium.stability import on_branch
@@ -80,6 +82,26 @@ def supports(solution: Solution) -> Supports | None:
     if not _turns_nothing(chosen, configuration, at):
         return None
     return Supports((at[0], at[1]), tuple(p.name for p in configuration.points))
+
+
+def angle_bound(s: Support, q: sp.Symbol, solution: Solution) -> tuple[sp.Expr, bool] | None:
+    """Where c sin(φ ± q) ≥ 0 with a positive c ends: ∓φ, and whether from above; None of any other function."""
+    chosen = solution.choices[0]
+    value = chosen.configuration.rewritten(s.coordinate)
+    sines = [f for f in sp.Mul.make_args(value) if isinstance(f, sp.sin) and f.has(q)]
+    limits = chosen.configuration.ranges.get(q)
+    if len(sines) != 1 or limits is None:
+        return None
+    [sine] = sines
+    rest = value / sine
+    slope = sine.args[0].diff(q)
+    if rest.has(q) or sign_of(rest) != 1 or slope not in (1, -1):
+        return None
+    offset = sine.args[0].xreplace({q: sp.S.Zero})
+    ends = ends_of(offset + slope * Bounded(q.name, limits.low, limits.high))
+    if ends is None or ends.low < -sp.pi or ends.high > sp.pi or not all(ends.strict):
+        return None
+    return (-offset / slope, slope == -1)
 
 
 def _is_rod(own: Configuration, chosen: Configuration) -> bool:

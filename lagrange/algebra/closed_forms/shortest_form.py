@@ -43,6 +43,11 @@ def _length(e: sp.Expr) -> int:
     return count_operations(e) + INNER_FRACTION * len(inner)
 
 
+def in_sines(e: sp.Expr) -> sp.Expr:
+    """The expression with tan and cot as the quotients that they are."""
+    return e.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+
+
 def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
     """Sines and cosines under roots in textbook form, where that is shorter."""
     shorter = {}

@@ -19,6 +19,7 @@ import sympy as sp
 
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
+from lagrange.answers.results.approximate import beside_limit
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
@@ -28,7 +29,7 @@ from lagrange.expressions.relations import is_inequality, limit_of
 from lagrange.mechanics.results import InCoordinates, Solution
 
 SAMPLES = 60
-ENOUGH = 10
+ENOUGH = 30
 """So many random places with a clear sign settle a claim."""
 CLEAR = 1e-7
 WRONG_STABILITY = "the claim about its stability is wrong"
@@ -177,16 +178,18 @@ def _places(
         for s in parameters:
             number = draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)
             state[s] = sp.Float(values.get(s, number))
-        for branch in e.branches:
-            for point in branch.points:
-                position = position_at({k: e.solution.letters.write(v) for k, v in point.items()}, coordinates, state)
-                if position is not None:
-                    for turns in (0, 1, -1):
-                        yield state | {
+        beside = () if claim.condition is None else beside_limit(claim.condition, state, values)
+        for moved in (state, *beside):
+            for branch in e.branches:
+                for point in branch.points:
+                    letters = {k: e.solution.letters.write(v) for k, v in point.items()}
+                    position = position_at(letters, coordinates, moved)
+                    if position is None:
+                        continue
+                    for turns in (0, 1, -1) if angles & {*coordinates} else (0,):
+                        yield moved | {
                             q: p + turns * 2 * sp.pi.evalf() if q in angles else p for q, p in position.items()
                         }
-                        if not angles & {*coordinates}:
-                            break
 
 
 def position_at(

@@ -6,10 +6,11 @@ Nothing is decided by them alone: what seems to agree is decided exactly.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 
 import sympy as sp
 
+from lagrange.answers.limits import BESIDE_LIMIT, BESIDE_ROUNDED_LIMIT
 from lagrange.core.floats import FUNCTIONS
 
 
@@ -52,3 +53,21 @@ def root_near(function: Callable[[float], float], start: float) -> float | None:
 
 
 _STEPS = 60
+
+
+def beside_limit(
+    condition: sp.Expr, state: Mapping[sp.Symbol, sp.Expr], fixed: Collection[sp.Symbol] = ()
+) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """The state, moved to both sides of the limit of a condition: in each of its parameters that is not fixed.
+
+    A limit that is wrong by more than the distance is found out at any such state, whatever the others are; at states
+    drawn without regard to the limit, one that is wrong by 10 % seems right in a third of the runs. Limits that are
+    given as decimals may be rounded to two digits.
+    """
+    decimal = any(not n.is_Integer and (not n.is_Rational or n.q >= 10) for n in condition.atoms(sp.Number))
+    distance = BESIDE_ROUNDED_LIMIT if decimal else BESIDE_LIMIT
+    numbers = {s: float(v) for s, v in state.items() if v.is_number}
+    for s in sorted((condition.free_symbols & state.keys()) - {*fixed}, key=str):
+        root = root_near(lambda v, s=s: approximate(condition, {**numbers, s: v}), numbers[s])  # type: ignore[misc]
+        if root is not None and root > 0:
+            yield from ({**state, s: sp.Float(root * (1 + side * distance))} for side in (1, -1))

@@ -220,7 +220,7 @@ def _energy(motion: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
         yield prose(
             "Positions or constraints contain time: what drives them does work too. The kinetic energy changes by"
         )
-        yield display(Equation((T - earlier, sp.expand(-motion.energy_lost)), label="energy-change"))
+        yield display(Equation((T - earlier, motion.energy_gained), label="energy-change"))
         return
     yield prose("The kinetic energy before and after the impact is")
     yield display(Equation((earlier, before), label="energy-before"), Equation((T, after), label="energy-after"))

@@ -7,14 +7,20 @@ from collections.abc import Collection, Sequence
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, prime, variation
+from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.motion import label_of
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.dynamics.conservation import Because, Conserved, ConservedQuantity, EnergyRate, Integral
+from lagrange.mechanics.dynamics.conservation import (
+    Because,
+    Conserved,
+    ConservedQuantity,
+    EnergyRate,
+    Integral,
+    quantity_of,
+)
 
 SMALL = ("epsilon", "eta", "delta", "zeta")
 """Letters for a small number; the first that the problem does not use is taken."""
@@ -158,7 +164,7 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: 
     """`Therefore (11) and (13) times C are the rates of change of the momenta, which are constant`."""
     several, first = len(integrals) > 1, integrals[0]
     configuration = conserved.motion.configuration
-    quantities = {conserved_called(i, configuration) for i in integrals}
+    quantities = {quantity_of(i, configuration) for i in integrals}
     quantity = quantities.pop() if len(quantities) == 1 else first.quantity
     one, more = _COMBINED if first.because is Because.SCREW else _CALLED[quantity]
     named = [proof_of(conserved, i) for i in integrals] if proofs else []
@@ -175,46 +181,6 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: 
         return ("Therefore ", *words, " can be integrated")
     rate = f" are the rates of change of {more}, which are" if several else f" is the rate of change of {one}, which is"
     return ("Therefore ", *words, f"{rate} constant")
-
-
-def conserved_called(integral: Integral, configuration: Configuration) -> ConservedQuantity:
-    """The quantity; the momentum of an angle, also with other coordinates, is an angular one; not of a screw."""
-    displaced = (integral.displacement or {}) if integral.coordinate is None else (integral.coordinate,)
-    if integral.quantity is not ConservedQuantity.MOMENTUM or not displaced:
-        return integral.quantity
-    turned = [q for q in displaced if _turns(q, configuration)]
-    others = [q for q in displaced if q not in turned]
-    is_angular = bool(turned) and not _advances(others, turned, configuration)
-    return ConservedQuantity.ANGULAR_MOMENTUM if is_angular else integral.quantity
-
-
-def _advances(others: Sequence[sp.Symbol], turned: Sequence[sp.Symbol], configuration: Configuration) -> bool:
-    """Whether coordinates move a point along the axis about which others turn, as a screw advances."""
-    places = [sp.Matrix(p.position.fixed().components) for p in configuration.points]
-    axes = [sp.Matrix([c.diff(prime(q)) for c in _turning(r)]) for r in configuration.rotations for q in turned]
-    around = [r.diff(q) for r in places for q in turned]
-    along = [b for r in places for q in others if not (b := r.diff(q)).is_zero_matrix]
-    return (
-        bool(along)
-        and all(all(_is_zero(x) for x in b.cross(a)) for b in along for a in axes)
-        and all(_is_zero(b.dot(a)) for b in along for a in around)
-    )
-
-
-def _is_zero(e: sp.Expr) -> bool:
-    return bool(sp.expand(e) == 0)
-
-
-def _turns(q: sp.Symbol, configuration: Configuration) -> bool:
-    """Whether a coordinate is an angle: of a position, or of a body."""
-    places = [c for p in configuration.points for c in p.position.fixed().components]
-    if any(q in w.free_symbols for e in places for w in e.atoms(sp.sin, sp.cos)):
-        return True
-    return any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
-
-
-def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:
-    return rotation.angular_velocity.components
 
 
 def proof_of(conserved: Conserved, integral: Integral) -> tuple[Part, ...]:

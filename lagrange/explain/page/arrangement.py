@@ -13,7 +13,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import listed, math, paragraph, prose
@@ -24,10 +23,8 @@ from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.newton import explain_works
 from lagrange.explain.page.bodies import alike_about_all_axes
 from lagrange.explain.page.constraints import (
-    common_number,
     explain_geometric,
     explain_without,
-    halved,
     is_plainly_geometric,
     without_component,
 )
@@ -54,7 +51,6 @@ from lagrange.explain.page.kinematic import (
     in_chosen_coordinates,
     on_nonlinear_constraint,
     with_only_coordinate,
-    with_short_forms,
     without_division,
     without_solution,
 )
@@ -70,7 +66,7 @@ from lagrange.explain.page.laws import (
     without_idle,
     work_by_forms,
 )
-from lagrange.explain.page.meaning import StatedEquations, explain_meaning
+from lagrange.explain.page.meaning import explain_meaning
 from lagrange.explain.page.motion import (
     displacements_of_geometric,
     displacements_shortly,
@@ -84,7 +80,6 @@ from lagrange.explain.page.motion import (
     without_long_sum,
     without_multipliers,
 )
-from lagrange.explain.page.named import in_names
 from lagrange.explain.page.quasi_velocities import (
     ends_with_speeds,
     in_speeds_only,
@@ -114,6 +109,10 @@ from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
 from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.constraint_forms import common_number, with_short_forms, without_common_number
+from lagrange.mechanics.rewriting.factors import has_one_sign
+from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
+from lagrange.mechanics.rewriting.stated_names import StatedEquations, in_names
 
 LONGEST_BESIDE = 15
 """The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
@@ -429,7 +428,7 @@ def _are_same(solution: Solution) -> bool:
 def _of_forms(solution: Solution, step: Step) -> Step:
     """Displacements of geometric constraints, from the forms without common factors; shortly before a law of motion."""
     own = solution.own
-    rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)
+    rows = tuple(without_common_number(r) if r.finite is not None else r for r in own.configuration.rows)
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
     at_rest = own.equilibrium is not None or any(v.at_rest is not None for v in solution.views)
     derived = own.dynamics is not None or at_rest or solution.impact is not None
@@ -490,7 +489,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     """The blocks, without how long contact lasts where every normal force is known to keep its sign."""
     sizes = {} if view.dynamics is None or view.dynamics.reactions is None else view.dynamics.reactions.sizes
     normal = [sizes.get(r.name) for r in newton.reactions if r.is_normal and r.constraint.side is None]
-    certain = bool(normal) and all(s is not None and sign_of(s) in (1, -1) for s in normal)
+    certain = bool(normal) and all(s is not None and has_one_sign(s) for s in normal)
     for block in body:
         first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
         if not certain or first != ONLY_PUSHES:
@@ -511,8 +510,6 @@ def _chain(
     last = equation.sides[-1]
     if before is None or count_operations(before) > LONGEST_BEFORE or not isinstance(last, sp.Expr) or before == last:
         return equation
-    if before.free_symbols == last.free_symbols and sp.cancel(before - last) == 0:
+    if are_same_formulas(before, last, dict(rule)):
         return equation
-    if sp.expand(before.xreplace(dict(rule)) - last) == 0 and count_operations(before) == count_operations(last):
-        return equation  # r for R
     return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

@@ -18,6 +18,7 @@ from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
 from lagrange.explain.words import capital, introduced, joined, plural
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import vector_with_factor, with_factor
 
 FEWEST = 2
 """The fewest bodies that are introduced together."""
@@ -125,12 +126,9 @@ def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:
         if label.startswith("momentum-rate") and label.endswith(f"-{name}"):
             return replace(e, sides=(e.sides[0], *(_divided(s, moment) for s in e.sides[1:])))
         if label.startswith(f"turning-{name}-") and isinstance(e.sides[0], sp.Expr):
-            return replace(e, sides=(moment * sp.expand(e.sides[0] / moment), *e.sides[1:]))
+            return replace(e, sides=(with_factor(e.sides[0], moment), *e.sides[1:]))
     return e
 
 
 def _divided(side: Mathematics, moment: sp.Expr) -> Mathematics:
-    if not isinstance(side, Vector):
-        return side
-    within = side.map(lambda c: sp.expand(c / moment))
-    return moment * within.as_sum()
+    return vector_with_factor(side, moment) if isinstance(side, Vector) else side

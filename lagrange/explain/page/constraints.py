@@ -6,17 +6,13 @@ each of these takes one line. Where any of this needs an argument, the sections 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.integrability import PartialsComparison
-from lagrange.core.expression_size import Sizes
-from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol, t
-from lagrange.core.vectors import Vector
+from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
@@ -24,13 +20,10 @@ from lagrange.explain.constraints import equal, telling_pair, time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
-from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
-from lagrange.problem.model import Constraint, Problem
-
-MOST_EXPANDED_TERMS = 2_000
-"""Of a form whose numbers are compared: those of books have a dozen, the twentieth arc tangent of another a million."""
+from lagrange.mechanics.rewriting.constraint_forms import common_number, vanishing_components, without_common_number
+from lagrange.problem.model import Problem
 
 
 def is_plainly_geometric(classification: Classification) -> bool:
@@ -39,24 +32,6 @@ def is_plainly_geometric(classification: Classification) -> bool:
     plain = all(c.row.finite is not None and not c.contains_time and c.constraint.given is None for c in constraints)
     whole = not classification.redundancies and classification.rank == len(constraints)
     return bool(constraints) and plain and whole and classification.scleronomic is True
-
-
-def common_number(row: Row) -> sp.Integer:
-    """The whole number that all coefficients of a form contain: 2 in 2x dx + 2y dy."""
-    total = sp.Add(*(a * sp.Dummy() for a in row.form))
-    if Sizes().of(total).widest > MOST_EXPANDED_TERMS:
-        return sp.S.One
-    content, _ = sp.expand(total).primitive()
-    return content if content.is_Integer and content > 1 else sp.S.One
-
-
-def halved(row: Row) -> Row:
-    """The form without that number, and without the sign of its only term: dr = 0 for −dr = 0."""
-    number = common_number(row)
-    terms = [a for a in (*row.coefficients, row.drift) if a != 0]
-    if len(terms) == 1 and terms[0].is_number and terms[0].is_negative:
-        number = -number
-    return replace(row, coefficients=tuple(a / number for a in row.coefficients), drift=row.drift / number)
 
 
 def explain_geometric(classification: Classification, slots: Slots) -> Step:
@@ -72,7 +47,7 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         for c in constraints
     )
     lines = (
-        Equation((possible_displacement(halved(c.row), slots), sp.S.Zero), label=f"form-{c.row.name}")
+        Equation((possible_displacement(without_common_number(c.row), slots), sp.S.Zero), label=f"form-{c.row.name}")
         for c in constraints
     )
     kind = plural(len(constraints), "a ", "")
@@ -150,55 +125,14 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
 
 def without_component(problem: Problem, step: Step) -> Step:
     """The constraints, with v·n = 0 for one that forbids a velocity along a unit vector that the file names."""
-    finite = [c.lhs - c.rhs for c in problem.constraints if not c.kinematic]
-    lines = [line for c in problem.constraints if (line := _across(problem, c, Surface(finite))) is not None]
+    components = vanishing_components(problem)
+    lines = [Equation((DotProduct(velocity, VectorSymbol(n)), sp.S.Zero)) for velocity, n in components]
     if not lines:
         return step
     one, more = "a component of the velocity vanishes", "components of velocities vanish"
     words = f"That is, {plural(len(lines), one, more)}:"
     at = next(n for n, b in enumerate(step.body) if isinstance(b, Display)) + 1
     return replace(step, body=(*step.body[:at], prose(words), display(*lines), *step.body[at:]))
-
-
-def _across(problem: Problem, constraint: Constraint, surface: Surface) -> Equation | None:
-    """(x' i + y' j)·n = 0, or ½ (r_A' + r_B')·n = 0, where the constraint is that on the geometric constraints."""
-    if not constraint.kinematic:
-        return None
-    slots = problem.slots
-    difference = constraint.lhs - constraint.rhs
-    for name, direction in problem.abbreviations.items():
-        if not isinstance(direction, Vector) or surface.is_zero(direction.dot(direction) - 1) is not True:
-            continue
-        for velocity, written in _velocities(problem):
-            product = velocity.dot(direction.fixed())
-            factor = _ratio(difference, product, slots)
-            if factor is not None and surface.is_zero(difference - factor * product) is True:
-                return Equation((DotProduct(written, VectorSymbol(name)), sp.S.Zero))
-    return None
-
-
-def _velocities(problem: Problem) -> Iterator[tuple[Vector, sp.Expr]]:
-    """The velocities of a point, of particles and bodies, and of the middle between two particles, each as written."""
-    slots = problem.slots
-    places = {p.name: p.position for p in problem.particles} | {b.name: b.position for b in problem.bodies}
-    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
-    if len(plane) == 2:
-        places = {"": Vector((plane[0], plane[1], sp.S.Zero)), **places}
-    rates = {name: place.fixed().map(slots.time_derivative) for name, place in places.items()}
-    yield from ((rate, rate.as_sum()) for rate in rates.values())
-    for a, b in combinations([p.name for p in problem.particles], 2):
-        half = sp.Mul(sp.S.Half, VectorSymbol(f"r_{a}'") + VectorSymbol(f"r_{b}'"), evaluate=False)
-        yield (rates[a] + rates[b]) * sp.S.Half, half
-
-
-def _ratio(whole: sp.Expr, part: sp.Expr, slots: Slots) -> sp.Expr | None:
-    """The constant by which two expressions in velocities differ, if it is one."""
-    for v in slots.velocities:
-        a, b = whole.diff(v), part.diff(v)
-        if b != 0:
-            ratio = sp.cancel(a / b)
-            return None if ratio == 0 or ratio.free_symbols & {*slots.coordinates, *slots.velocities, t} else ratio
-    return None
 
 
 def explain_without(classification: Classification, built_in: bool) -> Step:

@@ -11,6 +11,7 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import free_letter
 from lagrange.document.derivation import Block, Display, Equation, Step
+from lagrange.mechanics.rewriting.factors import letter_for
 
 SHORTEST = 12
 """The fewest operations of a denominator that gets a letter."""
@@ -34,8 +35,7 @@ def _named(block: Block, taken: Collection[str]) -> Block:
         return block
     [base] = shared
     name = free_letter("Delta", "D", "D_0", taken=taken)
-    positive = bool(sp.expand(base).is_positive)
-    letter = sp.Symbol(name, positive=True) if positive else sp.Symbol(name, real=True)
+    letter = letter_for(base, name)
     lines = tuple(replace(e, sides=tuple(_with_letter(s, base, letter) for s in e.sides)) for e in block.equations)
     return replace(block, equations=(*lines, Equation((letter, base))))
 

@@ -36,6 +36,8 @@ from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
+from lagrange.mechanics.rewriting.readable_equality import multiplied_out
 
 LONGEST_IN_LINE = 12
 """The most operations of a product of differentials that is written in its sentence."""
@@ -58,15 +60,15 @@ def in_one_name(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
 def _names_of_units(solution: Solution) -> dict[str, str]:
     """The unit vectors of bodies that have another name too, by name."""
     problem, frame = solution.problem, solution.problem.frame
-    known = {_components(v): name for name, v in problem.abbreviations.items() if isinstance(v, Vector)}
-    known |= {_components(unit_vector(FIXED, n)): name for n, name in enumerate(UNITS)}
+    known = {multiplied_out(v): name for name, v in problem.abbreviations.items() if isinstance(v, Vector)}
+    known |= {multiplied_out(unit_vector(FIXED, n)): name for n, name in enumerate(UNITS)}
     named = {*UNITS, *problem.abbreviations, *(frame.names if frame is not None else ())}
     names: dict[str, str] = {}
     for triad in _triads(solution):
         if triad.directions is None or triad == frame:
             continue
         for symbol, direction in unit_vectors(triad):
-            name = symbol.name if symbol.name in named else known.setdefault(_components(direction), symbol.name)
+            name = symbol.name if symbol.name in named else known.setdefault(multiplied_out(direction), symbol.name)
             if name != symbol.name:
                 names[symbol.name] = name
     return names
@@ -80,10 +82,6 @@ def _triads(solution: Solution) -> tuple[Triad, ...]:
         vectors = (*form.equations.velocities.values(), *form.equations.spins.values())
         triads += [v.triad for v in vectors]
     return tuple(dict.fromkeys(triads))
-
-
-def _components(v: Vector) -> tuple[sp.Expr, ...]:
-    return tuple(sp.expand(c) for c in v.fixed().components)
 
 
 def _renamed(block: Block, rule: dict[sp.Basic, sp.Basic], names: Mapping[str, str]) -> Block:
@@ -451,10 +449,7 @@ def remaining_shortly(step: Step, slots: Slots) -> Step:
         left = e.sides[0]
         if not (e.label or "").startswith("rate-") or e.sides[1:] != (sp.S.Zero,) or not isinstance(left, sp.Expr):
             return e
-        factors = sp.Mul.make_args(sp.factor_terms(left))
-        kept = [f for f in factors if f.free_symbols & moving or not f.is_nonzero]
-        shorter = sp.expand(sp.Mul(*kept))
-        return replace(e, sides=(shorter, sp.S.Zero)) if len(kept) < len(factors) else e
+        return replace(e, sides=(without_constant_factors(left, moving), sp.S.Zero))
 
     blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
@@ -540,5 +535,5 @@ def _longest(block: Display) -> int:
 def _where(e: Equation, simple: Mapping[sp.Expr, sp.Expr]) -> Equation:
     """An equation with simple values put in; a symbol on the left stays."""
     first, *rest = (s if isinstance(s, sp.Expr) else sp.S.Zero for s in e.sides)
-    first = first if first.is_Symbol else sp.factor(first.xreplace(dict(simple)))
-    return replace(e, sides=(first, *(sp.factor(s.xreplace(dict(simple))) for s in rest)))
+    first = first if first.is_Symbol else in_factors_where(first, simple)
+    return replace(e, sides=(first, *(in_factors_where(s, simple) for s in rest)))

@@ -17,16 +17,18 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
-from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
-from lagrange.explain.page.vectors.directions import Directions, unit_along, unit_vectors
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
 from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.constraint_forms import without_common_number
+from lagrange.mechanics.rewriting.factors import with_common_factor
+from lagrange.mechanics.rewriting.named_directions import Directions, unit_along, unit_directions
+from lagrange.mechanics.rewriting.readable_equality import is_same
 
 ZERO = sp.S.Zero
 MOST_NAMED = 3
@@ -50,7 +52,7 @@ def has_vector_laws(solution: Solution) -> bool:
 def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
     bodies = newton.bodies or ()
-    units = unit_vectors(solution)
+    units = unit_directions(solution.problem)
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
@@ -198,8 +200,8 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     same = newton is solution.law.newton if solution.law is not None else True
     works = solution.works if same else works_of_reactions(newton, configuration, solution.own.elimination)
     rows = configuration.rows
-    forms = [virtual_displacement(halved(r), slots) for r in rows]
-    total = sp.Add(*(w.reaction.force * _factored(w.virtual) for w in works))
+    forms = [virtual_displacement(without_common_number(r), slots) for r in rows]
+    total = sp.Add(*(w.reaction.force * with_common_factor(w.virtual) for w in works))
     lines = [Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True)]
     between = [_relative(w.reaction) for w in works]
     if len(works) == len(rows) and all(b is not None for b in between) and sum(map(_length, forms)) > LONGEST_FORMS:
@@ -243,11 +245,6 @@ def _relative(reaction: Reaction) -> sp.Expr | None:
 
 def _length(e: sp.Expr) -> int:
     return count_operations(e)
-
-
-def _factored(work: sp.Expr) -> sp.Expr:
-    """A virtual work with its common factor in front."""
-    return sp.factor_terms(work)
 
 
 def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator[Block]:
@@ -347,7 +344,7 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
     """
     forms = {r.name: virtual_displacement(r, solution.own.configuration.slots) for r in solution.own.configuration.rows}
     at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and _is_work(b)), None)
-    plain = all(w.reaction.name in forms and sp.expand(w.virtual - forms[w.reaction.name]) == 0 for w in solution.works)
+    plain = all(w.reaction.name in forms and is_same(w.virtual, forms[w.reaction.name]) for w in solution.works)
     if at is None or not plain or len(solution.works) < 2 or at + 1 >= len(step.body):
         return step
     shown = step.body[at]
@@ -426,7 +423,7 @@ def reaction_along_normal(solution: Solution) -> Step | None:
     is_free = sum((f.vector.fixed() for f in solution.own.configuration.loads), Vector.zero()).is_zero
     applied = sp.S.Zero if is_free else DotProduct(VectorSymbol(f"F_{point.name}"), n)
     sides = (DotProduct(VectorSymbol(f"R_{point.name}"), n), point.mass * DotProduct(moved, n) - applied,
-             sp.factor_terms(reaction.value))  # fmt: skip
+             with_common_factor(reaction.value))  # fmt: skip
     line = display(Equation(sides, label=f"normal-{point.name}"), boxed=True, detail=Detail.BRIEF)
     words = f"The force that keeps {the(point.name)} on its path is along its normal. By Newton's law it is"
     return Step(Rule.SOLVED_REACTIONS, "The reaction", (prose(words), line))

@@ -9,18 +9,21 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, Unspecified, base, prime, t
+from lagrange.core.symbols import CONSTANT, Unspecified, base, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
-from lagrange.explain.energy.conservation import conserved_called, explain_conserved, proof_of
-from lagrange.explain.energy.remaining import in_remaining_velocities
+from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
-from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral
+from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import Limit, Meaning, held_values, where_held
+from lagrange.mechanics.rewriting.in_speeds import Course, one_way
+from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
+from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
+from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
@@ -30,10 +33,6 @@ MOST_MULTIPLIERS = 2
 """The most equations of motion whose multiples are named where they add up to the rate of a quantity."""
 LONGEST_LINE = 24
 """The most operations of a conserved quantity that is written in its sentence."""
-
-
-StatedEquations = tuple[tuple[sp.Expr, ...], ...]
-"""Equations, each as its sides."""
 
 
 def explain_meaning(
@@ -78,12 +77,12 @@ def operations(stated: StatedEquations) -> int:
 def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
-    if motion is None or not stated or _are_shown(stated, [e.expression for e in motion.final]):
+    if motion is None or not stated or are_same_equations(stated, [e.expression for e in motion.final]):
         return
     if form is not None and form.equations is not None:
         defined = form.velocities.defined
         stated_by_rates = tuple((defined(a), defined(b), *more) for a, b, *more in stated)
-        if _are_shown(stated_by_rates, [defined(e) for e in form.equations.expressions]):
+        if are_same_equations(stated_by_rates, [defined(e) for e in form.equations.expressions]):
             return
     if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
         return  # they are among the accelerations
@@ -93,27 +92,12 @@ def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
-def _are_shown(stated: StatedEquations, shown: Sequence[sp.Expr]) -> bool:
-    """Whether equations are those of the page with terms brought to the other side."""
-    left = [_in_sines(a - b) for a, b, *_ in stated]
-    right = [_in_sines(s) for s in shown]
-    return all(any(_is_same(e, s) or _is_same(e, -s) for s in right) for e in left)
-
-
-def _is_same(e: sp.Expr, other: sp.Expr) -> bool:
-    """Whether two expressions are equal when they are expanded, as those of different letters never are here."""
-    return bool(e == other or (e.free_symbols == other.free_symbols and sp.expand(e - other) == 0))
-
-
-def _in_sines(e: sp.Expr) -> sp.Expr:
-    """With cot and tan as the quotients that they are."""
-    return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
-
-
 def _freed(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations without the coordinates that roll along: `Without ψ: ψ'' = −[(R − r)/r] φ'' leaves ...`"""
     freed = meaning.freed
-    if freed is None or meaning.constant or (stated and _are_shown(stated, [e.expression for e in freed.equations])):
+    if freed is None or meaning.constant:
+        return
+    if stated and are_same_equations(stated, [e.expression for e in freed.equations]):
         return
     accelerations = [math(v, e) for v, e in freed.rates.items() if v not in freed.velocities]
     names = listed(math(base(v)) for v in freed.velocities)
@@ -130,7 +114,7 @@ def _with_held(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     before = [e.expression for e in motion.final]
     after = [where_held(e, held) for e in before]
     changed = [e for e, old in zip(after, before, strict=True) if e != old and e != 0]
-    if changed and not (stated and _are_shown(stated, after)):
+    if changed and not (stated and are_same_equations(stated, after)):
         used = {base(s) for e in before for s in e.free_symbols if s in held}
         values = [math(q, held[q]) for q in sorted(used, key=str)]
         yield prose(Emphasis("With "), *listed(values), ": ", *listed(math(e, sp.S.Zero) for e in changed), ".")
@@ -175,7 +159,7 @@ def _conserved(
     for integral, proof in zip(conserved.integrals, proofs, strict=True):
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
             proof = ("a combination of the equations of motion",)
-        called = conserved_called(integral, conserved.motion.configuration)
+        called = quantity_of(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
         quantity = math(in_remaining_velocities(integral.expression, conserved.motion), CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
@@ -270,45 +254,25 @@ def _accelerations(meaning: Meaning) -> Iterator[Block]:
     yield from with_named_denominators(step, names).body
 
 
+_COURSES = {
+    Course.GROWS: ("never negative", " only grows"),
+    Course.FALLS: ("never positive", " only falls"),
+    Course.ONE_SENSE: ("always of the same sign", " moves in one sense"),
+}
+
+
 def _one_way(meaning: Meaning) -> Iterator[Block]:
     """The quasi-velocities whose rate has one sign: `u' = a ω², which is never negative: u only grows`."""
     form = meaning.view.in_speeds
-    if form is None or form.equations is None:
+    if form is None:
         return
-    speeds = tuple(form.velocities.definitions)
-    for e in form.equations.expressions:
-        involved = [u for u in speeds if e.has(prime(u))]
-        if len(involved) != 1 or count_operations(e) > LONGEST_LINE:
-            continue
-        [u] = involved
-        factor = sp.diff(e, prime(u))
-        value = sp.factor_terms(-e.xreplace({prime(u): sp.S.Zero}) / factor)
-        if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
-            continue
-        grows, falls = value.is_nonnegative, value.is_nonpositive
-        if value == 0 or (bool(grows) == bool(falls) and not _never_turns(value, meaning, speeds)):
-            continue
-        sign, course = "never negative", " only grows"
-        if falls:
-            sign, course = "never positive", " only falls"
-        elif not grows:
-            sign, course = "always of the same sign", " moves in one sense"
-        bases = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
-        moving = [b for b in bases if b.free_symbols & {*speeds}]
+    for way in one_way(form, meaning.view.configuration.slots, LONGEST_LINE):
+        sign, course = _COURSES[way.course]
         only: tuple[Part, ...] = ()
-        if len(moving) == 1 and moving[0] in speeds:
-            only = (", or is constant while ", math(moving[0], sp.S.Zero))
-        yield prose(
-            Emphasis("One way"), ": ", math(prime(u), value), f", which is {sign}: ", math(u), course, *only, "."
-        )
-
-
-def _never_turns(value: sp.Expr, meaning: Meaning, speeds: Sequence[sp.Symbol]) -> bool:
-    """Whether it is a constant times what is never negative."""
-    slots = meaning.view.configuration.slots
-    constant, moving = value.as_independent(*speeds, as_Add=False)
-    changing = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
-    return bool(moving.is_nonnegative) and not constant.free_symbols & changing
+        if way.still is not None:
+            only = (", or is constant while ", math(way.still, sp.S.Zero))
+        changes = (math(prime(way.speed), way.rate), f", which is {sign}: ", math(way.speed), course)
+        yield prose(Emphasis("One way"), ": ", *changes, *only, ".")
 
 
 def _turning(meaning: Meaning) -> Iterator[Block]:
@@ -411,7 +375,7 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
 
 def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
     """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations those that change."""
-    changed = [e for e in limit.equations if not any(_is_same(e, f) for f in final)]
+    changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)]
     same = len(limit.equations) - len(changed)
     where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
     equations = listed(math(e, sp.S.Zero) for e in changed or limit.equations)

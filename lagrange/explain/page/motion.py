@@ -8,7 +8,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import Slots, t, variation
+from lagrange.core.symbols import Slots, variation
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
@@ -20,6 +20,7 @@ from lagrange.mechanics.constraints.displacements import Elimination, virtual_di
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.readable_equality import has_plain_accelerations
 
 LONGEST_SUM = 60
 """The most operations of the principle in independent displacements that is shown before the equations themselves."""
@@ -101,9 +102,7 @@ def _is_linear(equation: Equation, slots: Slots) -> bool:
     value = equation.sides[-1]
     if not isinstance(value, Vector) or value.triad != FIXED:
         return False
-    terms = [a for c in value.components for a in sp.Add.make_args(sp.expand(c)) if a != 0]
-    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *slots.accelerations, t}
-    return all(len(a.free_symbols & moving) == 1 and a.free_symbols & {*slots.accelerations} for a in terms)
+    return has_plain_accelerations(value, slots)
 
 
 def with_displacements(step: Step, motion: DalembertMotion) -> Step:

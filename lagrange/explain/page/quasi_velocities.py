@@ -13,9 +13,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime, t
+from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import (
@@ -38,6 +37,8 @@ from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
 from lagrange.mechanics.integrated_speed import integrated_speed
 from lagrange.mechanics.path_reaction import reaction_along
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import with_common_factor
+from lagrange.mechanics.rewriting.in_speeds import rates_by_speeds, substituted
 from lagrange.problem.model import Problem
 
 LONGEST = 60
@@ -74,7 +75,7 @@ _AFTER_MOTION = (Rule.RESULT, Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.MEANIN
 def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps with energies and reactions in the quasi-velocities and their rates, where that is shorter."""
     form = solution.own.in_speeds
-    rule = {} if form is None or not ends_with_speeds(solution) else _rates(solution, form)
+    rule = {} if form is None or not ends_with_speeds(solution) else rates_by_speeds(solution.problem.slots, form)
 
     known: set[str] = set()  # of the head, which comes before the quasi-velocities are defined
 
@@ -83,7 +84,7 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
             return value
         if isinstance(value, TimeDerivative):
             return TimeDerivative(side(value.args[0]))
-        shorter = textbook_form(value.xreplace(rule))
+        shorter = substituted(value, rule)
         new = {s.name.rstrip("'") for s in shorter.free_symbols - value.free_symbols}
         return shorter if count_operations(shorter) < count_operations(value) and not new - known else value
 
@@ -106,19 +107,6 @@ def _names(step: Step) -> set[str]:
     """The letters in the equations of a step, of u' that of u."""
     sides = [s for b in step.body if isinstance(b, Display) for e in b.equations for s in e.sides]
     return {s.name.rstrip("'") for side in sides if isinstance(side, sp.Expr) for s in side.free_symbols}
-
-
-def _rates(solution: Solution, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
-    """The velocities by the quasi-velocities, q' = B u + b, and the accelerations by their derivatives."""
-    slots, kinematic = solution.problem.slots, form.velocities.kinematic
-    speeds = form.velocities.symbols
-    rule: dict[sp.Expr, sp.Expr] = dict(kinematic)
-    for velocity, acceleration in zip(slots.velocities, slots.accelerations, strict=True):
-        if velocity in kinematic:
-            e = kinematic[velocity]
-            moved = [e.diff(c) * kinematic.get(v, v) for c, v in zip(slots.coordinates, slots.velocities, strict=True)]
-            rule[acceleration] = sp.Add(*moved, *(e.diff(u) * prime(u) for u in speeds), e.diff(t))
-    return rule
 
 
 def _are_long(solution: Solution) -> bool:
@@ -185,7 +173,7 @@ def _across(solution: Solution, reaction: VectorSymbol) -> Iterator[Block]:
     x, y, z = (sp.Integer(k == n) for k in range(3))
     value = reaction_along(Vector((x, y, z)), solution.own.configuration)
     yield prose("Its vertical component is")
-    yield display(Equation((DotProduct(reaction, unit), sp.factor_terms(value)), label="vertical-reaction"))
+    yield display(Equation((DotProduct(reaction, unit), with_common_factor(value)), label="vertical-reaction"))
 
 
 # -- by quadratures -----------------------------------------------------------------------------------------------

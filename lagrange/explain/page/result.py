@@ -19,11 +19,12 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.meaning import StatedEquations, operations
+from lagrange.explain.page.meaning import operations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.meaning import constant_accelerations, held_values, where_held, without_given_rates
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.valued import values_in
 
 if TYPE_CHECKING:

@@ -23,6 +23,7 @@ from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.readable_equality import divisors
 
 LONGEST_LINE = 30
 """The most operations of the square of a frequency, or of a line about a steady motion."""
@@ -122,9 +123,7 @@ def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tupl
     """
     s = judgement.stability
     conditions = s.conditions if s.verdict is StabilityVerdict.CONDITIONAL else s.presupposed
-    below = (sp.factor(sp.fraction(sp.together(v))[1]) for v in values)
-    divisors = {f.as_base_exp()[0] for d in below for f in sp.Mul.make_args(d)}
-    conditions = tuple(c for c in conditions if c.relation != "≠" or c.lhs not in divisors)
+    conditions = tuple(c for c in conditions if c.relation != "≠" or c.lhs not in divisors(values))
     if sum(count_operations(c.lhs) for c in conditions) > LONGEST_WORDS:
         return ()
     where = ("where ", *sign_conditions(conditions)) if conditions else ()

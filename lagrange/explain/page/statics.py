@@ -12,18 +12,17 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.core.ranges import ends_of
-from lagrange.core.symbols import Bounded, DotProduct, VectorSymbol, free_letter
+from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Ref, Rule, Step
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.reactions import explain_reactions_at_rest
 from lagrange.explain.words import joined, plural
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.supports import angle_bound
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.supports import Support, Supports
+    from lagrange.mechanics.supports import Supports
 
 ZERO = sp.S.Zero
 
@@ -179,7 +178,7 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     if len(chosen.configuration.slots.coordinates) != 1:
         return
     [q] = chosen.configuration.slots.coordinates
-    limits = [_limit(s, q, solution) for s in supports.at]
+    limits = [angle_bound(s, q, solution) for s in supports.at]
     low = [e for e, upper in filter(None, limits) if not upper]
     high = [e for e, upper in filter(None, limits) if upper]
     if len(low) != 1 or len(high) != 1:
@@ -187,23 +186,3 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     inside = listed(math(s.coordinate, ZERO, relation="≥") for s in supports.at)
     words: tuple[Part, ...] = ("Both ends are on the supports, ", *inside, ", as long as ")
     yield prose(*words, math(low[0], q, high[0], relation="≤"), ".", detail=Detail.BRIEF)
-
-
-def _limit(s: Support, q: sp.Symbol, solution: Solution) -> tuple[sp.Expr, bool] | None:
-    """Where c sin(φ ± q) ≥ 0 with a positive c ends: ∓φ, and whether from above; None of any other function."""
-    chosen = solution.choices[0]
-    value = chosen.configuration.rewritten(s.coordinate)
-    sines = [f for f in sp.Mul.make_args(value) if isinstance(f, sp.sin) and f.has(q)]
-    limits = chosen.configuration.ranges.get(q)
-    if len(sines) != 1 or limits is None:
-        return None
-    [sine] = sines
-    rest = value / sine
-    slope = sine.args[0].diff(q)
-    if rest.has(q) or sign_of(rest) != 1 or slope not in (1, -1):
-        return None
-    offset = sine.args[0].xreplace({q: ZERO})
-    ends = ends_of(offset + slope * Bounded(q.name, limits.low, limits.high))
-    if ends is None or ends.low < -sp.pi or ends.high > sp.pi or not all(ends.strict):
-        return None
-    return (-offset / slope, slope == -1)

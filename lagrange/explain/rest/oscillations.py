@@ -11,7 +11,7 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import Unspecified, VectorSymbol, base, prime, t
+from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.rest.statics import full_turns, outside_ranges, singular_places
@@ -29,6 +29,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms, has_uniform_motion
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
+from lagrange.mechanics.rewriting.readable_equality import is_linear
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
@@ -153,22 +154,12 @@ def _names(linearization: Linearization) -> Block:
     [x, *others] = linearization.displacements
     quantities: tuple[Part, ...] = ("them and their rates",) if others else (math(x), " and ", math(prime(x)))
     neglected = prose("Terms of second order in ", *quantities, " are neglected.")
-    if _is_linear(linearization):
+    if is_linear(linearization):
         return replace(be, short=be.parts)
     used = any(
         s is not None and s.judgement.stability.verdict is not StabilityVerdict.UNSTABLE for s in linearization.at
     )
     return replace(paragraph(be, neglected), short=be.parts, detail=Detail.BRIEF if used else Detail.STEPS)
-
-
-def _is_linear(linearization: Linearization) -> bool:
-    """Whether the equations of motion are linear with constant coefficients, without anything being neglected."""
-    expressions = linearization.motion.expressions
-    symbols = {s for e in expressions for s in e.free_symbols}
-    moving = {*linearization.configuration.slots.coordinates, *(s for s in symbols if base(s) != s)}  # cyclic ones, too
-    if linearization.configuration.rows or any(e.has(Unspecified, sp.sign, sp.Abs, t) for e in expressions):
-        return False
-    return all(not e.diff(x).free_symbols & moving for e in expressions for x in moving)
 
 
 def explain_about(
@@ -212,7 +203,7 @@ def explain_about(
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
     rest = "every position of rest" if noun == "equilibrium" else f"every such {noun}"
     named = (f"the {noun} ", place) if is_stated else (rest,)
-    yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=_is_linear(linearization))
+    yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=is_linear(linearization))
 
 
 def _bound(s: SmallOscillations, linearization: Linearization) -> Iterator[Block]:

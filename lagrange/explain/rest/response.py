@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
-from lagrange.core.symbols import Sign, t
+from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, extremes
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.rewriting.factors import SIGN_OF_ROOT, both_roots
 
 ZERO = sp.S.Zero
 
@@ -111,29 +111,13 @@ def _lags(response: Response) -> Iterator[Block]:
     yield display(*(Equation((s, e), label=_label(response.forced, f"lag-{s.name}")) for s, e in known))
 
 
-SIGN = Sign("sigma_1")
-"""That of a square root."""
-
-
-def _both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
-    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None where they are not such."""
-    if len(roots) != 2:
-        return None
-    middle, half = sp.factor((roots[0] + roots[1]) / 2), sp.factor_terms((roots[1] - roots[0]) / 2)
-    surds = [f for f in half.atoms(sp.Pow) if f.exp == sp.S.Half]
-    if middle.has(*surds) or len(surds) != 1:
-        return None
-    return sp.factor_terms(sp.together(middle + SIGN * half))
-
-
 def _resonance(response: Response) -> Iterator[Block]:
     """The frequencies of resonance, and those at which a coordinate is at rest."""
     w = response.drive.frequency
     if response.resonances and response.is_damped:
         yield prose("The amplitude is greatest at")
-        square = without_leading_minus(response.resonances[0])
         label = _label(response.forced, "resonance")
-        yield display(Equation((w**2, square), label=label, condition=("if that is positive",)))
+        yield display(Equation((w**2, response.greatest_at), label=label, condition=("if that is positive",)))
     elif response.resonances:
         count = len(response.resonances)
         words = plural(count, "a frequency of free oscillations", "frequencies of free oscillations")
@@ -145,9 +129,9 @@ def _resonance(response: Response) -> Iterator[Block]:
             Equation((w**2, e), label=_label(response.forced, f"resonance-{n}"))
             for n, e in enumerate(response.resonances)
         ]
-        both = _both_roots(response.resonances)
+        both = both_roots(response.resonances)
         if both is not None:
-            lines = [replace(lines[0], sides=(w**2, both), condition=("with ", math(SIGN), " = ±1"))]
+            lines = [replace(lines[0], sides=(w**2, both), condition=("with ", math(SIGN_OF_ROOT), " = ±1"))]
         yield display(*lines)
     for q, places in zip(response.forced.configuration.slots.coordinates, response.rests, strict=True):
         lines = [

@@ -28,6 +28,7 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
+from lagrange.mechanics.rewriting.factors import has_common_factor
 
 ZERO = sp.S.Zero
 
@@ -234,7 +235,7 @@ def _introduction(equilibrium: Equilibrium) -> Block:
 
 
 def _splits(equilibrium: Equilibrium) -> bool:
-    return any(sp.factor_terms(e).is_Mul for _, e in _stated(equilibrium))
+    return any(has_common_factor(e) for _, e in _stated(equilibrium))
 
 
 def _remarks(equilibrium: Equilibrium) -> Iterator[Block]:

@@ -25,6 +25,7 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.forms.brackets import Manoeuvre, manoeuvre
 from lagrange.algebra.forms.combinations import combination
 from lagrange.algebra.forms.combined_relations import CombinedRelation, combined_relations
 from lagrange.algebra.forms.hidden_relations import HiddenRelations, differential_of, hidden_relations
@@ -113,6 +114,14 @@ class Classification:
     def combined(self) -> tuple[CombinedRelation, ...]:
         """What two of `integrals` say together with fewer coordinates than either."""
         return combined_relations([f for _, f in self.integrals], self.constrained.slots.coordinates)
+
+    @property
+    def manoeuvre(self) -> Manoeuvre | None:
+        """Steps that lead where the only constraint, which is no integrable one, forbids a single step to go."""
+        [row] = self.constrained.rows
+        if row.drift != 0 or row.nonlinear is not None or t in {s for a in row.coefficients for s in a.free_symbols}:
+            return None
+        return manoeuvre(row.coefficients, self.constrained.slots.coordinates)
 
     @property
     def integrable_rank(self) -> int | None:

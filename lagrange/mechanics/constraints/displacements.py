@@ -105,6 +105,16 @@ def transport_velocity(point: MassPoint, slots: Slots, rates: Sequence[sp.Expr])
     return (_moved(point, rates) + point.position.frozen_derivative(slots)).map(textbook_form)
 
 
+def is_carried_as_a_whole(row: Row, velocity: Vector, rates: Sequence[sp.Expr], slots: Slots) -> bool:
+    """Whether a moving curve or surface is carried along by a translation with this velocity w(t).
+
+    f(r, t) = 0 with ∂f/∂t + w·∇f = 0 for the same w everywhere is f(r + w dt, t + dt) = f(r, t).
+    """
+    is_same_everywhere = not any(c.free_symbols & {*slots.coordinates, *slots.velocities} for c in velocity.components)
+    change = row.drift + sp.Add(*(a * w for a, w in zip(row.coefficients, rates, strict=True)))
+    return row.finite is not None and not velocity.is_zero and is_same_everywhere and sp.expand(change) == 0
+
+
 def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
     """Σ (∂r/∂q_k) s_k, for s of shape (n,)."""
     total = Vector.zero(point.position.triad)

@@ -122,6 +122,11 @@ class Configuration:
     potential_letter: sp.Symbol = POTENTIAL_LETTER
 
     @property
+    def velocity_potential(self) -> sp.Expr:
+        """U = −X, where X is the `velocity_part`."""
+        return sp.expand(-self.velocity_part)
+
+    @property
     def slots(self) -> Slots:
         """The coordinates and the prescribed motions."""
         return self.constrained.slots

@@ -26,11 +26,12 @@ from lagrange.algebra.fourier.terms import Exponent, as_term, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import partial
+from lagrange.core.symbols import partial, prime
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.constrained_system import Row, is_pfaffian
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.checks import Check, certainty, displacement_basis, with_accelerations
 from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion, follow
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions, energy_functions, in_one_term
@@ -429,3 +430,46 @@ def check_conserved(result: Conserved) -> list[Check]:
     configuration = result.motion.configuration
     how = f"{certainty(configuration.states)}: the rate of each along the motion"
     return [Check("the conserved quantities are constant along the motion", passed, how, configuration.name)]
+
+
+# -- momentum or angular momentum ------------------------------------------------------------------------------------
+
+
+def quantity_of(integral: Integral, configuration: Configuration) -> ConservedQuantity:
+    """What an integral is: the momentum of an angle, also with other coordinates, is an angular one; not of a screw."""
+    displaced = (integral.displacement or {}) if integral.coordinate is None else (integral.coordinate,)
+    if integral.quantity is not ConservedQuantity.MOMENTUM or not displaced:
+        return integral.quantity
+    turned = [q for q in displaced if _turns(q, configuration)]
+    others = [q for q in displaced if q not in turned]
+    is_angular = bool(turned) and not _advances(others, turned, configuration)
+    return ConservedQuantity.ANGULAR_MOMENTUM if is_angular else integral.quantity
+
+
+def _advances(others: Sequence[sp.Symbol], turned: Sequence[sp.Symbol], configuration: Configuration) -> bool:
+    """Whether coordinates move a point along the axis about which others turn, as a screw advances."""
+    places = [sp.Matrix(p.position.fixed().components) for p in configuration.points]
+    axes = [sp.Matrix([c.diff(prime(q)) for c in _turning(r)]) for r in configuration.rotations for q in turned]
+    around = [r.diff(q) for r in places for q in turned]
+    along = [b for r in places for q in others if not (b := r.diff(q)).is_zero_matrix]
+    return (
+        bool(along)
+        and all(all(_is_zero(x) for x in b.cross(a)) for b in along for a in axes)
+        and all(_is_zero(b.dot(a)) for b in along for a in around)
+    )
+
+
+def _is_zero(e: sp.Expr) -> bool:
+    return bool(sp.expand(e) == 0)
+
+
+def _turns(q: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether a coordinate is an angle: of a position, or of a body."""
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    if any(q in w.free_symbols for e in places for w in e.atoms(sp.sin, sp.cos)):
+        return True
+    return any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
+
+
+def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:
+    return rotation.angular_velocity.components

@@ -21,7 +21,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.fourier.ring import Element, FourierRing
-from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, prime, t, variation
 from lagrange.core.vectors import Vector
@@ -125,6 +125,11 @@ def given_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
     rates = [sp.diff(sp.diff(X, v).xreplace(curve), s).xreplace({s: sp.S.Zero}) for v in slots.velocities]
     slopes = [sp.diff(X, q) for q in slots.coordinates]
     return tuple(f + slope - rate for f, slope, rate in zip(given, slopes, rates, strict=True))
+
+
+def written_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
+    """The same in textbook form."""
+    return tuple(map(textbook_form, given_forces(configuration)))
 
 
 def _inertia(configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:

@@ -61,8 +61,7 @@ class Stability:
 
     minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
     conditions  stable where these hold
-    presupposed if stable or unstable: what must hold for the signs to be strict. Where one of these fails, a minor
-                vanishes, and nothing is decided
+    presupposed if stable or unstable: what must hold for the signs to be strict; otherwise nothing is decided
     unstable    if undecided: unstable where one of these holds
     principal   a negative principal minor, if it decides and is not among the leading ones
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it

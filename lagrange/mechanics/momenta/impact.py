@@ -135,6 +135,11 @@ class ImpulsiveMotion:
         """The coordinates."""
         return self.configuration.slots
 
+    @property
+    def energy_gained(self) -> sp.Expr:
+        """What the kinetic energy gains beyond the work of the blows."""
+        return sp.expand(-self.energy_lost)
+
     def at(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates in these ones, in the position of the impact."""
         return self.configuration.rewritten(expression).xreplace(self.position)

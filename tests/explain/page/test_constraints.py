@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.document.derivation import Rule
-from lagrange.explain.page.constraints import common_number
+from lagrange.mechanics.rewriting.constraint_forms import common_number
 from tests.support.derivation_text import said_in
 
 

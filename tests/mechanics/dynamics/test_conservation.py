@@ -14,8 +14,9 @@ import sympy as sp
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose, Rule
 from lagrange.explain.report import report
-from lagrange.mechanics.dynamics.conservation import Because, Conserved
+from lagrange.mechanics.dynamics.conservation import Because, Conserved, ConservedQuantity, quantity_of
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.render.json import as_object
 from tests.support.conserved import of, read
@@ -326,3 +327,17 @@ def test_a_screw_is_no_rotation() -> None:
     words = " ".join(str(p) for b in step.body if isinstance(b, Prose) for p in b.parts)
     assert "The screw displacement" in words
     assert "angular momentum" not in words
+
+
+TURNED = "coordinates: [{q}, phi]\nparameters: [h, m, J]\nbodies: {{B: {{mass: m, inertia: [J, J, J], position: {q}*{along}, "
+
+
+@pytest.mark.parametrize(("along", "quantity"), [("k", "MOMENTUM"), ("i", "ANGULAR_MOMENTUM")])
+def test_the_momentum_of_a_screw_is_no_angular_momentum(along: str, quantity: str) -> None:
+    """m h ż + J φ̇ of a nut on a thread; of a disc that rolls it is that about the line on which it rolls."""
+    text = f"title: Nut\n{TURNED.format(q='z', along=along)}orientation: {{axes: 313, angles: [phi, 0, 0]}}}}}}\n"
+    motion = solve(read_problem(Source("nut.yaml", text + "constraints: {thread: z = h*phi}\n"))).own
+    conserved = motion.conserved
+    assert conserved is not None
+    called = [quantity_of(i, motion.configuration) for i in conserved.integrals]
+    assert called == [ConservedQuantity[quantity], ConservedQuantity.ENERGY]

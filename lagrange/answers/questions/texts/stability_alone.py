@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.answers.questions import stability_in_text as said
 from lagrange.answers.references import Reference
+from lagrange.answers.results.approximate import beside_limit
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
@@ -28,7 +29,7 @@ from lagrange.mechanics.results import Solution
 _ABOUT = "it is taken to be about {}"
 _NOWHERE = "this is true at none of the equilibria"
 _REVERSED = "the condition for stability has the wrong sense"
-SAMPLES = 80
+SAMPLES = 20
 
 
 @record
@@ -124,7 +125,8 @@ def _is_true(clauses: Sequence[_Clause], place: _Place) -> bool:
         state: dict[sp.Symbol, sp.Expr] = {
             s: sp.Float(draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)) for s in parameters
         }
-        for stable, at in _states(place, coordinates, state):
+        beside = (moved for clause in clauses for moved in beside_limit(clause.condition, state))
+        for stable, at in (s for moved in (state, *beside) for s in _states(place, coordinates, moved)):
             for clause in clauses:
                 holds = clause.condition.xreplace(at).evalf()
                 if not holds.is_number or abs(holds) < said.CLEAR or (holds < 0 and len(clauses) > 1):

@@ -19,13 +19,13 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraints import time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
-from lagrange.explain.page.constraints import common_number, halved
 from lagrange.explain.words import counted, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.constraint_forms import common_number, without_common_number
 
 LONGEST = 10
 """The most operations of a finite relation that is written in its sentence."""
@@ -94,7 +94,7 @@ def _ending(body: list[Block], conclusions: list[Prose]) -> list[Block]:
 
 
 def _form(c: ConstraintAnalysis) -> Row:
-    return halved(c.row) if c.row.finite is not None else c.row
+    return without_common_number(c.row) if c.row.finite is not None else c.row
 
 
 def _kinds(constraints: Sequence[ConstraintAnalysis]) -> Prose:

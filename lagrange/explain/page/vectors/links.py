@@ -30,6 +30,7 @@ from lagrange.document.derivation import Block, Display, Emphasis, Equation, Par
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.vector_laws import is_tension_of_link
 
 ZERO = sp.S.Zero
 
@@ -124,13 +125,7 @@ def _agrees(link: Link) -> bool:
     value = None if dynamics is None or dynamics.reactions is None else dynamics.reactions.sizes.get(link.reaction.name)
     if value is None:
         return False
-    first, second = configuration.points
-    apart = (second.position + first.position * -1).fixed().components
-    speed = (second.velocity + first.velocity * -1).fixed().components
-    (m, n), (f, g) = link.masses, link.forces
-    field = (g * (1 / n) + f * (-1 / m)).components
-    bracket = sp.Add(*(v**2 for v in speed), *(a * b for a, b in zip(apart, field, strict=True)))
-    return configuration.states.is_zero(value * (m + n) * link.length - m * n * bracket) is True
+    return is_tension_of_link(value, configuration, link.forces, link.length)
 
 
 def work_of_link(link: Link) -> list[Equation]:

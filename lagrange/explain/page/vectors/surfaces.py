@@ -18,7 +18,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import (
     CrossProduct,
@@ -42,6 +41,7 @@ from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.newton import FreeBody, Reaction
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.vector_laws import curvature_term, is_power, is_surface_multiplier
 
 ZERO = sp.S.Zero
 
@@ -140,16 +140,7 @@ def _agrees(s: OnSurface) -> bool:
     value = dynamics.reactions.multipliers.get(r.name) if dynamics.reactions is not None else None
     if value is None or r.named or r.directions is None:
         return False
-    squares = sp.Add(*(c**2 for c in s.components))
-    work = sp.Add(*(a * b for a, b in zip(_applied(s.solution).components, s.components, strict=True)))
-    return is_zero(value * squares + s.mass * _second(s) + work) is True
-
-
-def _second(s: OnSurface) -> sp.Expr:
-    """D: the terms without accelerations of the constraint differentiated twice."""
-    configuration = s.solution.own.configuration
-    [differentiated] = configuration.accelerated_constraints
-    return differentiated.xreplace(dict.fromkeys(configuration.slots.accelerations, ZERO))
+    return is_surface_multiplier(value, s.solution.own.configuration, s.mass, s.components, _applied(s.solution))
 
 
 def in_vectors(s: OnSurface, steps: Iterable[Step]) -> Iterator[Step]:
@@ -370,7 +361,7 @@ def _reaction(s: OnSurface, step: Step) -> Step:
         prose("Differentiated twice, ", Ref(f"constraint-{s.row.name}"), " is"),
         display(Equation((product + d, ZERO), label="differentiated-twice")),
         prose("with"),
-        display(Equation((d, _second(s)), label="second-derivative")),
+        display(Equation((d, curvature_term(s.solution.own.configuration)), label="second-derivative")),
         prose("So Newton's law, multiplied by ", math(s.gradient), f"{rubs} gives"),
         display(
             Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True
@@ -388,17 +379,13 @@ def _energy(s: OnSurface, step: Step) -> Step:
     if energy is None or energy.rate is None or energy.hidden or others:
         return step
     slots, force = view.configuration.slots, _applied(s.solution)
-    square = sp.Add(*(v**2 for v in slots.velocities))
-    if energy.expression.expand() != (s.mass * square / 2).expand():
-        return step
-    power = sp.Add(*(f * v for f, v in zip(force.components, slots.velocities, strict=True)))
     _, r = _only(s)
     added = -r.force * s.row.drift
     shown = DotProduct(s.applied, s.velocity) if s.applied != 0 else ZERO
     if s.friction is not None:
         shown -= s.friction.coefficient * s.letters[1] * sp.Abs(s.velocity)
-        added -= s.friction.coefficient * s.friction.magnitude * sp.sqrt(square)
-    if sp.expand(energy.rate - power - added) != 0:
+        added -= s.friction.coefficient * s.friction.magnitude * sp.sqrt(sp.Add(*(v**2 for v in slots.velocities)))
+    if not is_power(energy, s.mass, force, slots.velocities, added):
         return step
     if s.friction is None:
         shown += added

@@ -22,6 +22,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -116,6 +117,11 @@ class Response:
         """ξ(t), shape (n,)."""
         c, s = sp.cos(self.drive.frequency * t), sp.sin(self.drive.frequency * t)
         return tuple(a * c + b * s for a, b in zip(self.cosines, self.sines, strict=True))
+
+    @property
+    def greatest_at(self) -> sp.Expr:
+        """The ω² at which the amplitude of a single damped coordinate is greatest, without a minus sign in front."""
+        return without_leading_minus(self.resonances[0])
 
     @property
     def by_coordinate(self) -> Mapping[sp.Symbol, sp.Expr]:

@@ -18,6 +18,8 @@ from tests.support.shared import solved
         ("stable as long as c*b^2 > W*l", Verdict.EQUIVALENT),
         ("stable for W*l > c*b^2", Verdict.WRONG),
         ("stable for W*l < 2*c*b^2", Verdict.WRONG),
+        ("stable for 10*W*l < 11*c*b^2", Verdict.WRONG),  # near: it is tried beside its limit
+        ("stable for 100*W*l < 101*c*b^2", Verdict.WRONG),
     ],
 )
 def test_the_upright_pendulum_between_springs(line: str, verdict: Verdict) -> None:

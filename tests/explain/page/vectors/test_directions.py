@@ -1,41 +1,25 @@
-"""Vectors written by the unit vectors that a file names."""
+"""Vectors on a page by the unit vectors that the file names."""
 
 from __future__ import annotations
 
-import pytest
 import sympy as sp
 
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.explain.page.vectors.directions import _side
-
-a, b, theta = sp.symbols("a b theta", positive=True)
-s, c = sp.sin(theta), sp.cos(theta)
-UNITS = {"s": Vector((c, s, sp.S.Zero)), "n": Vector((-s, c, sp.S.Zero))}
-ALONG, ACROSS = VectorSymbol("s"), VectorSymbol("n")
+from lagrange.document.builders import display, math, prose
+from lagrange.document.derivation import Equation, Rule, Step
+from lagrange.explain.page.vectors.directions import in_directions
+from tests.support.shared import solved
 
 
-@pytest.mark.parametrize(
-    ("components", "written"),
-    [
-        ((-a * s, a * c, 0), a * ACROSS),
-        (((a + b) * c, a * s + b * s, 0), (a + b) * ALONG),
-        ((a * c - b * s, a * s + b * c, 0), a * ALONG + b * ACROSS),
-    ],
-)
-def test_a_vector_along_named_unit_vectors(components: tuple[sp.Expr, ...], written: sp.Expr) -> None:
-    x, y, z = map(sp.sympify, components)
-    assert sp.expand(_side(Vector((x, y, z)), UNITS) - written) == 0
-
-
-@pytest.mark.parametrize("components", [(a, b, 0), (c, a, 0), (0, a * s, 0)])
-def test_what_would_not_be_shorter_stays(components: tuple[sp.Expr, ...]) -> None:
-    x, y, z = map(sp.sympify, components)
-    vector = Vector((x, y, z))
-    assert _side(vector, UNITS) is vector
-
-
-def test_nothing_is_divided_by_what_may_vanish() -> None:
-    written = _side(Vector((a * s * c, a * (1 + c), sp.S.Zero)), UNITS)
-    terms = written.as_sum() if isinstance(written, Vector) else written
-    assert not sp.fraction(sp.together(terms))[1].has(sp.sin, sp.cos)
+def test_what_a_named_vector_is_stays_and_its_multiples_are_shorter() -> None:
+    solution = solved("ex15-rough-incline")
+    name, unit = next((n, v) for n, v in solution.problem.abbreviations.items() if isinstance(v, Vector))
+    size = sp.Symbol("N", real=True)
+    force, definition = Equation((VectorSymbol("R"), unit * size)), Equation((VectorSymbol(name), unit))
+    step = Step(Rule.RESULT, "", (display(force, definition), prose("It is ", math(unit * size), ".")))
+    [written] = in_directions(solution, [step])
+    along = size * VectorSymbol(name)
+    assert written == Step(
+        Rule.RESULT, "", (display(Equation((VectorSymbol("R"), along)), definition), prose("It is ", math(along), "."))
+    )

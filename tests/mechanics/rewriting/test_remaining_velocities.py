@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
-from lagrange.explain.energy.remaining import in_remaining_velocities
+from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 

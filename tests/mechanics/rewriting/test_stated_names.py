@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.symbols import prime
-from lagrange.explain.page.named import in_names
+from lagrange.mechanics.rewriting.stated_names import in_names
 from tests.support.shared import solved
 
 

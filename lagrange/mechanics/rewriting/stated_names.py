@@ -13,11 +13,11 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime
 from lagrange.core.vectors import Vector
-from lagrange.explain.page.meaning import StatedEquations
+from lagrange.mechanics.limits import MOST_STATED_NAMES
 from lagrange.mechanics.results import Solution
 
-MOST_NAMES = 12
-"""The most quantities that are looked for."""
+StatedEquations = tuple[tuple[sp.Expr, ...], ...]
+"""Equations, each as its sides."""
 
 
 def in_names(solution: Solution, stated: StatedEquations) -> StatedEquations:
@@ -38,7 +38,7 @@ def _names(solution: Solution) -> Iterator[tuple[sp.Expr, sp.Expr]]:
             value = r.angular_velocity.fixed().dot(direction.fixed())
             called = DotProduct(VectorSymbol(f"omega_{r.name}"), VectorSymbol(name))
             pairs.append((value, called, TimeDerivative(called)))
-    for value, called, rate in pairs[:MOST_NAMES]:
+    for value, called, rate in pairs[:MOST_STATED_NAMES]:
         if isinstance(value, sp.Expr) and value.is_Add:
             yield value, called
             yield slots.time_derivative(value), rate

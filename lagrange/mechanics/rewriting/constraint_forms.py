@@ -1,0 +1,183 @@
+"""The differential form Σ a_k dq_k + a_t dt of a constraint, without the factors that all of its terms share.
+
+2x dx + 2y dy = 0 is x dx + y dy = 0. Whoever divides a form by a number divides its partial derivatives by it; and
+Frobenius' product ω ∧ dω ∧ ... by the numbers of all the forms in it.
+
+A constraint on velocities that forbids the one along a unit vector n is v·n = 0, up to a factor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.forms.integrability import WedgeComponent, frobenius_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.expression_size import Sizes
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, VectorSymbol, free_letter, t
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.results import Solution
+from lagrange.problem.model import Constraint, Problem
+
+MOST_EXPANDED_TERMS = 2_000
+"""Of a form whose numbers are compared: those of books have a dozen, the twentieth arc tangent of another a million."""
+
+
+def common_number(row: Row) -> sp.Integer:
+    """The whole number that all coefficients of a form contain: 2 in 2x dx + 2y dy."""
+    total = sp.Add(*(a * sp.Dummy() for a in row.form))
+    if Sizes().of(total).widest > MOST_EXPANDED_TERMS:
+        return sp.S.One
+    content, _ = sp.expand(total).primitive()
+    return content if content.is_Integer and content > 1 else sp.S.One
+
+
+def without_common_number(row: Row) -> Row:
+    """The form without that number, and without the sign of its only term: dr = 0 for −dr = 0."""
+    number = common_number(row)
+    terms = [a for a in (*row.coefficients, row.drift) if a != 0]
+    if len(terms) == 1 and terms[0].is_number and terms[0].is_negative:
+        number = -number
+    return replace(row, coefficients=tuple(a / number for a in row.coefficients), drift=row.drift / number)
+
+
+def with_short_forms(classification: Classification) -> Classification | None:
+    """The classification with the geometric forms without common factors.
+
+    None where no geometric form has a common factor, or where other forms are written as combinations of them.
+    """
+    numbers = {c.row.name: common_number(c.row) for c in classification.constraints if c.row.finite is not None}
+    if all(n == 1 for n in numbers.values()) or classification.hidden.found or classification.redundancies:
+        return None
+    product = sp.Mul(*numbers.values())
+    constraints = tuple(_divided(c, numbers.get(c.row.name, sp.S.One), product) for c in classification.constraints)
+    return replace(classification, constraints=constraints)
+
+
+def _divided(c: ConstraintAnalysis, number: sp.Integer, product: sp.Expr) -> ConstraintAnalysis:
+    if c.row.finite is None:
+        parts = (replace(k, coefficient=textbook_form(k.coefficient / product)) for k in c.frobenius)
+        return replace(c, frobenius=tuple(parts))
+    pairs = (
+        replace(
+            p,
+            coefficients=tuple(a / number for a in p.coefficients),
+            derivatives=tuple(a / number for a in p.derivatives),
+        )
+        for p in c.exactness.comparisons
+    )
+    return replace(c, row=without_common_number(c.row), exactness=replace(c.exactness, comparisons=tuple(pairs)))
+
+
+@record
+class ReducedFrobenius:
+    """ω ∧ dω of a form in coordinates that satisfy the geometric constraints, where it has a single component.
+
+    form  the coefficients of ω, without constant factors
+    """
+
+    form: tuple[sp.Expr, ...]
+    component: WedgeComponent
+
+
+def frobenius_on_surface(row: Row, slots: Slots) -> ReducedFrobenius | None:
+    """Frobenius' product of the only form; None unless one component, which does not vanish, settles the question."""
+    form = _without_constants(row, slots)
+    components = frobenius_form(form, slots.coordinates, slots)
+    if len(components) != 1 or not components[0].nonzero:
+        return None
+    return ReducedFrobenius(form, components[0])
+
+
+def _without_constants(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:
+    """The coefficients without the constant factors that all of them share."""
+    letters = {q: sp.Dummy() for q in slots.coordinates}
+    total = sp.factor_terms(sp.Add(*(a * letters[q] for a, q in zip(row.coefficients, slots.coordinates, strict=True))))
+    moving = {*slots.coordinates, *letters.values()}
+    kept = sp.Mul(*(f for f in sp.Mul.make_args(total) if f.free_symbols & moving))
+    return tuple(sp.expand(kept).coeff(letters[q]) for q in slots.coordinates)
+
+
+# -- v·n = 0 ---------------------------------------------------------------------------------------------------------
+
+
+def vanishing_components(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
+    """For each constraint on velocities that is v·n = 0 on the geometric ones: the velocity, as written, and n."""
+    surface = Surface([c.lhs - c.rhs for c in problem.constraints if not c.kinematic])
+    for constraint in problem.constraints:
+        component = _vanishing(problem, constraint, surface) if constraint.kinematic else None
+        if component is not None:
+            yield component
+
+
+def _vanishing(problem: Problem, constraint: Constraint, surface: Surface) -> tuple[sp.Expr, str] | None:
+    difference = constraint.lhs - constraint.rhs
+    for name, direction in problem.abbreviations.items():
+        if not isinstance(direction, Vector) or surface.is_zero(direction.dot(direction) - 1) is not True:
+            continue
+        for velocity, written in _velocities(problem):
+            product = velocity.dot(direction.fixed())
+            factor = _ratio(difference, product, problem.slots)
+            if factor is not None and surface.is_zero(difference - factor * product) is True:
+                return written, name
+    return None
+
+
+def _velocities(problem: Problem) -> Iterator[tuple[Vector, sp.Expr]]:
+    """The velocities of a point, of particles and bodies, and of the middle between two particles, each as written."""
+    slots = problem.slots
+    places = {p.name: p.position for p in problem.particles} | {b.name: b.position for b in problem.bodies}
+    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
+    if len(plane) == 2:
+        places = {"": Vector((plane[0], plane[1], sp.S.Zero)), **places}
+    rates = {name: place.fixed().map(slots.time_derivative) for name, place in places.items()}
+    yield from ((rate, rate.as_sum()) for rate in rates.values())
+    for a, b in combinations([p.name for p in problem.particles], 2):
+        half = sp.Mul(sp.S.Half, VectorSymbol(f"r_{a}'") + VectorSymbol(f"r_{b}'"), evaluate=False)
+        yield (rates[a] + rates[b]) * sp.S.Half, half
+
+
+def _ratio(whole: sp.Expr, part: sp.Expr, slots: Slots) -> sp.Expr | None:
+    """The constant by which two expressions in velocities differ, if it is one."""
+    for v in slots.velocities:
+        a, b = whole.diff(v), part.diff(v)
+        if b != 0:
+            ratio = sp.cancel(a / b)
+            return None if ratio == 0 or ratio.free_symbols & {*slots.coordinates, *slots.velocities, t} else ratio
+    return None
+
+
+# -- one coordinate, one constraint ----------------------------------------------------------------------------------
+
+
+@record
+class OnlyCoordinate:
+    """The only coordinate as a function of time: x = v t − v/κ + C exp(−κ t), with a constant C."""
+
+    coordinate: sp.Symbol
+    constant: sp.Symbol
+    value: sp.Expr
+
+
+def only_coordinate(solution: Solution) -> OnlyCoordinate | None:
+    """The only coordinate where one integrable constraint determines it, and is linear in it."""
+    classification, coordinates = solution.classification, solution.problem.slots.coordinates
+    if len(coordinates) != 1 or len(classification.integrals) != 1 or classification.degrees_of_freedom != 0:
+        return None
+    [q], [(_, function)] = coordinates, classification.integrals
+    factor = function.diff(q)
+    if factor == 0 or factor.has(q) or function.is_Symbol:
+        return None
+    constant = sp.Symbol(free_letter("C", "K", "c", taken={*solution.problem.scope.names()}), real=True)
+    rest = sp.expand(-function.xreplace({q: sp.S.Zero}) / factor)
+    size, moving = factor.as_independent(t, as_Add=False)
+    value = rest + constant / moving if size.free_symbols else rest + constant / factor
+    return OnlyCoordinate(q, constant, sp.powsimp(value))

@@ -1,0 +1,74 @@
+"""Common factors in front of a sum: m l (l θ'' + g sin θ), H = J ω; without those that are constant where 0 follows."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.operations import count_operations
+from lagrange.core.symbols import Sign
+from lagrange.core.vectors import Vector
+
+
+def in_factors(e: sp.Expr) -> sp.Expr:
+    """The shorter of the expression and its factors."""
+    return min(e, sp.factor(e), key=lambda form: count_operations(form))
+
+
+def with_common_factor(e: sp.Expr) -> sp.Expr:
+    """The expression with what all its terms share in front."""
+    return sp.factor_terms(e)
+
+
+def has_common_factor(e: sp.Expr) -> bool:
+    """Whether all terms share a factor."""
+    return bool(sp.factor_terms(e).is_Mul)
+
+
+def with_factor(e: sp.Expr, factor: sp.Expr) -> sp.Expr:
+    """The expression with this factor in front of the terms divided by it."""
+    return factor * sp.expand(e / factor)
+
+
+def vector_with_factor(v: Vector, factor: sp.Expr) -> sp.Expr:
+    """The same for a vector, as a sum of its components."""
+    return factor * v.map(lambda c: sp.expand(c / factor)).as_sum()
+
+
+def in_factors_where(e: sp.Expr, values: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
+    """The factors of an expression with these values substituted."""
+    return sp.factor(e.xreplace(dict(values)))
+
+
+def without_constant_factors(e: sp.Expr, moving: Collection[sp.Symbol]) -> sp.Expr:
+    """The expression without the factors that are constants and differ from zero, multiplied out if there are any."""
+    factors = sp.Mul.make_args(sp.factor_terms(e))
+    kept = [f for f in factors if f.free_symbols & {*moving} or not f.is_nonzero]
+    return sp.expand(sp.Mul(*kept)) if len(kept) < len(factors) else e
+
+
+def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
+    """A symbol that abbreviates a value: positive where that is seen to be."""
+    return sp.Symbol(name, positive=True) if sp.expand(value).is_positive else sp.Symbol(name, real=True)
+
+
+def has_one_sign(value: sp.Expr) -> bool:
+    """Whether the value is positive wherever it is defined, or negative."""
+    return sign_of(value) in (1, -1)
+
+
+SIGN_OF_ROOT = Sign("sigma_1")
+"""That of a square root, ±1."""
+
+
+def both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
+    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None where they are not such."""
+    if len(roots) != 2:
+        return None
+    middle, half = sp.factor((roots[0] + roots[1]) / 2), sp.factor_terms((roots[1] - roots[0]) / 2)
+    surds = [f for f in half.atoms(sp.Pow) if f.exp == sp.S.Half]
+    if middle.has(*surds) or len(surds) != 1:
+        return None
+    return sp.factor_terms(sp.together(middle + SIGN_OF_ROOT * half))

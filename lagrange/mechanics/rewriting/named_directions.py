@@ -1,0 +1,80 @@
+"""Vectors as multiples of unit vectors that have names: a force N n, not N sin θ i − N cos θ j.
+
+v = c n + w with c = v_k/n_k, where w lacks the component k, or with c = v·n. It is written so where that is shorter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
+from lagrange.core.symbols import VectorSymbol
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.limits import LONGEST_IN_DIRECTIONS
+from lagrange.problem.model import Problem
+
+Directions = Mapping[str, Vector]
+
+
+def unit_directions(problem: Problem) -> Directions:
+    """The unit vectors of `let` and of the frame that are not along an axis, in i, j, k, by name."""
+    named = {n: v for n, v in problem.abbreviations.items() if isinstance(v, Vector)}
+    units = {n: v.fixed() for n, v in named.items() if is_zero(v.dot(v) - 1) is True}
+    if problem.frame is not None and problem.frame.directions is not None:
+        rows = (problem.frame.directions.row(n) for n in range(3))
+        units = {n: Vector((r[0], r[1], r[2])) for n, r in zip(problem.frame.names, rows, strict=True)} | units
+    return {n: v for n, v in units.items() if sum(c != 0 for c in v.components) > 1}
+
+
+def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
+    """e or −e, where a vector is that; None where it is neither."""
+    for name, unit in units.items():
+        for sign in (1, -1):
+            if all(is_zero(c) is True for c in (vector.fixed() - unit * sp.Integer(sign)).components):
+                return sign * VectorSymbol(name)
+    return None
+
+
+def in_named_directions(vector: Vector, units: Directions) -> Vector | sp.Expr:
+    """c n + w in place of a vector, or a sum of two such."""
+    if sum(c != 0 for c in vector.components) < 2 or _length(vector) > LONGEST_IN_DIRECTIONS:
+        return vector
+    units = {n: u for n, u in units.items() if n not in vector.triad.names}
+    if not units:
+        return vector
+    left, terms = vector.fixed(), sp.S.Zero
+    for _ in range(2):
+        along = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
+        factor, name, rest = min(along, key=lambda split: count_operations(split[0]) + _length(split[2]))
+        if factor != 0:
+            left, terms = rest, terms + factor * VectorSymbol(name)
+    beside = [c for c in left.components if c != 0]
+    if len(beside) > 1 and any(c.has(sp.sin, sp.cos) for c in beside):
+        return vector  # in two kinds of directions that turn it would be no clearer
+    return terms + left.as_sum() if terms != 0 and count_operations(terms) + _length(left) < _length(vector) else vector
+
+
+def _length(vector: Vector) -> int:
+    return sum(count_operations(c) + (c != 0) for c in vector.components)
+
+
+def _splits(vector: Vector, unit: Vector) -> Iterator[tuple[sp.Expr, Vector]]:
+    """Pairs c, w of a vector c n + w, where w lacks a component: c = v_k/n_k; and none, c = 0."""
+    yield sp.S.Zero, vector
+    pairs = [(v, n) for v, n in zip(vector.components, unit.components, strict=True) if v != 0 and n != 0]
+    factors = [*(sp.cancel(v / n) for v, n in pairs), *(_share(v, n) for v, n in pairs)]
+    for factor in dict.fromkeys([*factors, textbook_form(vector.dot(unit))]):
+        if not all(s.is_positive for s in sp.fraction(sp.together(factor))[1].free_symbols):
+            continue
+        rest = (vector - unit * factor).map(lambda c: sp.S.Zero if is_zero(c) is True else textbook_form(c))
+        yield factor, rest
+
+
+def _share(whole: sp.Expr, part: sp.Expr) -> sp.Expr:
+    """The coefficient of sin θ in x − b sin θ, over the sign that sin θ has in the unit vector."""
+    sign, core = part.as_coeff_Mul()
+    return sp.expand(whole).coeff(core) / sign

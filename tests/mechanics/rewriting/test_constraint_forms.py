@@ -1,0 +1,77 @@
+"""Forms without common factors, v·n = 0, and the only coordinate as a function of time."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import Source
+from lagrange.core.symbols import Slots, VectorSymbol, t
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.rewriting.constraint_forms import (
+    common_number,
+    frobenius_on_surface,
+    only_coordinate,
+    vanishing_components,
+    with_short_forms,
+    without_common_number,
+)
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
+from tests.support.shared import loaded, solved
+
+x, y, z = sp.symbols("x y z", real=True)
+a = sp.Symbol("a", positive=True)
+SLOTS = Slots((x, y, z))
+
+
+@pytest.mark.parametrize(
+    ("coefficients", "number"),
+    [((2 * x, 2 * y, 0), 2), ((4 * x, 6 * y, 2 * a), 2), ((2 * x, 3 * y, 0), 1), ((x, 0, 0), 1)],
+)
+def test_the_number_that_a_form_contains(coefficients: tuple[sp.Expr, ...], number: int) -> None:
+    row = Row("f", tuple(map(sp.sympify, coefficients)), sp.S.Zero)
+    assert common_number(row) == number
+    assert tuple(number * c for c in without_common_number(row).coefficients) == row.coefficients
+
+
+def test_partial_derivatives_are_divided_as_the_forms_are() -> None:
+    classification = solved("ex06-two-particle-skate").classification
+    short = with_short_forms(classification)
+    assert short is not None
+    for whole, halved in zip(classification.constraints, short.constraints, strict=True):
+        if whole.row.finite is not None:
+            number = common_number(whole.row)
+            assert [number * c for c in halved.row.coefficients] == [*whole.row.coefficients]
+            for before, after in zip(whole.exactness.comparisons, halved.exactness.comparisons, strict=True):
+                assert [number * d for d in after.derivatives] == [*before.derivatives]
+    assert {common_number(c.row) for c in short.constraints if c.row.finite is not None} == {1}
+    assert with_short_forms(solved("ex05-ice-skate").classification) is None
+
+
+def test_frobenius_product_loses_constant_factors_only() -> None:
+    """ω = y dx − dz has ω ∧ dω = dx ∧ dy ∧ dz up to its sign; d(xy) and a form in two variables settle nothing here."""
+    reduced = frobenius_on_surface(Row("f", (a * y, sp.S.Zero, -a), sp.S.Zero), SLOTS)
+    assert reduced is not None
+    assert reduced.form in ((y, 0, -1), (-y, 0, 1))
+    assert abs(reduced.component.coefficient) == 1
+    assert frobenius_on_surface(Row("f", (y, x, sp.S.Zero), sp.S.Zero), SLOTS) is None
+
+
+def test_a_velocity_that_vanishes_along_a_named_unit_vector() -> None:
+    [(velocity, normal)] = vanishing_components(loaded("ex05-ice-skate"))
+    assert normal in loaded("ex05-ice-skate").abbreviations
+    assert velocity.has(sp.Symbol("x'", real=True)) or velocity.atoms(VectorSymbol)
+    assert [*vanishing_components(loaded("ex11-ideal-pendulum"))] == []
+
+
+def test_one_constraint_determines_the_only_coordinate() -> None:
+    """x' + κ x = v t: the function of time satisfies it for every constant."""
+    text = "title: Belt\nparameters: [kappa, v, m]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+    solution = solve(read_problem(Source("belt.yaml", text + "constraints: {drag: x' + kappa*x = v*t}\n")))
+    only = only_coordinate(solution)
+    assert only is not None
+    kappa, v = (next(s for s in only.value.free_symbols if s.name == name) for name in ("kappa", "v"))
+    assert sp.expand(only.value.diff(t) + kappa * only.value - v * t) == 0
+    assert only.constant in only.value.free_symbols
+    assert only_coordinate(solved("ex11-ideal-pendulum")) is None

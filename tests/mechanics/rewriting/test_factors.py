@@ -1,0 +1,51 @@
+"""Factors in front of sums."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.rewriting.factors import (
+    has_common_factor,
+    has_one_sign,
+    in_factors,
+    in_factors_where,
+    letter_for,
+    vector_with_factor,
+    with_common_factor,
+    with_factor,
+    without_constant_factors,
+)
+
+a, b, J = sp.symbols("a b J", positive=True)
+x, y = sp.symbols("x y", real=True)
+
+
+def test_the_shorter_form() -> None:
+    assert in_factors(a * x + a * y) == a * (x + y)
+    assert in_factors(x**2 + y) == x**2 + y
+
+
+def test_factors_in_front() -> None:
+    assert with_common_factor(a * x + a * y) == a * (x + y)
+    assert with_factor(J * x + J * y, J) == J * (x + y)
+    assert vector_with_factor(Vector((J * x, J * y, sp.S.Zero)), J) == J * Vector((x, y, sp.S.Zero)).as_sum()
+    assert (has_common_factor(a * x + a * y), has_common_factor(x + y)) == (True, False)
+    assert in_factors_where(x**2 - y**2, {y: x + a}) == -a * (a + 2 * x)
+
+
+@pytest.mark.parametrize(
+    ("e", "left"),
+    [(a * x + a * y, x + y), (x * y + x, x * y + x), ((a - b) * x + (a - b) * y, (a - b) * (x + y)), (a * x, x)],
+)
+def test_only_constants_that_differ_from_zero_are_dropped(e: sp.Expr, left: sp.Expr) -> None:
+    """a may be dropped from a x + a y = 0, but not a − b, which may be zero."""
+    assert sp.expand(without_constant_factors(e, {x, y}) - left) == 0
+
+
+def test_signs() -> None:
+    assert letter_for(a * (a + b), "D").is_positive
+    assert letter_for(a - b, "D").is_positive is None
+    assert has_one_sign(-a - x**2)
+    assert not has_one_sign(x)

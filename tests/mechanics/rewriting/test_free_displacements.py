@@ -1,0 +1,29 @@
+"""Conditions on displacements satisfied by a parameter, where solving for one displacement would divide by zero."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.symbols import variation
+from lagrange.mechanics.rewriting.free_displacements import free_displacements
+from tests.support.shared import solved
+
+
+def test_the_displacements_of_a_skate_satisfy_its_condition_in_every_position() -> None:
+    own = solved("ex05-ice-skate").own
+    slots = own.configuration.slots
+    made = free_displacements(own.elimination, slots, {"s"})
+    assert made is not None
+    assert made.pivots == ()
+    assert made.free[0] == variation(sp.Symbol("u", real=True))  # s is taken
+    displaced = {variation(q): value for q, value in made.values.items()}
+    [row] = own.configuration.rows
+    steps = [displaced.get(variation(q), variation(q)) for q in slots.coordinates]
+    left = sp.Add(*(c * step for c, step in zip(row.coefficients, steps, strict=True)))
+    assert sp.expand(left) == 0
+    assert not any(sp.fraction(sp.together(e))[1].free_symbols for e in displaced.values())
+
+
+def test_what_is_never_infinite_needs_no_parameter() -> None:
+    own = solved("ex07-constant-coefficients").own
+    assert free_displacements(own.elimination, own.configuration.slots, set()) is None
