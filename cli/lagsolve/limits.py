@@ -98,3 +98,12 @@ IDLE_SECONDS = 60.0
 
 MOST_CLUSTERS = 8
 """Mistakes of several submissions that are listed below the table of a batch, the most frequent ones."""
+
+LONGEST_HEADING = 120
+"""Characters of a line that may be the heading of a part of a submission."""
+
+BINS = 10
+"""Columns of the distribution of points, each of 10 %."""
+
+ROUNDED_COMPONENT = 1e-14
+"""A component of the state that is so much smaller than the others, and than 1, is a rounding error of 0."""

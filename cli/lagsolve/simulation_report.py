@@ -11,11 +11,10 @@ from lagrange.problem.model import Parameter
 from lagrange.programs.limits import LARGEST_DRIFT
 from lagrange.programs.simulation import Event, EventKind, Simulation
 from lagrange.programs.units import Units
+from lagsolve.limits import ROUNDED_COMPONENT
 from lagsolve.output import terminal_width, wrapped
 
 DIGITS = 5
-ROUNDED = 1e-14
-"""A component of the state that is so much smaller than the others, and than 1, is a rounding error of 0."""
 
 
 def report_text(simulation: Simulation, until: float, sampled: Collection[str] = (), *, by_default: bool) -> str:
@@ -49,7 +48,7 @@ def _lines(simulation: Simulation, until: float, sampled: Collection[str], by_de
     final = simulation.states[:, -1].tolist() if len(simulation.times) else list(start.state)
     n = len(states.equations.slots.coordinates)
     sizes = [max(map(abs, part), default=0.0) for part in (start.state[:n], start.state[n:])]
-    least = [ROUNDED * min(1.0, sizes[k >= n]) for k in range(len(start.state))]
+    least = [ROUNDED_COMPONENT * min(1.0, sizes[k >= n]) for k in range(len(start.state))]
     last = simulation.times[-1] if len(simulation.times) else 0.0
     state: list[tuple[str, tuple[float, ...], str, str]] = [
         (s.name, (_or_zero(a, e), _or_zero(b, e)), units.of(s), _mark(simulation, s.name))

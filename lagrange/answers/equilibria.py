@@ -18,7 +18,13 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
-from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS, MAX_SIDE_FACTORS, UNITS_OF_EXPLAINING
+from lagrange.answers.limits import (
+    MAX_ALTERNATIVES,
+    MAX_EQUATIONS,
+    MAX_SIDE_FACTORS,
+    MOST_NUMERICAL_ROOTS,
+    UNITS_OF_EXPLAINING,
+)
 from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.models.variation import Variation
 from lagrange.answers.readings import (
@@ -484,7 +490,7 @@ def _with_roots_named(e: sp.Expr, configuration: Configuration) -> sp.Expr:
     if not roots or not configuration.finite_constraints:
         return e
     rule = {}
-    for root in roots[:_MOST_ROOTS]:
+    for root in roots[:MOST_NUMERICAL_ROOTS]:
         for q in configuration.slots.coordinates:
             try:
                 if configuration.surface.is_zero(root.base - q**2) is True:
@@ -493,9 +499,6 @@ def _with_roots_named(e: sp.Expr, configuration: Configuration) -> sp.Expr:
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
     return e.xreplace(rule)
-
-
-_MOST_ROOTS = 4
 
 
 def _with_right_decimals(

@@ -160,3 +160,190 @@ BESIDE_LIMIT = 1e-3
 BESIDE_ROUNDED_LIMIT = 0.06
 """How far beside the limit of a stated condition of stability it is tried, and beside one that is written as a decimal:
 two digits are rounded by 5 % at most. A limit that is wrong by more is found at every state."""
+
+MOST_NUMERICAL_ROOTS = 4
+"""Roots of a condition of equilibrium that a stated position in numbers is compared with."""
+
+MOST_FRICTION_SIGNS = 16
+"""Combinations of directions in which the friction forces of an answer may be taken: four contacts."""
+
+REST_SAMPLES = 400
+"""Random states at which conditions of rest are compared with the derived ones. The limit of each has been compared
+exactly; they decide whether one is missing or has the wrong sense. A difference in a share s of the states escapes
+with the probability (1 - s)^400. Of the rough systems shipped with two conditions, the smallest share in which one
+of them alone decides is 4.3 % (stacked-blocks): 2e-8. All states take 3 to 12 ms."""
+
+FIRST_REST_SAMPLES = 20
+"""States that may show soon that two conditions differ; what they do not show, the sign of their ratio decides."""
+
+CLEAR_SLACK = 1e-6
+"""A slack counts as positive or negative if it is larger, relative to its terms at random numbers of order one."""
+
+BESIDE_REST = 1e-4
+"""How far beside a limit the senses of two conditions are compared: the senses, not the limits, which are exact."""
+
+MOST_FREQUENCIES = 4
+"""Coordinates whose frequencies are compared with those of a mistake: determinants of numbers."""
+
+RANDOM_ZERO_DIGITS = 20
+RANDOM_DIGITS = 30
+"""Digits in which values at random numbers are compared, and below which their differences are zero. Two different
+expressions agree so far with a probability of about 1e-20; what cancels may cost ten digits."""
+
+MOST_IN_RATIO = 9
+"""Numerator and denominator of a wrong factor that is named: 9 takes in every moment of inertia of a table but 1/12."""
+
+MOST_ASKED_TERMS = 8
+LONGEST_SPECIAL = 30
+"""Terms of a value in which one wrong term is sought, and operations of a value whose special case is worked out."""
+
+HIGHEST_FREQUENCY_EQUATION = 2
+"""The degree in ω² of a frequency equation that is solved."""
+
+MOST_IMPULSES = 4
+"""So many names of impulses may each stand for the opposite one: 2^4 readings, each a comparison."""
+
+ROUNDED_COEFFICIENT = 1e-9
+"""What the derived numbers may differ by, relative to the largest coefficient."""
+
+LONGEST_NUMBER_WITH_UNIT = 60
+"""The most characters of a number with its unit: `-1.234567890123e-10 kg*m^2/s^2` has 30."""
+
+EXACT_POSITION = 1e-12
+"""How far an exact number may be from a position in closed form, which is evaluated in floating point: some thousands
+of rounding errors."""
+
+STABILITY_SAMPLES = 60
+ENOUGH_PLACES = 30
+"""Random states, and places with a clear sign that settle a claim of stability beside a position. Around each state the
+claim is tried on both sides of its limit (BESIDE_LIMIT). With 10 places, none of them beside the limit, a condition
+wrong by a factor of 2 passed in 9 of 20 runs; with these 30 one wrong by 10 % passed in none of 12. A place takes 2
+ms."""
+
+CLEAR_STABILITY = 1e-7
+"""Smaller minors, residuals and slacks have no sign, in numbers of order one with 15 digits: a state with one does not
+count."""
+
+MOST_AT_RELEASE = 12
+"""Accelerations and reactions at an initial state that an answer may be solved for: they are unknowns of one linear
+system."""
+
+MOST_IN_CHAIN = 6
+"""Sides of a chain of values v = a = b = c; with more it is working, and is read elsewhere."""
+
+MOST_LINEARIZED = 4
+"""Coordinates of linear equations that an answer is compared with, as for frequencies."""
+
+SENTENCE_SAMPLES = 20
+"""Random states at which a sentence on stability without a position must be true, each with those on both sides of its
+limit. With 80 states and none beside the limit, one wrong by 10 % passed in 30 % of the runs, one wrong by 2 % in 80
+%; with these, none of 12 that was wrong by 10 % or more. They take 0.1 s for a right sentence, as the 80 did."""
+
+LONGEST_RUN_OF_LETTERS = 3
+"""Letters of a run that may be a product of names."""
+
+LONGEST_COMPARED_REACTION = 100
+"""Of a reaction at rest with which a wrong one is compared term by term."""
+
+MOST_AMPLITUDES = 4
+AMPLITUDE_DRAWS = 3
+"""Coordinates of a steady state that an answer is compared with, and random parameters at which it must agree, to
+twenty digits at each: one would do against chance, three guard against a parameter that has no influence at one of
+them."""
+
+SECANT_STEPS = 60
+"""Steps of the secant rule. It gains more than half of the digits again in each step near a root; without one it ends
+after these."""
+
+UNITS_OF_OTHER_BODIES = 100_000
+"""Work (`core.effort`) for solving the problem with letters for the moments of inertia: an eighth of that of a
+solve."""
+
+MOST_OTHER_BODIES = 2
+"""With more bodies whose moments of inertia may have been mistaken, none is looked for."""
+
+MOST_CONDITION_TERMS = 8
+"""Terms of a condition, multiplied out, in which one wrong term is sought."""
+
+LIMIT_SAMPLES = 3
+CLOSE_LIMIT = 1e-9
+"""Random points at which a condition seems to have the limit of a mistake, before that is decided exactly: they only
+save time, and whatever passes them by accident is refused by `is_zero`. They decide alone which sense an inequality
+has: it is that of the mistake if the slacks have the same sign at all three, and one of the other sense has at
+none."""
+
+UNITS_OF_OTHER_CONTACTS = 100_000
+"""Work for solving the problem with a coefficient for each contact, as for other bodies."""
+
+MOST_OTHER_CONTACTS = 4
+"""With more rough contacts no mistake with their coefficients is looked for."""
+
+MOST_STRUCK = 6
+"""Coordinates of an impact for which wrong equations are solved, in numbers."""
+
+MOST_RESTING_ROWS = 2
+MOST_RESTING_COORDINATES = 5
+"""Constraints and coordinates of a system at rest whose equilibrium is sought with a mistake in it."""
+
+MOST_RESTING_FACTORS = 4
+"""Factors of a plain value: one with more is no short mistake."""
+
+TINY_RESIDUAL = 1e-62
+ROUNDING_EDGE = 1 + 1e-9
+FAR_SHIFT = 100
+SLOW_PROGRESS = 0.9
+"""How rounded decimals are shifted until an equation holds, in 80 digits: a residual that is zero, the most units of
+the last digit (1 and a billionth), a shift at which the search is given up, and the least progress of a step."""
+
+NEGLIGIBLE_PIVOT = 1e-35
+"""A smaller pivot of that search is none: half of the digits."""
+
+LONGEST_IN_WORDS = 20_000
+"""Characters of a text that are searched."""
+
+MOST_LISTED = 8
+"""Values in one list `x = 1, 2, 3`: four solutions with two signs."""
+
+LONGEST_NEW_COORDINATE = 60
+"""Operations of the other side of the definition of a coordinate."""
+
+MOST_MACROS = 60
+LONGEST_MACRO = 300
+"""Definitions of macros, and characters of one."""
+
+MOST_MATRIX_ROWS = 6
+"""Rows of a column."""
+
+MOST_OPERATORS = 8
+"""Operators that are applied to one another."""
+
+MOST_STATEMENTS = 80
+MOST_PROGRAM_STATES = 12
+"""Statements of a program with the equations of motion, and components of its state: six degrees of freedom."""
+
+MOST_METHOD_CALLS = 12
+"""Calls of methods in one equation."""
+
+MOST_IN_A_RATIO = 4
+"""Members of a ratio, arguments of an extreme."""
+
+LONGEST_REPEATED = 400
+"""Characters of an argument that is written several times."""
+
+LONGEST_NUMBERING = 60
+"""Characters at the end of an equation that are searched for its number."""
+
+SHORTEST_WORD = 4
+"""Letters of a word of prose: three letters may be a product."""
+
+MOST_SIDE_DEFINITIONS = 5
+"""Abbreviations in a statement that are substituted in turn."""
+
+LONGEST_LAW = 60
+"""Characters of a general law, `\\sum F = m a`, with names that the problem does not declare."""
+
+LONGEST_WRITTEN_NAME = 60
+"""Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
+
+ROUNDING_DIGITS = 9
+"""A rounded answer may be off by 1e-9 beyond half a unit of its last digit: exact values are compared as fractions."""

@@ -18,6 +18,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
 from lagrange.answers.initial_integrals import FROM_THE_START
+from lagrange.answers.limits import LONGEST_COMPARED_REACTION
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
@@ -222,10 +223,6 @@ class _AtBranch:
         return [c for c, named in zip(self.claims, self.beside, strict=True) if named or not beside]
 
 
-MOST_OPERATIONS = 100
-"""Of a reaction at rest with which a wrong one is compared term by term."""
-
-
 class AtRest:
     """The reactions of a system at rest, with which stated ones are compared.
 
@@ -266,7 +263,7 @@ class AtRest:
                 value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
                 stated, off = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
                 right = sp.factor(sp.together(stated + off))
-                if sp.count_ops(right) <= MOST_OPERATIONS:
+                if sp.count_ops(right) <= LONGEST_COMPARED_REACTION:
                     why = explained_value(stated, right, {*configuration.slots.coordinates})
                     if why:
                         return why

@@ -20,6 +20,7 @@ from pathlib import Path
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.submissions import Graded, Grader, Submission
 from lagrange.answers.verdicts import MARKS, Verdict
+from lagrange.api.limits import LONGEST_FEEDBACK
 from lagrange.core.diagnostics import Source
 from lagrange.core.printable import visible
 from lagrange.core.records import record
@@ -29,8 +30,6 @@ from lagrange.problem.loader import read_problem
 from lagrange.problem.sources import read_source
 
 WIDTH = 78
-LONGEST_FEEDBACK = 20_000
-"""Characters: four pages, and few enough for the results of a platform."""
 
 
 @record

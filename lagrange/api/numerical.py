@@ -24,6 +24,7 @@ from typing import Any, SupportsFloat
 
 import sympy as sp
 
+from lagrange.api.limits import SMALLEST_PIVOT
 from lagrange.api.time_functions import Given, with_given
 from lagrange.core.diagnostics import nearest
 from lagrange.core.symbols import Slots, t
@@ -55,8 +56,6 @@ MODULES = ("math", "numpy")
 Values = Mapping[str | sp.Symbol, SupportsFloat]
 Vector = Sequence[float]
 Solve = Callable[[list[list[float]], list[float]], Any]
-SMALLEST_PIVOT = 1e-14
-"""A smaller pivot counts as zero, if the largest entry of each row is 1: fifty rounding errors of 2e-16."""
 
 
 class RightHandSide:

@@ -14,9 +14,9 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from lagrange.core.limits import LARGEST_SIZE
 from lagrange.core.symbols import base
 
-_CUT = 10**9
 _INFINITE = (sp.S.NaN, sp.S.ComplexInfinity, sp.S.Infinity, sp.S.NegativeInfinity)
 _SEVERAL = sp.Dummy()  # as `Size.symbol` where there are several
 
@@ -121,7 +121,7 @@ def _of_atom(e: sp.Basic) -> Size:
 def _of_compound(e: sp.Basic, parts: Sequence[Size]) -> Size:
     terms, symbol, degree = _terms(e, parts), _only_symbol(parts), _degree(e, parts)
     return Size(
-        size=min(1 + sum(p.size for p in parts), _CUT),
+        size=min(1 + sum(p.size for p in parts), LARGEST_SIZE),
         layers=1 + max(p.layers for p in parts),
         power=_power(e, parts),
         denominator=max(e.exp.q if _is_power(e) else 1, *(p.denominator for p in parts)),
@@ -130,7 +130,7 @@ def _of_compound(e: sp.Basic, parts: Sequence[Size]) -> Size:
         widest=max(terms, *(p.widest for p in parts)),
         symbol=symbol,
         degree=degree,
-        doubt=min(_own_doubt(e, symbol, degree) + sum(p.doubt for p in parts), _CUT),
+        doubt=min(_own_doubt(e, symbol, degree) + sum(p.doubt for p in parts), LARGEST_SIZE),
         is_constant=all(p.is_constant for p in parts),
         is_finite=all(p.is_finite for p in parts),
         is_real=all(p.is_real for p in parts) and not _is_imaginary(e),
@@ -153,15 +153,15 @@ def _power(e: sp.Basic, parts: Sequence[Size]) -> float:
 
 def _terms(e: sp.Basic, parts: Sequence[Size]) -> int:
     if e.is_Add:
-        return min(sum(p.terms for p in parts), _CUT)
+        return min(sum(p.terms for p in parts), LARGEST_SIZE)
     if e.is_Mul:
         terms = 1
         for p in parts:
-            terms = min(terms * p.terms, _CUT)
+            terms = min(terms * p.terms, LARGEST_SIZE)
         return terms
     if e.is_Pow and e.exp.is_Integer and parts[0].terms > 1:
         terms, power = parts[0].terms, abs(int(e.exp))
-        return min(comb(terms + power - 1, power), _CUT) if power <= 100 else _CUT
+        return min(comb(terms + power - 1, power), LARGEST_SIZE) if power <= 100 else LARGEST_SIZE
     return 1
 
 

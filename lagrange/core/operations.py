@@ -12,10 +12,10 @@ from functools import lru_cache
 
 import sympy as sp
 
-_REMEMBERED = 2048
+from lagrange.core.limits import MOST_REMEMBERED_COUNTS
 
 
-@lru_cache(maxsize=_REMEMBERED)
+@lru_cache(maxsize=MOST_REMEMBERED_COUNTS)
 def count_operations(expression: sp.Expr) -> int:
     """The number of operations: 2 in a + b/c, 1 in x², 1 in −x, none in a symbol."""
     total = 0

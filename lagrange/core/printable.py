@@ -17,13 +17,12 @@ import unicodedata
 from functools import lru_cache
 from typing import Any
 
+from lagrange.core.limits import MOST_IN_A_LINE
+
 HIDDEN = frozenset(("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"))
 """The categories of Unicode that are not shown: control, format, surrogate, private use, unassigned, separators."""
 
 BOX = "\N{WHITE SQUARE}"
-
-MOST_IN_A_LINE = 4_000
-"""Characters of a sentence: twice the longest equation of an answer, which a message may repeat."""
 
 
 @lru_cache(maxsize=4096)

@@ -17,13 +17,12 @@ from functools import cache, lru_cache
 
 import sympy as sp
 
+from lagrange.core.limits import HIGHEST_POWER_OF_UNIT
 from lagrange.core.records import record
 
 Dimension = tuple[sp.Rational, ...]
 BASE = ("kg", "m", "s", "A", "K")
 NO_DIMENSION: Dimension = (sp.S.Zero,) * len(BASE)
-HIGHEST_POWER = 20
-"""Of a unit: no quantity has a higher one, and 1e9^9999 takes memory."""
 
 
 @record
@@ -158,7 +157,7 @@ class _Reader:
             return unit
         exponent = int(self.tokens[self.at][3].strip("() "))
         self.at += 1
-        return unit.power(exponent) if abs(exponent) <= HIGHEST_POWER else None
+        return unit.power(exponent) if abs(exponent) <= HIGHEST_POWER_OF_UNIT else None
 
 
 def _named(name: str) -> Unit | None:

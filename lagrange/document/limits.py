@@ -12,3 +12,6 @@ LONGEST_RATE = 8
 """Characters below which a quantity is written dp_θ/dt, and from which on d/dt (...)."""
 SHORT_MATHML = 20
 """The most characters of a numerator that stays above its line in a formula that is cut."""
+
+USUAL_DIGITS = 6
+"""Significant digits of a float that is not rounded already: one with the precision of a float or more."""

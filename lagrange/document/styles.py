@@ -15,7 +15,7 @@ from typing import ClassVar
 import sympy as sp
 from mpmath.libmp import prec_to_dps
 
-from lagrange.document.limits import LONGEST_RATE
+from lagrange.document.limits import LONGEST_RATE, USUAL_DIGITS
 from lagrange.document.names import (
     BREAK,
     END,
@@ -67,8 +67,6 @@ RELATIONS: dict[str, tuple[str, str, str]] = {
 SAME = {"!=": "≠", "<=": "≤", ">=": "≥", "==": "≡", "->": "→"}
 
 
-USUAL_DIGITS = 6
-"""Significant digits of a float that is not rounded already: one with the precision of a float or more."""
 FIXED = range(-4, 6)
 """The powers of ten in front of which a number is written out: 0.0001234, 123400."""
 

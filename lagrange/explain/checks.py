@@ -9,13 +9,11 @@ import sympy as sp
 
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
+from lagrange.explain.limits import LONGEST_SPOT
 from lagrange.explain.words import constraints_called, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.spot_formulas import acceleration_formula, values_that_matter
-
-LONGEST_SPOT = 20
-"""The most numbers of a spot value that a reader may want to type."""
 
 
 def explain_checks(

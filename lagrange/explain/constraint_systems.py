@@ -10,6 +10,7 @@ from lagrange.algebra.forms.hidden_relations import HiddenRelation
 from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref
+from lagrange.explain.limits import SHOWN_LOSSES
 from lagrange.explain.nonlinear import together
 from lagrange.explain.words import capital, constraints_called, in_words, joined, plural
 from lagrange.mechanics.constraints.classification import Classification, Redundancy
@@ -17,7 +18,6 @@ from lagrange.mechanics.constraints.degeneracies import RankLoss
 
 LETTERS = ("omega", "eta", "chi", "zeta", "xi")
 """Letters for a form; the first that the problem does not use is taken."""
-SHOWN_LOSSES = 4
 
 
 def form_letter(taken: Collection[str]) -> str:

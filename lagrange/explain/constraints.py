@@ -26,6 +26,7 @@ from lagrange.explain.constraint_systems import (
     form_letter,
 )
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.limits import SHOWN_PAIRS
 from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
 from lagrange.explain.words import brief, capital, constraints_called, counted, in_words, joined, plural, spoken, the
 from lagrange.mechanics.constraints.classification import Classification
@@ -34,8 +35,6 @@ from lagrange.mechanics.constraints.displacements import possible_displacement
 
 if TYPE_CHECKING:
     from lagrange.algebra.forms.restrictions import FiniteForm, Restriction
-
-SHOWN_PAIRS = 3
 
 
 def equal(p: PartialsComparison) -> Part:

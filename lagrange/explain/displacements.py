@@ -11,6 +11,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, differential, t, var
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.bodies import virtual_rotations
+from lagrange.explain.limits import LONGEST_DISPLACEMENT
 from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import joined, plural, suffix_of, the
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -24,9 +25,6 @@ from lagrange.mechanics.constraints.displacements import (
 )
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.dynamics.newton import Normal
-
-LONGEST = 40
-"""Operations of a solved displacement that are still shown without being asked for."""
 
 
 def explain_displacements(
@@ -190,7 +188,7 @@ def solved_displacements(elimination: Elimination, configuration: Configuration)
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]
     blocks: list[Block] = []
     if solved and not all(_is_evident(row) for row in configuration.rows):
-        long = any(count_operations(value) > LONGEST for value in solved.values())
+        long = any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values())
         pivots = conditions(elimination)
         where: tuple[Part, ...] = (", where ", *pivots, ",") if pivots else ()
         ending = plural(len(solved), " gives a long expression.", " gives long expressions.") if long else " gives"

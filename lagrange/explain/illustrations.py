@@ -19,13 +19,11 @@ from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
 from lagrange.document.notation import Notation
 from lagrange.document.scene import Scene
+from lagrange.explain.limits import UNITS_OF_A_PICTURE
 from lagrange.explain.words import bare, plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
-
-UNITS_OF_A_PICTURE = 200_000
-"""Of work (`core.effort`)."""
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""

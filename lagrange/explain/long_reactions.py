@@ -10,13 +10,12 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part
+from lagrange.explain.limits import LONGEST_REACTIONS
 from lagrange.explain.words import constraints_called, plural
 from lagrange.mechanics.nearby.long_reactions import LongReactions
 from lagrange.values.quantities import rounded_in
 
 ZERO = sp.S.Zero
-LONGEST = 250
-"""The most operations of all reactions in terms of accelerations that a page shows without --detail full."""
 
 
 def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
@@ -35,7 +34,7 @@ def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
     elif reactions.by_accelerations:
         detail = (
             Detail.FULL
-            if sum(count_operations(e) for e in reactions.by_accelerations.values()) > LONGEST
+            if sum(count_operations(e) for e in reactions.by_accelerations.values()) > LONGEST_REACTIONS
             else Detail.STEPS
         )
         if detail is Detail.FULL:

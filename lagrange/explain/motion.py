@@ -12,6 +12,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose, 
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
+from lagrange.explain.limits import LONGEST_ACCELERATIONS
 from lagrange.explain.statement import given_force
 from lagrange.explain.words import (
     are,
@@ -310,10 +311,6 @@ def explain_motion_in_choice(
     return Step(Rule.EQUATIONS_OF_MOTION, title_of_equations(motion, problem), tuple(body))
 
 
-LONGEST = 250
-"""The most operations of accelerations that are shown."""
-
-
 def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
     """M q'' = f, A q'' = b where there are constraints, q'' where it is solved for; None where there is nothing."""
     form = motion.matrices
@@ -342,7 +339,7 @@ def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
                       math(bound, names[1])]  # fmt: skip
         body += [prose(*words, ", where", detail=Detail.FULL), Matrices(tuple(named), Detail.FULL)]
     solved = motion.accelerations
-    long = sum(count_operations(e) for e in solved.values()) > LONGEST
+    long = sum(count_operations(e) for e in solved.values()) > LONGEST_ACCELERATIONS
     what = plural(len(solved), "acceleration", "accelerations")
     if solved and long:
         body.append(prose(f"Solved for the {what}, they are long and left to the JSON output.", detail=Detail.FULL))

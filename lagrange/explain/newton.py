@@ -11,6 +11,7 @@ from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, 
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_IN_TEXT, MOST_LAWS
 from lagrange.explain.words import (
     capital,
     constraints_called,
@@ -30,10 +31,6 @@ from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
-MOST_LAWS = 2
-"""The most bodies whose laws are written in vectors in a sentence."""
-LONGEST = 8
-"""The most operations of an expression in running text."""
 
 
 def explain_newton(
@@ -177,7 +174,7 @@ def _valued(reaction: Reaction, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
 def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
     """A named force along a unit vector."""
     called, body, direction = constraints_called([reaction.name]), the(single.on), single.direction
-    is_short = direction is not None and sum(count_operations(c) for c in direction.components) <= LONGEST
+    is_short = direction is not None and sum(count_operations(c) for c in direction.components) <= LONGEST_IN_TEXT
     unit: tuple[Part, ...] = (" ", math(direction)) if is_short and direction is not None else ()
     if reaction.is_normal:
         words = f"{capital(called)} keeps {body} on {_support(reaction)}, and its reaction is normal to it: a force "
@@ -277,7 +274,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
             "while ", *while_, "; without slip, static friction takes whatever value prevents it, up to a limit.",
         )  # fmt: skip
-        if count_operations(r.magnitude) > LONGEST:
+        if count_operations(r.magnitude) > LONGEST_IN_TEXT:
             blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))

@@ -10,6 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import UnitSymbol
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
+from lagrange.explain.limits import MOST_SHAPES
 from lagrange.explain.questions import angle_of, answer_label
 from lagrange.explain.words import WITH_VALUES, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
@@ -22,8 +23,6 @@ from lagrange.values.bounds import bound_with
 from lagrange.values.dimensions import dimension, dimension_of_unit
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
-MOST_SHAPES = 3
-"""The most coordinates for which amplitudes and phases stand in the table of damped modes."""
 RESULTS = (
     Rule.EQUATIONS_OF_MOTION,
     Rule.QUASI_VELOCITIES,

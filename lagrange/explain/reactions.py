@@ -11,6 +11,7 @@ from lagrange.core.operations import count_operations
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.contact.one_sided import explain_contacts
+from lagrange.explain.limits import LONGEST_REACTION
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
@@ -22,9 +23,6 @@ from lagrange.problem.model import Keeper
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.nearby.long_reactions import LongReactions
-
-LONGEST = 60
-"""The most operations of a reaction that is shown by default where there are other coordinates."""
 
 
 def explain_reactions(
@@ -49,7 +47,7 @@ def explain_reactions(
     suffix = suffix_of(choice)
     lines = reaction_lines(reactions, newton, suffix)
     long = (shorter or choice) and any(
-        count_operations(s) > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
+        count_operations(s) > LONGEST_REACTION for line in lines for s in line.sides if isinstance(s, sp.Expr)
     )
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None

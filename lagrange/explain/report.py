@@ -29,6 +29,7 @@ from lagrange.explain.constraints import (
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.energy.conservation import explain_conserved
 from lagrange.explain.illustrations import illustrated
+from lagrange.explain.limits import RESULT_DIGITS, UNITS_OF_EXPLAINING
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
@@ -67,12 +68,6 @@ if TYPE_CHECKING:
 EVERY_CHOICE = "all"
 """In place of the name of a choice: all of them, and none folded. A choice that is called so takes precedence."""
 
-UNITS_OF_EXPLAINING = 200_000
-"""Of work (`core.effort`) for all steps; pictures have their own."""
-
-DIGITS = 4
-"""The significant digits of results in numbers, where no other number is asked for."""
-
 
 @record
 class Report:
@@ -110,7 +105,7 @@ def report(
     *,
     complete: bool = True,
     method: Method = Method.DALEMBERT,
-    digits: int = DIGITS,
+    digits: int = RESULT_DIGITS,
     on_stage: OnStage = silent,
 ) -> Report:
     """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises.

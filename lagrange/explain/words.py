@@ -13,6 +13,7 @@ from lagrange.core.called import Called
 from lagrange.core.units import NO_DIMENSION, split_number, unit_of
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Math, Part, Prose
+from lagrange.explain.limits import DIGITS_AS_STATED, MOST_PARTS_OF_PI
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 
 if TYPE_CHECKING:
@@ -27,11 +28,6 @@ NORMAL_FORCES = frozenset({"N", "R"})
 WITH_VALUES = "with the given values "
 """The start of what the values of the file decide, where the letters leave it open."""
 
-DIGITS_AS_STATED = 12
-"""Digits of a number that a file gives with its unit."""
-
-MOST_PARTS_OF_PI = 12
-"""An angle that is a multiple of π/12 is printed so."""
 
 _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 

@@ -16,9 +16,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter, prime, t
 from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
-
-LONGEST_RATE = 40
-"""The most operations of what is integrated."""
+from lagrange.mechanics.limits import LONGEST_INTEGRATED
 
 
 @record
@@ -63,7 +61,7 @@ def integral_over_time(rate: sp.Expr, constant: sp.Symbol) -> sp.Expr | None:
     """constant + ∫ rate dt; None where the rate is no trigonometric polynomial in t."""
     rate = sp.expand(rate)
     moving = {s for s in rate.free_symbols if s != t and not s.is_positive and not s.is_real}
-    if count_operations(rate) > LONGEST_RATE or moving or any(s.name.endswith("'") for s in rate.free_symbols):
+    if count_operations(rate) > LONGEST_INTEGRATED or moving or any(s.name.endswith("'") for s in rate.free_symbols):
         return None
     terms = []
     parts = [term.as_independent(t, as_Add=False) for term in sp.Add.make_args(rate)]

@@ -10,3 +10,39 @@ LONGEST_SOLVED = 4 * LONGEST_SPOT_FORMULA
 """The most operations of an equation that is solved for it: one of 3,000 takes more than ten seconds."""
 MOST_STATED_NAMES = 12
 """The most quantities with names that are looked for in stated equations: each is compared with every sum in them."""
+
+LONGEST_INTEGRATED = 40
+"""The most operations of what is integrated."""
+
+LONGEST_WITH_LIMITS = 60
+"""Of equations whose limits are sought."""
+
+LONGEST_LIMIT = 18
+"""The most operations of an equation in a limit that is worth showing."""
+
+LONGEST_WITH_UNITS = 1000
+"""The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
+
+MOST_LIMITS = 2
+"""The most limits of one problem."""
+
+LONGEST_CONSTANT = 120
+"""The most operations of accelerations that are constant."""
+
+LONGEST_PART = 10
+"""The most operations of the parts of a reaction."""
+
+LONGEST_FACTORED = 60
+"""The most operations of a result that is factored."""
+
+LONGEST_NONLINEAR = 400
+"""The most operations of a Lagrangian and of the equation for the root."""
+
+MOST_VANISHING_TERMS = 2
+"""The most terms of a factor whose zero is worth a sentence."""
+
+LONGEST_TURNING = 60
+"""The most operations of the equations of motion, all together, in which turning is sought."""
+
+LONGEST_TURNING_RATE = 12
+"""The most operations of the rate and of the stiffness."""

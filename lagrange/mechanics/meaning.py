@@ -31,6 +31,14 @@ from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
+from lagrange.mechanics.limits import (
+    LONGEST_CONSTANT,
+    LONGEST_LIMIT,
+    LONGEST_PART,
+    LONGEST_WITH_LIMITS,
+    LONGEST_WITH_UNITS,
+    MOST_LIMITS,
+)
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
@@ -39,19 +47,6 @@ from lagrange.values.dimensions import dimension, dimension_of_unit
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.mechanics.equilibrium.linearization import Linearization
-
-MOST_OPERATIONS = 60
-"""Of equations whose limits are sought."""
-LONGEST_LIMIT = 18
-"""The most operations of an equation in a limit that is worth showing."""
-LONGEST_WITH_UNITS = 1000
-"""The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
-MOST_LIMITS = 2
-"""The most limits of one problem."""
-LONGEST_CONSTANT = 120
-"""The most operations of accelerations that are constant."""
-LONGEST_PART = 10
-"""The most operations of the parts of a reaction."""
 
 
 @record
@@ -135,7 +130,7 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     if any(m.has_one_sense and not m.velocity.is_zero for m in motion.configuration.variable_masses):
         return None
     [equation] = motion.expressions
-    if equation.has(Unspecified) or count_operations(equation) > MOST_OPERATIONS:
+    if equation.has(Unspecified) or count_operations(equation) > LONGEST_WITH_LIMITS:
         return None
     from lagrange.mechanics.equilibrium.linearization import linearization
 
@@ -179,7 +174,11 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     motion = view.motion
     assert motion is not None
     equations = tuple(e.expression for e in motion.final)
-    if motion.completing or sum(count_operations(e) for e in equations) > MOST_OPERATIONS or _has_functions(equations):
+    if (
+        motion.completing
+        or sum(count_operations(e) for e in equations) > LONGEST_WITH_LIMITS
+        or _has_functions(equations)
+    ):
         return
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
     free -= {s for m in view.configuration.variable_masses for s in m.mass.free_symbols}

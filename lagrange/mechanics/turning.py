@@ -20,12 +20,8 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
+from lagrange.mechanics.limits import LONGEST_TURNING, LONGEST_TURNING_RATE
 from lagrange.mechanics.results import InCoordinates
-
-LONGEST = 60
-"""The most operations of the equations of motion, all together, in which turning is sought."""
-LONGEST_RATE = 12
-"""The most operations of the rate and of the stiffness."""
 
 
 @record
@@ -53,7 +49,7 @@ def turning(view: InCoordinates) -> Turning | None:
         return None
     equations = [*(e.expression for e in motion.final), *view.configuration.accelerated_constraints]
     moving = {*slots.coordinates, t}
-    if sum(count_operations(e) for e in equations) > LONGEST or any(e.has(Unspecified) for e in equations):
+    if sum(count_operations(e) for e in equations) > LONGEST_TURNING or any(e.has(Unspecified) for e in equations):
         return None
     rows = [[partial(e, a) for a in slots.accelerations] for e in equations]
     if any(c.free_symbols & moving for row in rows for c in row):
@@ -96,7 +92,7 @@ def _pair(view: InCoordinates, m: int, n: int, a: sp.Expr | None, b: sp.Expr | N
             return None
         pair = Turning(x, y, (a, b), rate, textbook_form(k.xreplace({small: sp.S.Zero})), small)
     assert pair.stiffness is not None
-    return pair if max(count_operations(rate), count_operations(pair.stiffness)) <= LONGEST_RATE else None
+    return pair if max(count_operations(rate), count_operations(pair.stiffness)) <= LONGEST_TURNING_RATE else None
 
 
 def _of_second_order(c: sp.Expr, k: sp.Expr, other: sp.Expr, small: sp.Symbol) -> bool:

@@ -16,14 +16,13 @@ import sympy as sp
 from lagrange.core.symbols import UnitVector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, unit
+from lagrange.pictures.limits import CURVE_STEPS, SURFACE_FACES
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, overlapping, toward
 from lagrange.pictures.solids import LIGHT, Solids
 from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View
 from lagrange.problem.model import Drawn, FigureCircle, FigureCurve, FigureLine, FigureMark
 
-STEPS, FACES = 64, 14
-"""Pieces of a curve, and of a surface in each direction."""
 _STROKES = {
     Drawn.GROUND: StrokeKind.GROUND,
     Drawn.RODS: StrokeKind.ROD,
@@ -92,8 +91,8 @@ class DeclaredParts:
         [(start, end)] = ends
         [symbol] = curve.along
         points = [
-            self.page(self.system.at(curve.point, {symbol: start + (end - start) * k / STEPS}))
-            for k in range(STEPS + 1)
+            self.page(self.system.at(curve.point, {symbol: start + (end - start) * k / CURVE_STEPS}))
+            for k in range(CURVE_STEPS + 1)
         ]
         if curve.kind is Drawn.GROUND:
             self.sketch.ground(points)
@@ -107,10 +106,10 @@ class DeclaredParts:
         u, v = curve.along
 
         def place(m: int, n: int) -> FloatVector:
-            values = [a + (b - a) * k / FACES for (a, b), k in zip(ends, (m, n), strict=True)]
+            values = [a + (b - a) * k / SURFACE_FACES for (a, b), k in zip(ends, (m, n), strict=True)]
             return self.system.at(curve.point, {u: values[0], v: values[1]})
 
-        grid = [[place(m, n) for n in range(FACES + 1)] for m in range(FACES + 1)]
+        grid = [[place(m, n) for n in range(SURFACE_FACES + 1)] for m in range(SURFACE_FACES + 1)]
         patch(self.sketch, self.system.view, self.system.page, grid)
 
     def chain(self, line: FigureLine) -> None:

@@ -40,3 +40,14 @@ CURVE_STEP = 0.07
 MOST_CURVE_STEPS = 900
 """Pieces of one half of a curve, 63 cm: twice the way around the largest frame, so that a longer
 curve would wind inside it."""
+
+CURVE_STEPS = 64
+SURFACE_FACES = 14
+"""Pieces of a curve, and of a surface in each direction."""
+
+SAME_PLACE = 1e-7
+"""How far numbers of two places may differ: the constraints hold to 1e-11; a motion of another kind differs by far
+more."""
+
+SAME_SHAPE = 1e-6
+"""The same for radii: looser than for positions, as errors grow in the quotient by R²."""

@@ -32,7 +32,7 @@ from lagrange.core.symbols import Bounded, Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, plus, projected, value
-from lagrange.pictures.limits import LEAST_GAP, TRIALS
+from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
@@ -272,7 +272,6 @@ def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
     return nearest + slant + 0.3 * min(shape, 0.7) - _negative(pose)
 
 
-_SAME = 1e-7  # the constraints hold to 1e-11; a motion of another kind differs by far more
 _STEPS = (0.7, -1.1, 2.3)  # changes at which a motion is compared with a circle or a line: no simple ratios
 
 
@@ -309,14 +308,14 @@ def angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark
     centre = plus(point, minus(opposite, point), 0.5)
     a = minus(point, centre)
     b = minus(pose.moved(coordinate, math.pi / 2).at(position), centre)
-    if math.hypot(*a) < 1e-3 or abs(inner(a, a) - inner(b, b)) > _SAME or abs(inner(a, b)) > _SAME:
+    if math.hypot(*a) < 1e-3 or abs(inner(a, a) - inner(b, b)) > SAME_PLACE or abs(inner(a, b)) > SAME_PLACE:
         return None
 
     def expected(step: float) -> FloatVector:
         return plus(plus(centre, a, math.cos(step)), b, math.sin(step))
 
     for step in _STEPS:
-        if math.hypot(*minus(pose.moved(coordinate, step).at(position), expected(step))) > _SAME:
+        if math.hypot(*minus(pose.moved(coordinate, step).at(position), expected(step))) > SAME_PLACE:
             return None
     q = pose.values[coordinate]
     if not 0.05 < abs(q) < math.pi:
@@ -328,7 +327,7 @@ def angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark
 def relative_angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, origin: Vector) -> AngleMark | None:
     """The angle that a coordinate is for the line from one moving point to another. Raises NoValueError."""
     mark = angle_mark(pose, coordinate, position.fixed() - origin.fixed())
-    if mark is None or math.hypot(*mark.centre) > _SAME:
+    if mark is None or math.hypot(*mark.centre) > SAME_PLACE:
         return None
     centre = pose.at(origin)
     return AngleMark(coordinate, centre, plus(centre, mark.point), mark.arc)
@@ -338,10 +337,10 @@ def is_distance(pose: Pose, coordinate: sp.Symbol, position: Vector) -> bool:
     """Whether a point moves on a straight line, by the change of a coordinate. Raises NoValueError."""
     start = pose.at(position)
     way = minus(pose.moved(coordinate, 1.0).at(position), start)
-    if abs(math.hypot(*way) - 1) > _SAME:
+    if abs(math.hypot(*way) - 1) > SAME_PLACE:
         return False
     errors = (minus(pose.moved(coordinate, s).at(position), plus(start, way, s)) for s in _STEPS)
-    return all(math.hypot(*e) < _SAME for e in errors)
+    return all(math.hypot(*e) < SAME_PLACE for e in errors)
 
 
 def crosswise(marks: Sequence[DistanceMark]) -> list[DistanceMark]:
@@ -368,7 +367,7 @@ def distance_marks(
     if not distances:
         return []
     start = pose.with_zero(distances).at(position)
-    on_axis = sum(abs(c) > _SAME for c in start) <= 1
+    on_axis = sum(abs(c) > SAME_PLACE for c in start) <= 1
     if not on_axis and all(math.hypot(*minus(start, k)) > 1e-6 for k in known):
         return []
     marks = []

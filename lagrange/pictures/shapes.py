@@ -17,9 +17,8 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, solved
+from lagrange.pictures.limits import SAME_SHAPE
 from lagrange.pictures.poses import Pose
-
-_SAME = 1e-6  # looser than for positions: errors grow in the quotient by R²
 
 
 @record
@@ -76,7 +75,7 @@ def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shap
             held.append(point)
         elif _turns(lines):
             distances = [math.hypot(*p) for _, p in lines]
-            if min(distances) > 0.05 and max(distances) - min(distances) < _SAME:
+            if min(distances) > 0.05 and max(distances) - min(distances) < SAME_SHAPE:
                 radius = max(radius, distances[0])
     return Shape(tuple(held), radius, at)
 
@@ -91,7 +90,9 @@ def _lines(
             return
         e1, e2 = p.at(rotation.axes[0]), p.at(rotation.axes[1])
         direction = inner(line.direction, e1), inner(line.direction, e2)
-        if math.hypot(*direction) < _SAME:  # perpendicular to the plane of the body, as the support of a sliding disc
+        if (
+            math.hypot(*direction) < SAME_SHAPE
+        ):  # perpendicular to the plane of the body, as the support of a sliding disc
             return
         yield direction, (inner(line.nearest, e1), inner(line.nearest, e2))
 
@@ -107,10 +108,10 @@ def _common_point(
     first = rows[0]
     second = max(rows[1:], key=lambda r: abs(first[0] * r[1] - first[1] * r[0]))
     if abs(first[0] * second[1] - first[1] * second[0]) < 0.02:
-        same = all(math.dist(lines[0][1], p) < _SAME for _, p in lines)
+        same = all(math.dist(lines[0][1], p) < SAME_SHAPE for _, p in lines)
         return lines[0][1] if same and not _turns(lines) else None
     x, y = solved([first[:2], second[:2]], [first[2], second[2]])
-    if all(abs(a * x + b * y - c) < _SAME for a, b, c in rows):
+    if all(abs(a * x + b * y - c) < SAME_SHAPE for a, b, c in rows):
         return x, y
     return None
 
@@ -127,7 +128,7 @@ def has_one_direction(pose: Pose, reaction: Reaction, body: str) -> bool:
         forces = [force_and_moment(p, reaction, body)[0] for p in (pose, *pose.others)]
     except NoValueError:
         return False
-    return len(forces) > 2 and all(math.hypot(*outer(forces[0], f)) < _SAME for f in forces)
+    return len(forces) > 2 and all(math.hypot(*outer(forces[0], f)) < SAME_SHAPE for f in forces)
 
 
 def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Shape) -> FloatVector | None:

@@ -84,3 +84,6 @@ MOST_QUESTIONS = 20
 
 # Parts of `figure`: each is drawn, a surface with some hundred pieces.
 MOST_DRAWN = 60
+
+LONGEST_PLACE = 100
+"""Operations of an expression whose dimension is looked at: longer ones are multiplied out too slowly."""

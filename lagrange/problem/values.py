@@ -22,6 +22,7 @@ from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_numb
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
 from lagrange.problem.keys import Assumption
+from lagrange.problem.limits import LONGEST_PLACE
 from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,
@@ -380,10 +381,6 @@ def note_inertia(problem: Problem, report: Callable[[Diagnostic], None]) -> None
             message = f"the moment of inertia of `{body.name}` is no mass times the square of a length"
             help_ = "check its formula: that of a rod of length l is m*l^2/12, of a disc m*R^2/2"
             report(Diagnostic("inertia-dimension", message, body.span, help=help_, level=Severity.NOTE))
-
-
-LONGEST_PLACE = 100
-"""Operations of an expression whose dimension is looked at: longer ones are multiplied out too slowly."""
 
 
 def _known(problem: Problem, but: sp.Symbol | None = None) -> dict[sp.Symbol, Dimension]:

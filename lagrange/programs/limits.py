@@ -57,3 +57,17 @@ LONGEST_EXPANDED = 200
 # Speeds that are tried for a state in which everything slips that is to slip, and the slowest slip, in m/s.
 MOST_TRIED = 3
 SLOWEST_SLIP = 0.1
+
+LONGEST_PROGRAM_NAME = 40
+"""Characters of a name in a program: MATLAB has 63."""
+
+MOST_PLANES = 4
+"""Phase planes in one plot, one a coordinate."""
+
+LARGEST_WHOLE = 10**15
+"""Larger integers are written as floats: a double holds 15 digits."""
+
+ORBIT_STEP = 1e-5
+ROUNDED_SPEED = 1e-12
+"""The step of central differences along an orbit, whose error is then some 1e-10; and the share of the largest speed
+below which one is zero."""

@@ -13,7 +13,8 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-LONGEST_NAME = 40
+from lagrange.programs.limits import LONGEST_PROGRAM_NAME
+
 _LEGAL = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 _WORDS = """
@@ -73,7 +74,7 @@ def legal_name(name: str) -> str:
     plain = name.rstrip("'")
     dots = len(name) - len(plain)
     spelled = "".join(_spelled(c) for c in plain)
-    spelled = re.sub(r"[^A-Za-z0-9]+", "_", spelled).strip("_")[:LONGEST_NAME]
+    spelled = re.sub(r"[^A-Za-z0-9]+", "_", spelled).strip("_")[:LONGEST_PROGRAM_NAME]
     if not _LEGAL.fullmatch(spelled):
         return ""
     return spelled + {0: "", 1: "_dot", 2: "_ddot"}.get(dots, f"_d{dots}")

@@ -17,9 +17,9 @@ import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
+from lagrange.programs.limits import LARGEST_WHOLE
 
 _SUM, _PRODUCT, _POWER, _ATOM = range(1, 5)
-_LARGEST_WHOLE = 10**15
 _RECIPROCAL: dict[type[sp.Basic], type[sp.Basic]] = {sp.cot: sp.tan, sp.sec: sp.cos, sp.csc: sp.sin}
 FUNCTIONS: dict[type[sp.Basic], str] = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.asin: "asin", sp.acos: "acos", sp.atan: "atan",
@@ -136,7 +136,7 @@ def _is_negative(e: sp.Basic) -> bool:
 
 def _number(e: sp.Expr) -> tuple[str, int]:
     """A literal, and how strongly it binds."""
-    if e.is_Rational and max(abs(e.p), e.q) < _LARGEST_WHOLE:
+    if e.is_Rational and max(abs(e.p), e.q) < LARGEST_WHOLE:
         level = _ATOM if e.p >= 0 else _SUM
         if e.q == 1:
             return f"{e.p}.0", level

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from lagrange.render.limits import JSON_DIGITS
+
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.damped_modes import DampedModes
@@ -24,8 +26,6 @@ if TYPE_CHECKING:
     from lagrange.values.quantities import Quantity, Values
 
 Write = Callable[[Any], str]
-JSON_DIGITS = 10
-"""Significant digits of the numbers in an expression."""
 
 
 def position(p: Position) -> dict[str, Any]:

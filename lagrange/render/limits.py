@@ -55,3 +55,9 @@ DESK_ROW = 28.0
 31 beside indentation and number."""
 LONG_DISPLAY = 12
 """Equations of a display that a printer may break between pages; a shorter one stays whole on less than half a page."""
+
+JSON_DIGITS = 10
+"""Significant digits of the numbers in an expression."""
+
+STEPS_OF_A_SLIDER = 400
+"""Steps of a slider from end to end: about one a pixel."""

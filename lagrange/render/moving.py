@@ -23,10 +23,10 @@ from lagrange.core.symbols import prime
 from lagrange.document.math_writer import UNICODE, Writer
 from lagrange.document.notation import Notation
 from lagrange.render.escape import html_text as escape
+from lagrange.render.limits import STEPS_OF_A_SLIDER
 from lagrange.render.mathml import Formulas
 from lagrange.render.svg import content_of
 
-STEPS_OF_A_SLIDER = 400
 INTEGRALS = {
     "energy": "energy",
     "jacobi": "Jacobi’s integral",

@@ -12,10 +12,8 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.records import record
+from lagrange.values.limits import MOST_DEGREES
 from lagrange.values.quantities import real_value
-
-MOST_DEGREES = 8
-"""The highest degree of p whose roots are looked for."""
 
 
 @record

@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.core.units import BASE, NO_DIMENSION, Dimension, unit_of
+from lagrange.values.limits import LARGEST_COEFFICIENT
 
 _SECOND: Dimension = tuple(sp.Integer(unit == "s") for unit in BASE)
 
@@ -72,10 +73,6 @@ def dimensions_needed(
                     row[at] = row.get(at, sp.S.Zero) + power
             rows.append((row, tuple(rest)))
     return _solved(rows, tuple(symbols))
-
-
-LARGEST_COEFFICIENT = 9
-"""A larger number in front of a term may stand for a quantity with a unit: 10 m for a weight."""
 
 
 def _powers(term: sp.Expr) -> dict[sp.Symbol, sp.Rational] | None:

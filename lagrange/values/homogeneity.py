@@ -19,7 +19,7 @@ import sympy as sp
 
 from lagrange.core.symbols import Sign, Unspecified, base, t
 from lagrange.core.units import BASE, Dimension
-from lagrange.values.dimensions import LARGEST_COEFFICIENT
+from lagrange.values.limits import LARGEST_COEFFICIENT
 
 Exponents = dict[Hashable, Fraction]
 """Of units, by their names, and of unknown dimensions, by a symbol or the name of an undefined function."""

@@ -25,3 +25,17 @@ MOST_UNDECIDED = 20
 
 MOST_STEPS = 20
 """Steps of Newton's iteration from one start."""
+
+MOST_DEGREES = 8
+"""The highest degree of p whose roots are looked for."""
+
+LARGEST_COEFFICIENT = 9
+"""A larger number in front of a term may stand for a quantity with a unit: 10 m for a weight."""
+
+INFLATION = 0.05
+CUT = 0.4871
+"""What a box is widened by before Newton's test, relative to its width; where a box is cut, never in the middle, where
+roots are."""
+
+STARTS = (0.13, 0.37, 0.62, 0.88)
+"""Where Newton's iteration starts, as parts of the width of the search."""

@@ -27,21 +27,18 @@ from mpmath import iv
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.values.limits import (
+    CUT,
+    INFLATION,
     MOST_BOXES,
     MOST_OPERATIONS,
     MOST_STEPS,
     MOST_UNDECIDED,
     SMALLEST_BOX,
+    STARTS,
     WORKING_DIGITS,
 )
 
 Box = list[Any]  # of intervals
-INFLATION = 0.05
-CUT = 0.4871  # never in the middle, where roots are
-
-
-STARTS = (0.13, 0.37, 0.62, 0.88)
-"""Where Newton's iteration starts, as parts of the width of the search."""
 
 
 class _NoValueError(Exception):

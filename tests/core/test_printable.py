@@ -7,7 +7,8 @@ import json
 import pytest
 
 from lagrange.core.diagnostics import Diagnostic, Source, Span
-from lagrange.core.printable import MOST_IN_A_LINE, json_text, one_line, printable, visible
+from lagrange.core.limits import MOST_IN_A_LINE
+from lagrange.core.printable import json_text, one_line, printable, visible
 
 NASTY = {
     "an escape sequence": "\x1b[2J",

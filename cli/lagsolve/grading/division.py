@@ -27,6 +27,7 @@ from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.sources import decode
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import MappingNode
+from lagsolve.limits import LONGEST_HEADING
 
 _WORDS = r"problem|exercise|ex|question|task|part|assignment|q|p"
 _MARKUP = re.compile(r"\\(?:sub)*(?:section|paragraph|part|chapter|textbf|item)\*?|[#>{}*_\[\]$]|^\s*-\s")
@@ -35,7 +36,6 @@ _JOINED = re.compile(rf"(?:{_WORDS})?(?P<which>[0-9]{{1,3}}|[a-z])", re.IGNORECA
 _BARE = re.compile(r"\s*\(?(?P<which>[0-9]{1,2}|[a-z])[.):]\s*", re.IGNORECASE)
 _BEHIND = re.compile(r"\s*[:.)–—-]\s*")
 _OWN_NUMBER = re.compile(r"[a-z]+[-_ ]?0*([0-9]+)(?![0-9])", re.IGNORECASE)
-_LONGEST_HEADING = 120
 
 NO_HEADING = "no heading, file name or key says which problem it answers"
 
@@ -151,15 +151,15 @@ def _heading(line: str, asked: Sequence[Asked]) -> tuple[int, int] | None:
         return None
     if "=" in rest and behind is not None:
         return problem, numbered.end() + behind.end()
-    return (problem, len(line)) if len(line) <= _LONGEST_HEADING else None
+    return (problem, len(line)) if len(line) <= LONGEST_HEADING else None
 
 
 def _ends(plain: str) -> Iterator[int]:
     """Where the name of a problem may end in a line: at its end, or at a colon before an answer."""
-    if "=" not in plain and len(plain) <= _LONGEST_HEADING:
+    if "=" not in plain and len(plain) <= LONGEST_HEADING:
         yield len(plain)
     colon = plain.find(":")
-    if 0 < colon <= _LONGEST_HEADING and plain[colon : colon + 2] != ":=":
+    if 0 < colon <= LONGEST_HEADING and plain[colon : colon + 2] != ":=":
         yield colon + 1
 
 

@@ -21,7 +21,7 @@ from lagsolve.grading.examine import problem_of
 from lagsolve.grading.run import GradingRun
 from lagsolve.grading.students import counting
 from lagsolve.grading.table import ORDER, TableRow, cell
-from lagsolve.limits import FEWEST_NAMED, MOST_MISTAKES_LISTED
+from lagsolve.limits import BINS, FEWEST_NAMED, MOST_MISTAKES_LISTED
 from lagsolve.written_files import write_file
 
 _SHADES = {
@@ -32,7 +32,6 @@ _SHADES = {
     Verdict.UNREADABLE: "#8a8478",
     Verdict.UNDECIDED: "#6f4fa3",
 }
-_BINS = 10
 
 _STYLE = """
 body { font: 1rem/1.5 Georgia, serif; color: #1c1b1a; background: #fffefb; max-width: 46rem; margin: 2rem auto;
@@ -137,9 +136,9 @@ def _verdicts(rows: Sequence[TableRow]) -> Iterator[str]:
 def _bins(rows: Sequence[TableRow]) -> list[tuple[int, int, int]]:
     """How many have between 0 and 10 % of the points, ..., between 90 and 100 %: (from, to, number)."""
     shares = [row.points / row.possible for row in rows if row.points is not None and row.possible]
-    places = Counter(min(_BINS - 1, int(share * _BINS + 1e-9)) for share in shares)
-    step = 100 // _BINS
-    return [(n * step, (n + 1) * step, places[n]) for n in range(_BINS)] if shares else []
+    places = Counter(min(BINS - 1, int(share * BINS + 1e-9)) for share in shares)
+    step = 100 // BINS
+    return [(n * step, (n + 1) * step, places[n]) for n in range(BINS)] if shares else []
 
 
 def _points(rows: Sequence[TableRow]) -> Iterator[str]:
@@ -159,8 +158,8 @@ def _points(rows: Sequence[TableRow]) -> Iterator[str]:
             yield f'<rect x="{x}" y="{160 - height:.1f}" width="56" height="{height:.1f}" fill="#5d7a94"/>'
             yield f'<text x="{x + 28}" y="{154 - height:.1f}" text-anchor="middle">{n:,}</text>'
     yield '<line x1="8" y1="160" x2="632" y2="160" stroke="#1c1b1a"/>'
-    for place in range(0, _BINS + 1, 2):
-        yield f'<text x="{7 + place * 62}" y="180" text-anchor="middle">{place * 100 // _BINS} %</text>'
+    for place in range(0, BINS + 1, 2):
+        yield f'<text x="{7 + place * 62}" y="180" text-anchor="middle">{place * 100 // BINS} %</text>'
     yield "</svg>"
 
 

@@ -12,10 +12,11 @@ from typing import TypeAlias
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.limits import CIRCULAR_ERROR
+
 Interval: TypeAlias = tuple[float, float]
 
 EVERYTHING: Interval = (-math.inf, math.inf)
-_CIRCULAR_ERROR = 1e-14
 
 
 class EmptyIntervalError(Exception):
@@ -37,7 +38,7 @@ def circle(start: float, end: float) -> tuple[Interval, Interval]:
 def _cosine(start: float, end: float) -> Interval:
     values = [math.cos(x * math.pi / 2) for x in (start, end)]
     values += [(1.0, 0.0, -1.0, 0.0)[n % 4] for n in range(math.ceil(start), math.floor(end) + 1)]
-    return max(-1.0, min(values) - _CIRCULAR_ERROR), min(1.0, max(values) + _CIRCULAR_ERROR)
+    return max(-1.0, min(values) - CIRCULAR_ERROR), min(1.0, max(values) + CIRCULAR_ERROR)
 
 
 def enclosure(e: sp.Expr, box: Mapping[sp.Symbol, Interval]) -> Interval:

@@ -59,3 +59,6 @@ LONGEST_DENOMINATOR = 30
 LONGEST_SPHERE = 60
 # So many equations with the same squares are subtracted: of two circles the solution in letters is long.
 SPHERES = 3
+
+CIRCULAR_ERROR = 1e-14
+"""What bounds of sines and cosines in floating point are widened by: fifty rounding errors."""

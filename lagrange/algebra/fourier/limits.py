@@ -76,3 +76,6 @@ MOST_SHARED_GENERATORS = 40
 # and terms of a polynomial of half angles, each of which takes several products (commit 75e8803a).
 TRIED_IN_A_UNIT = 5
 MULTIPLIED_IN_A_UNIT = 5
+
+LARGEST_COUNT = 1e9
+"""Terms of a product, multiplied out, are counted up to this: more are never multiplied out."""

@@ -23,6 +23,7 @@ from lagrange.algebra.fourier.limits import (
     FEW_ANGLES,
     HIGHEST_MULTIPLE,
     LARGEST_CLEANED,
+    LARGEST_COUNT,
     MOST_CLEANED_TERMS,
     MOST_CLEANED_WAVES,
 )
@@ -30,8 +31,6 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import partial
-
-LARGEST_COUNT = 1e9
 
 
 def is_short(expression: sp.Expr) -> bool:

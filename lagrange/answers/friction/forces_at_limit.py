@@ -17,6 +17,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.force_names import other_readings
+from lagrange.answers.limits import MOST_FRICTION_SIGNS
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.written.decimals import rounded
@@ -26,9 +27,6 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import shortest
-
-MOST_SIGNS = 16
-"""Combinations of directions in which the friction forces of an answer may be taken."""
 
 
 @record
@@ -95,7 +93,7 @@ def _meanings(used: set[sp.Symbol], motion: ImpendingMotion, newton: Newton) -> 
     others = [reading.ratios for reading in other_readings(newton, {s.name for s in used})]
     for ratios in ({}, *others):
         meant = {s: ratios.get(s, sp.S.One) * v for s, v in values.items()}
-        for signs in [*product((1, -1), repeat=len(rubbing))][:MOST_SIGNS]:
+        for signs in [*product((1, -1), repeat=len(rubbing))][:MOST_FRICTION_SIGNS]:
             yield {**meant, **friction, **{s: n * friction[s] for s, n in zip(rubbing, signs, strict=True)}}
 
 

@@ -18,6 +18,7 @@ from itertools import islice
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, REST_SAMPLES
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.results.approximate import approximate, root_near
@@ -34,11 +35,6 @@ from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 from lagrange.mechanics.results import Solution
-
-SAMPLES = 400
-FIRST_SAMPLES = 20
-CLEAR = 1e-6
-"""A slack counts as positive or negative if it is larger, relative to its terms at random numbers of order one."""
 
 
 @record
@@ -354,7 +350,10 @@ def without_implied(case: Sequence[_Stated]) -> list[_Stated]:
             other is not None
             and other[:2] == own[:2]
             and k != n
-            and (own[2] - other[2] > CLEAR * abs(own[2]) or (k < n and abs(own[2] - other[2]) <= CLEAR * abs(own[2])))
+            and (
+                own[2] - other[2] > CLEAR_SLACK * abs(own[2])
+                or (k < n and abs(own[2] - other[2]) <= CLEAR_SLACK * abs(own[2]))
+            )
             for k, other in enumerate(limits)
         )
     ]
@@ -429,8 +428,8 @@ def _differ(a: sp.Expr, b: sp.Expr) -> bool:
     """Whether one is positive where the other is negative, clearly: soon found, unlike the sign of their ratio."""
     letters = sorted(_symbols(a) | _symbols(b), key=str)
     draw = random.Random(7)
-    points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_SAMPLES))
-    return any(approximate(a, p) * approximate(b, p) < -CLEAR for p in points)
+    points = ({s: draw.uniform(0.1, 1.5) for s in letters} for _ in range(FIRST_REST_SAMPLES))
+    return any(approximate(a, p) * approximate(b, p) < -CLEAR_SLACK for p in points)
 
 
 def _rounds_to(a: _Stated, b: _Stated) -> bool:
@@ -455,18 +454,14 @@ def _rounds_to(a: _Stated, b: _Stated) -> bool:
         root = root_near(lambda v, at=point: approximate(b.slack, {**at, unknown: v}), point[unknown])  # type: ignore[misc]
         if root is None or (is_angle and not 0 < root < math.pi / 2):
             continue
-        at, near = {**point, unknown: root}, {**point, unknown: root + _STEP}
+        at, near = {**point, unknown: root}, {**point, unknown: root + BESIDE_REST}
         number = approximate(sp.expand(exact), {**at, decimal: 0.0})
         rises = [approximate(e, near) - approximate(e, at) for e in (a.slack, b.slack)]
-        rounds = abs(number - float(decimal.written)) <= float(decimal.half_width) * (1 + CLEAR)
+        rounds = abs(number - float(decimal.written)) <= float(decimal.half_width) * (1 + CLEAR_SLACK)
         if not rounds or not rises[0] * rises[1] > 0:
             return False
         seen += 1
     return seen > 0
-
-
-_STEP = 1e-4
-"""How far beside a limit the senses of two conditions are compared."""
 
 
 def _has_limit(a: _Stated, b: _Stated) -> bool:
@@ -491,7 +486,7 @@ def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
         s for c in conditions for f in c.slack.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in f.args[0].free_symbols
     }
     draw = random.Random(20)
-    for number in range(SAMPLES):
+    for number in range(REST_SAMPLES):
         point: dict[sp.Symbol, float] = {}
         for s in symbols:
             value = draw.uniform(0.02, 1.55) if s in angles else draw.lognormvariate(0, 0.8)
@@ -529,6 +524,6 @@ def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, float]) -
         if math.isnan(value):  # a function that is not known in floating point
             exact = c.slack.xreplace({s: sp.Float(v) for s, v in point.items()}).evalf()
             value = float(exact) if exact.is_real else math.nan
-        return None if not math.isfinite(value) or abs(value) < CLEAR else value > 0
+        return None if not math.isfinite(value) or abs(value) < CLEAR_SLACK else value > 0
 
     return all_hold(map(holds, conditions))

@@ -14,14 +14,12 @@ from random import Random
 
 import sympy as sp
 
+from lagrange.answers.limits import MOST_FREQUENCIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
 from lagrange.answers.models.mechanics import Force, Inertia, Mechanics
 from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
 from lagrange.core.symbols import base, partial, t
 
-MOST_COORDINATES = 4
-_DIGITS = 30
-_SMALL = sp.Float(10) ** -20
 _LIKELY = LIKELY | {
     "carried weight left out",
     "mass left out",
@@ -32,6 +30,8 @@ _LIKELY = LIKELY | {
 }
 Matrix = list[list[sp.Expr]]
 
+_SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
+
 
 def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[[sp.Expr], sp.Expr]) -> str:
     """Of which changed problem these are the frequencies, in a sentence; empty if that is not found.
@@ -39,7 +39,7 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     at  an expression with the values that the coordinates have at the equilibrium
     """
     m = models.mechanics
-    if m is None or not models.is_free or m.slots.prescribed or len(m.slots.coordinates) > MOST_COORDINATES:
+    if m is None or not models.is_free or m.slots.prescribed or len(m.slots.coordinates) > MOST_FREQUENCIES:
         return ""
     squares = [sp.expand(c**2) for c in claims]
     letters = {s for e in squares for s in e.free_symbols}
@@ -111,7 +111,7 @@ class Numbers:
         for s in sorted(e.free_symbols, key=str):
             if s not in self.values:
                 self.values[s] = self.random_number()
-        return e.xreplace(self.values).evalf(_DIGITS)
+        return e.xreplace(self.values).evalf(RANDOM_DIGITS)
 
     def of_inertia(self, part: Inertia) -> Matrix:
         """g_ij with the factors of a model."""

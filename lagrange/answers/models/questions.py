@@ -17,6 +17,7 @@ from itertools import combinations, product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.answers.limits import LONGEST_SPECIAL, MOST_ASKED_TERMS, MOST_IN_RATIO
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
@@ -232,7 +233,7 @@ def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> st
 def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
         special = sp.together(right).xreplace({p: sp.S.Zero})
-        if special.has(sp.nan, sp.zoo, sp.oo) and sp.count_ops(right) < MOST_OPERATIONS:
+        if special.has(sp.nan, sp.zoo, sp.oo) and sp.count_ops(right) < LONGEST_SPECIAL:
             special = sp.limit(right, p, 0)
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
@@ -248,7 +249,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
     for form, where in _FORMS:
         stated, derived = sp.expand(form(claim)), sp.expand(form(right))
         terms = sp.Add.make_args(derived)
-        if not 1 < len(terms) <= MOST_TERMS:
+        if not 1 < len(terms) <= MOST_ASKED_TERMS:
             continue
         for term in terms:
             for factor, how in _HOW:
@@ -291,7 +292,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
 def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
     """A factor that is missing in one term of a sum, or too many there."""
     own, other = ({*sp.Add.make_args(sp.expand(e))} for e in (claim, right))
-    if not 1 < len(other) <= MOST_TERMS or len(own - other) != 1 or len(other - own) != 1:
+    if not 1 < len(other) <= MOST_ASKED_TERMS or len(own - other) != 1 or len(other - own) != 1:
         return
     [stated], [term] = own - other, other - own
     above, below = sp.fraction(sp.powsimp(stated / term))
@@ -310,9 +311,6 @@ def _is_short(number: sp.Expr) -> bool:
     return bool(number.is_Rational and number != 1 and max(number.p, number.q) <= MOST_IN_RATIO)
 
 
-MOST_IN_RATIO = 9
-
-
 def _is_plain(factor: sp.Expr) -> bool:
     """Whether a factor can be named: a number, a letter, a sine, a sum of two letters."""
     inner = factor.as_base_exp()[0]
@@ -321,9 +319,6 @@ def _is_plain(factor: sp.Expr) -> bool:
     return bool(factor.is_number or inner.is_Symbol or inner.func in (sp.sin, sp.cos, sp.tan))
 
 
-MOST_TERMS = 8
-MOST_OPERATIONS = 30
-"""Of a value whose limit is sought."""
 _FORMS: tuple[tuple[Callable[[sp.Expr], sp.Expr], str], ...] = (
     (lambda e: e, ""),
     (lambda e: e**2, " under the root"),

@@ -18,6 +18,7 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.force_names import Meaning, meanings
+from lagrange.answers.limits import ROUNDING_DIGITS
 from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.questions.numbers_with_units import in_si
 from lagrange.answers.readings import decimals_in
@@ -53,8 +54,9 @@ _ONE_OF_SEVERAL = "there are other values as well"
 _ONE_CASE = "it is right in one of several cases"
 _ROUNDED = "it is taken as a rounded number"
 _NOT_ANSWERED = "the derivation did not find an answer to compare with"
-_CLOSE = sp.Rational(1, 10**9)
 _SAYS_NOTHING = "it says nothing about the quantity that is asked for"
+
+_CLOSE = sp.Rational(1, 10**ROUNDING_DIGITS)
 
 
 def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:

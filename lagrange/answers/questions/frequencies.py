@@ -27,6 +27,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
+from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION
 from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
@@ -251,8 +252,6 @@ _BETWEEN = re.compile(
 )
 MOST_OPERATIONS = 40
 """Of the square of a frequency with which a wrong one is compared term by term."""
-_HIGHEST = 2
-"""The degree in ω² of a frequency equation that is solved."""
 
 
 def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
@@ -297,7 +296,10 @@ def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
     square = sp.Symbol("square", positive=True)
     difference = sides[0] - sides[1] if not any(isinstance(side, Vector) for side in sides) else sp.S.Zero
     equation = sp.numer(sp.together(difference.xreplace({omega: sp.sqrt(square)})))
-    if not equation.is_polynomial(square) or not 0 < sp.degree(sp.expand(equation), square) <= _HIGHEST:
+    if (
+        not equation.is_polynomial(square)
+        or not 0 < sp.degree(sp.expand(equation), square) <= HIGHEST_FREQUENCY_EQUATION
+    ):
         return [_read(fragment, reference)]
     return [sp.sqrt(root) for root in sp.roots(sp.expand(equation), square)]
 

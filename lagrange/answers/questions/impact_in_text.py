@@ -18,6 +18,7 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.limits import MOST_IMPULSES
 from lagrange.answers.questions.named_values import worst
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
@@ -32,8 +33,6 @@ from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Problem
 
-MOST_IMPULSES = 4
-"""So many names of impulses may each stand for the opposite one."""
 _WRONG = "it does not hold for the velocities just after the impact"
 _IDENTITY = "it says nothing about the impact"
 _ACCELERATION = "accelerations have no meaning during an impact"

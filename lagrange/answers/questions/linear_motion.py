@@ -17,6 +17,7 @@ from dataclasses import replace
 import mpmath
 import sympy as sp
 
+from lagrange.answers.limits import ROUNDED_COEFFICIENT
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -32,8 +33,6 @@ from lagrange.mechanics.results import Solution
 
 VALUES = (mpmath.mpf("0.7321"), mpmath.mpf("1.6180"), mpmath.mpf("3.1973"), mpmath.mpf("5.4321"))
 """Of a parameter without a value: more than the degree of any coefficient needs."""
-ROUNDED = 1e-9
-"""What the derived numbers may differ by, relative to the largest coefficient."""
 _NONLINEAR = "it is not linear in the small changes: of a system of this size only the linear equations are compared"
 
 
@@ -138,7 +137,7 @@ def _first_that_differs(
         expected = combination * table
         for j in range(size):
             spread = slack[k * size + j] + sum(slack[i] * abs(share[i, j]) for i in range(size))
-            if abs(stated[k * size + j] - expected[j]) > spread + ROUNDED * largest:
+            if abs(stated[k * size + j] - expected[j]) > spread + ROUNDED_COEFFICIENT * largest:
                 return tables.slots[k * size + j]
     return None
 

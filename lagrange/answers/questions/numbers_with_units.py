@@ -11,6 +11,7 @@ import re
 
 import sympy as sp
 
+from lagrange.answers.limits import LONGEST_NUMBER_WITH_UNIT
 from lagrange.answers.references import Reference
 from lagrange.answers.written.notation.units import in_one_number
 from lagrange.core.diagnostics import Fragment
@@ -27,8 +28,6 @@ _TEXTS = re.compile(r"\\(?:text|mathrm|mbox|rm|si|unit)\s*\{([^{}]*)\}")
 _BRACES = re.compile(r"\{([^{}]*)\}")
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 _NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
-_LONGEST = 60
-"""The most characters of a number with its unit."""
 
 
 def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
@@ -40,7 +39,7 @@ def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragm
         return fragment, True
     text = fragment.text
     start = max((m.end() for m in _SIDE.finditer(text)), default=0)
-    if len(text) - start > _LONGEST:
+    if len(text) - start > LONGEST_NUMBER_WITH_UNIT:
         return fragment, True
     parts = split_number(_plain(text[start:]))
     unit = unit_of(parts[1]) if parts else None
@@ -66,7 +65,7 @@ def stated_in_numbers(fragment: Fragment) -> tuple[Fragment, Fragment | None] | 
     """
     text, latex = fragment.text, is_latex(fragment)
     signs = [*_SIDE.finditer(text)]
-    if not signs or len(text) - signs[-1].end() > _LONGEST:
+    if not signs or len(text) - signs[-1].end() > LONGEST_NUMBER_WITH_UNIT:
         return None
     last = _plain(text[signs[-1].end() :])
     if not has_unit(last) and (len(signs) == 1 or not _NUMBER.fullmatch(last)):

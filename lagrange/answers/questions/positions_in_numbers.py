@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.answers.limits import EXACT_POSITION
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -21,9 +22,6 @@ from lagrange.core.symbols import Decimal
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
 from lagrange.mechanics.results import Solution
-
-_EXACT = 1e-12
-"""How far an exact number may be from a position in closed form, which is evaluated in floating point."""
 
 StatedNumbers = Mapping[sp.Symbol, tuple[float, float]]
 
@@ -65,7 +63,7 @@ def compared_with_rest(
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=errors, name="equilibrium")
     stated = _stated(readings, tuple(rest.position), dict(reference.values)) if len(alternatives) == 1 else None
     holds = stated is not None and all(
-        abs(number - float(rest.position[u])) <= width + _EXACT * (1 + abs(number))
+        abs(number - float(rest.position[u])) <= width + EXACT_POSITION * (1 + abs(number))
         for u, (number, width) in stated.items()
     )
     verdict = Verdict.EQUIVALENT if holds else Verdict.UNDECIDED
@@ -105,6 +103,6 @@ def _is_at(stated: StatedNumbers, position: Position, in_numbers: EquilibriaInNu
         if u in in_numbers.angles:
             turn = float(2 * sp.pi)
             off -= turn * round(off / turn)
-        if abs(off) > width + _EXACT * (1 + abs(number)):
+        if abs(off) > width + EXACT_POSITION * (1 + abs(number)):
             return False
     return True

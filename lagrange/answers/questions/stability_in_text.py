@@ -17,6 +17,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.limits import CLEAR_STABILITY, ENOUGH_PLACES, STABILITY_SAMPLES
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.results.approximate import beside_limit
@@ -28,10 +29,6 @@ from lagrange.core.symbols import symbols_in
 from lagrange.expressions.relations import is_inequality, limit_of
 from lagrange.mechanics.results import InCoordinates, Solution
 
-SAMPLES = 60
-ENOUGH = 30
-"""So many random places with a clear sign settle a claim."""
-CLEAR = 1e-7
 WRONG_STABILITY = "the claim about its stability is wrong"
 ONLY_SOMETIMES = "it is {} for some values of the parameters only: the condition is missing"
 WORD = re.compile(
@@ -131,7 +128,8 @@ def _tried(
     true = false = 0
     for state in _places(view, components, claim, values):
         if any(
-            abs(residual) > CLEAR for residual in _numbers([view.configuration.rewritten(e) for e in components], state)
+            abs(residual) > CLEAR_STABILITY
+            for residual in _numbers([view.configuration.rewritten(e) for e in components], state)
         ):
             continue
         entries = [_numbers(row, state) for row in view.stability.matrix]
@@ -141,12 +139,12 @@ def _tried(
         holds: bool | None = True
         if claim.condition is not None:
             numbers = _numbers([claim.condition], state)
-            holds = None if not numbers or abs(numbers[0]) < CLEAR else bool(numbers[0] > 0)
+            holds = None if not numbers or abs(numbers[0]) < CLEAR_STABILITY else bool(numbers[0] > 0)
         if stable is None or holds is None:
             continue
         right = stable is (claim.stable if holds else not claim.stable)
         true, false = true + right, false + (not right)
-        if true + false >= ENOUGH:
+        if true + false >= ENOUGH_PLACES:
             break
     return true, false
 
@@ -154,7 +152,7 @@ def _tried(
 def is_stable(hessian: sp.Matrix) -> bool | None:
     """Whether a matrix of numbers is positive definite; None where that is not clear."""
     minors = [hessian[:n, :n].det() for n in range(1, hessian.rows + 1)]
-    return None if any(abs(m) < CLEAR for m in minors) else all(m > 0 for m in minors)
+    return None if any(abs(m) < CLEAR_STABILITY for m in minors) else all(m > 0 for m in minors)
 
 
 def _places(
@@ -173,7 +171,7 @@ def _places(
     parameters = sorted({s for x in everything for s in x.free_symbols} - {*coordinates}, key=str)
     angles = {s for x in everything for f in x.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
     draw = random.Random(7)
-    for _ in range(SAMPLES):
+    for _ in range(STABILITY_SAMPLES):
         state: dict[sp.Symbol, sp.Expr] = {}
         for s in parameters:
             number = draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)

@@ -14,15 +14,14 @@ from random import Random
 
 import sympy as sp
 
+from lagrange.answers.limits import AMPLITUDE_DRAWS, MOST_AMPLITUDES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
 from lagrange.answers.results.meanings import other_meanings
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.equilibrium.driven.response import Response
 
-MOST_COORDINATES = 4
-_DRAWS = 3
-_DIGITS = 30
-_SMALL = sp.Float(10) ** -20
+_SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
+
 
 Matrix = list[list[sp.Expr]]
 
@@ -48,7 +47,7 @@ def explained_amplitudes(stated: Mapping[str, sp.Expr], response: Response) -> s
     """What stated amplitudes, by coordinate, are instead, in a sentence; empty if that is not found."""
     slots = response.forced.configuration.slots
     places = {q.name: n for n, q in enumerate(slots.coordinates)}
-    if len(places) > MOST_COORDINATES or not stated.keys() <= places.keys():
+    if len(places) > MOST_AMPLITUDES or not stated.keys() <= places.keys():
         return ""
     claims = {places[name]: value for name, value in stated.items()}
     right = [sp.Add(a**2, b**2) for a, b in zip(response.cosines, response.sines, strict=True)]
@@ -56,7 +55,7 @@ def explained_amplitudes(stated: Mapping[str, sp.Expr], response: Response) -> s
     used = {s for e in claims.values() for s in e.free_symbols}
     if any(base(s) in slots.coordinates for s in used):
         return ""
-    draws = [_Draw(letters | used, seed) for seed in range(_DRAWS)]
+    draws = [_Draw(letters | used, seed) for seed in range(AMPLITUDE_DRAWS)]
     squares = {n: [d.value(claim) ** 2 for d in draws] for n, claim in claims.items()}
 
     def given_by(values: Callable[[_Draw, int], sp.Expr]) -> bool:
@@ -161,7 +160,7 @@ class _Draw:
 
     def value(self, e: sp.Expr) -> sp.Expr:
         """The value of an expression."""
-        return e.xreplace(self._values).evalf(_DIGITS)
+        return e.xreplace(self._values).evalf(RANDOM_DIGITS)
 
     def square(self, equations: _Equations, n: int) -> sp.Expr:
         """|Z_n|²."""

@@ -10,7 +10,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 
 import sympy as sp
 
-from lagrange.answers.limits import BESIDE_LIMIT, BESIDE_ROUNDED_LIMIT
+from lagrange.answers.limits import BESIDE_LIMIT, BESIDE_ROUNDED_LIMIT, SECANT_STEPS
 from lagrange.core.floats import FUNCTIONS
 
 
@@ -42,7 +42,7 @@ def root_near(function: Callable[[float], float], start: float) -> float | None:
     """A zero of a function, by the secant rule; None if none is found."""
     a, b = start, start + 0.1
     fa, fb = function(a), function(b)
-    for _ in range(_STEPS):
+    for _ in range(SECANT_STEPS):
         if fb == fa or not math.isfinite(fb):
             return None
         a, b, fa = b, b - fb * (b - a) / (fb - fa), fb
@@ -50,9 +50,6 @@ def root_near(function: Callable[[float], float], start: float) -> float | None:
         if abs(b - a) <= 1e-13 * (1 + abs(b)):
             return b
     return None
-
-
-_STEPS = 60
 
 
 def beside_limit(

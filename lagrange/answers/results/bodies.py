@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import sympy as sp
 
+from lagrange.answers.limits import MOST_OTHER_BODIES, UNITS_OF_OTHER_BODIES
 from lagrange.answers.models.kinetic import BODIES, RATIOS
 from lagrange.answers.references import Identical
 from lagrange.core.diagnostics import ProblemError
@@ -22,11 +23,6 @@ from lagrange.document.notation import Notation
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Assumption, Parameter, Problem
-
-UNITS = 100_000
-"""Of work for solving the problem with letters for the moments of inertia."""
-
-MOST_BODIES = 2
 
 Rule = Mapping[sp.Symbol, sp.Expr]
 
@@ -48,12 +44,12 @@ def _with_letters(same: Identical) -> tuple[Solution, dict[str, tuple[sp.Symbol,
             letters[b.name] = sp.Symbol(f"J_of_{b.name}", positive=True), b.inertia[0]
             b = replace(b, inertia=(letters[b.name][0],))
         bodies.append(b)
-    if not letters or len(letters) > MOST_BODIES:
+    if not letters or len(letters) > MOST_OTHER_BODIES:
         return None
     more = tuple(Parameter(j, Assumption.POSITIVE) for j, _ in letters.values())
     changed = replace(problem, bodies=tuple(bodies), parameters=(*problem.parameters, *more), answers=None)
     try:
-        with allowed_for("comparing answers", UNITS):
+        with allowed_for("comparing answers", UNITS_OF_OTHER_BODIES):
             return solve(changed), letters
     except ProblemError:
         return None

@@ -16,18 +16,13 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
+from lagrange.answers.limits import CLOSE_LIMIT, LIMIT_SAMPLES, MOST_CONDITION_TERMS
 from lagrange.answers.results.approximate import approximate, root_near
 from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
-
-MOST_TERMS = 8
-"""Terms of a condition, multiplied out, in which one wrong term is sought."""
-
-_SAMPLES = 3
-_CLOSE = 1e-9
 
 
 @record
@@ -183,7 +178,7 @@ class _Limit:
     def is_of(self, other: sp.Expr) -> bool:
         """Whether another slack vanishes at this limit: at random numbers, then exactly."""
         shared = sorted(_symbols(self.slack) & _symbols(other), key=str)
-        if not shared or not all(self._seems_of(other, shared, seed) for seed in range(_SAMPLES)):
+        if not shared or not all(self._seems_of(other, shared, seed) for seed in range(LIMIT_SAMPLES)):
             return False
         if self.solved is None or self.solved[0] not in other.free_symbols:
             return False
@@ -197,12 +192,12 @@ class _Limit:
             root = root_near(lambda v, s=letter: approximate(self.slack, {**point, s: v}), point[letter])  # type: ignore[misc]
             if root is not None:
                 near = [abs(approximate(other, {**point, letter: root + d})) for d in (0.0, 0.1)]
-                return near[0] <= _CLOSE * (1 + near[1])
+                return near[0] <= CLOSE_LIMIT * (1 + near[1])
         return False
 
     def sense(self, other: sp.Expr) -> int:
         """1 if the other slack has the sign of this one, −1 if it has the opposite one."""
-        points = [_point(sp.Add(self.slack, other, evaluate=False), seed) for seed in range(_SAMPLES)]
+        points = [_point(sp.Add(self.slack, other, evaluate=False), seed) for seed in range(LIMIT_SAMPLES)]
         signs = {1 if approximate(self.slack, p) * approximate(other, p) > 0 else -1 for p in points}
         return signs.pop() if len(signs) == 1 else 1
 
@@ -247,7 +242,7 @@ _TIMES = {sp.Integer(2): "twice", sp.Rational(1, 2): "half of"}
 def _of_terms(stated: sp.Expr, right: sp.Expr, coefficients: Collection[sp.Expr] = ()) -> Iterator[str]:
     """One term of the balance that is missing, has the wrong sign, or is another one."""
     own, other = ([*sp.Add.make_args(_cleared(e))] for e in (stated, right))
-    if not 1 < len(other) <= MOST_TERMS or len(own) > MOST_TERMS:
+    if not 1 < len(other) <= MOST_CONDITION_TERMS or len(own) > MOST_CONDITION_TERMS:
         return
     for scale in dict.fromkeys(a / b for a in own for b in other):
         scaled = [sp.powsimp(scale * b) for b in other]

@@ -12,17 +12,13 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.limits import MOST_OTHER_CONTACTS, UNITS_OF_OTHER_CONTACTS
 from lagrange.answers.results.conditions import StatedCondition, is_limit
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Force, Friction, Problem
-
-UNITS = 100_000
-"""Of work for solving the problem with a coefficient for each contact."""
-
-MOST_CONTACTS = 4
 
 
 def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution) -> str:
@@ -35,7 +31,7 @@ def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution)
         return ""
     problem, common = separate
     try:
-        with allowed_for("comparing answers", UNITS):
+        with allowed_for("comparing answers", UNITS_OF_OTHER_CONTACTS):
             solved = solve(problem)
     except ProblemError:
         return ""
@@ -63,7 +59,7 @@ def _with_own_coefficients(problem: Problem) -> tuple[Problem, Common] | None:
     """The problem with a coefficient for each contact; None if none is shared."""
     rough = [f for f in problem.forces if isinstance(f, Friction) and f.static is not None]
     shared = {f.static for f in rough if isinstance(f.static, sp.Symbol)}
-    if len(shared) == len(rough) or len(rough) > MOST_CONTACTS or any(f.static not in shared for f in rough):
+    if len(shared) == len(rough) or len(rough) > MOST_OTHER_CONTACTS or any(f.static not in shared for f in rough):
         return None
     known = {p.symbol: p for p in problem.parameters}
     if not shared <= known.keys() or any(known[mu].value is not None for mu in shared):

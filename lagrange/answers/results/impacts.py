@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
+from lagrange.answers.limits import MOST_STRUCK, RANDOM_ZERO_DIGITS
 from lagrange.answers.models.frequencies import Numbers
 from lagrange.answers.models.mechanics import Mechanics, mechanics_of
 from lagrange.answers.models.questions import explained_value
@@ -18,6 +19,8 @@ from lagrange.answers.models.table import MODELS
 from lagrange.answers.results.meanings import other_meanings
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.problem.model import Problem
+
+_SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
 
 
 def explained_impact(
@@ -111,7 +114,7 @@ def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, prob
     """Of which changed inertia a velocity is, as the end of a sentence."""
     m = mechanics_of(motion.configuration, problem)
     n = len(m.slots.coordinates)
-    if n > MOST_COORDINATES:
+    if n > MOST_STRUCK:
         return None
     number = [q.name for q in m.slots.coordinates].index(name)
     draws = [_Draw(m, motion, seed) for seed in (1, 2)]
@@ -202,7 +205,3 @@ def _solved(rows: list[list[sp.Expr]], number: int) -> sp.Expr | None:
 
 def _close(a: sp.Expr, b: sp.Expr) -> bool:
     return bool(a.is_number and b.is_number and abs(a - b) <= _SMALL * (1 + abs(b)))
-
-
-MOST_COORDINATES = 6
-_SMALL = sp.Float(10) ** -20

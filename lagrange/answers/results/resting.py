@@ -19,7 +19,12 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
-from lagrange.answers.limits import MAX_RESTING_MODELS
+from lagrange.answers.limits import (
+    MAX_RESTING_MODELS,
+    MOST_RESTING_COORDINATES,
+    MOST_RESTING_FACTORS,
+    MOST_RESTING_ROWS,
+)
 from lagrange.answers.models.mechanics import Inertia, Mechanics, mechanics_of
 from lagrange.answers.models.table import MODELS
 from lagrange.answers.models.variation import Variation
@@ -28,7 +33,6 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
 
 Rule = Mapping[sp.Basic, sp.Basic]
-_MOST_ROWS, _MOST_COORDINATES = 2, 5
 _LESS_LIKELY = ("force with another factor", "force in the wrong equation")
 """At rest an arm is taken wrongly more often than a weight."""
 
@@ -46,7 +50,7 @@ class Resting:
     @property
     def usable(self) -> bool:
         """Whether the balance of forces is small enough to be tried, and has no roots, whose signs would be open."""
-        small = len(self.rows) <= _MOST_ROWS and len(self.slots.coordinates) <= _MOST_COORDINATES
+        small = len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
         return small and not any(map(_has_roots, self.own))
 
     @cached_property
@@ -204,7 +208,4 @@ class WrongEquilibria:
             return None
         parts = [p.as_base_exp()[0] for p in sp.Mul.make_args(value) if not p.is_Rational]
         plain = all(p.is_Symbol or isinstance(p, sp.sin | sp.cos | sp.tan) for p in parts)
-        return value if plain and len(parts) <= _MOST_FACTORS else None
-
-
-_MOST_FACTORS = 4
+        return value if plain and len(parts) <= MOST_RESTING_FACTORS else None

@@ -32,7 +32,17 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
     ZeroDivisorError,
 )
-from lagrange.answers.limits import DECIMAL_STATES, MAX_DECIMALS, MAX_PROJECTIONS, NEWTON_STEPS_OF_DECIMALS
+from lagrange.answers.limits import (
+    DECIMAL_STATES,
+    FAR_SHIFT,
+    MAX_DECIMALS,
+    MAX_PROJECTIONS,
+    NEGLIGIBLE_PIVOT,
+    NEWTON_STEPS_OF_DECIMALS,
+    ROUNDING_EDGE,
+    SLOW_PROGRESS,
+    TINY_RESIDUAL,
+)
 from lagrange.answers.readings import decimals_in
 from lagrange.core.symbols import Decimal
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
@@ -160,26 +170,20 @@ def _solved(system: _Residues, states: Sequence[State]) -> list[Any] | None:
     for _ in range(NEWTON_STEPS_OF_DECIMALS):
         pairs = [pair for moving, space in states for pair in system.at(moving, space, shifts)]
         size = max(abs(f) for _, f in pairs)
-        if size < _TINY:
-            return shifts if all(abs(s) <= _EDGE for s in shifts) else None
-        stalled = stalled + 1 if least is not None and size > _SLOW * least else 0
+        if size < TINY_RESIDUAL:
+            return shifts if all(abs(s) <= ROUNDING_EDGE for s in shifts) else None
+        stalled = stalled + 1 if least is not None and size > SLOW_PROGRESS * least else 0
         if stalled > 4:
             return None  # a wrong equation: nothing makes it vanish
         least = size if least is None else min(size, least)
         shifts = _nearest(pairs, shifts)
-        if any(abs(s) > _FAR for s in shifts):
+        if any(abs(s) > FAR_SHIFT for s in shifts):
             return None
     return None
 
 
-_TINY = 1e-62
-_EDGE = 1 + 1e-9
-_FAR = 100
-_SLOW = 0.9
-
-
 def _vanish(system: _Residues, states: Sequence[State], shifts: Sequence[Any]) -> bool:
-    return all(abs(f) < _TINY for moving, space in states for _, f in system.at(moving, space, shifts))
+    return all(abs(f) < TINY_RESIDUAL for moving, space in states for _, f in system.at(moving, space, shifts))
 
 
 def _nearest(pairs: Sequence[tuple[list[Any], Any]], shifts: list[Any]) -> list[Any]:
@@ -219,7 +223,7 @@ def _eliminated(rows: list[list[Any]]) -> list[list[Any]]:
     work, done = [list(row) for row in rows], 0
     for column in range(len(work[0]) - 1 if work else 0):
         best = max(range(done, len(work)), key=lambda n: abs(work[n][column]), default=None)
-        if best is None or abs(work[best][column]) < _NEGLIGIBLE:
+        if best is None or abs(work[best][column]) < NEGLIGIBLE_PIVOT:
             continue
         work[done], work[best] = work[best], work[done]
         work[done] = [x / work[done][column] for x in work[done]]
@@ -228,6 +232,3 @@ def _eliminated(rows: list[list[Any]]) -> list[list[Any]]:
                 work[n] = [x - row[column] * y for x, y in zip(row, work[done], strict=True)]
         done += 1
     return work[:done]
-
-
-_NEGLIGIBLE = 1e-35

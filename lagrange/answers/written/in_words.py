@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 
+from lagrange.answers.limits import LONGEST_IN_WORDS
 from lagrange.core.diagnostics import Fragment
 from lagrange.problem.model import Answers
 
@@ -57,13 +58,11 @@ _NAMES = {
     "akatastati": ("acatastatic", "catastatic"),
 }
 _MOVING = re.compile(r"['\u0307\u0308δ^²]|dot|[xyz]_?[0-9]")
-_LONGEST = 20_000
-"""Characters of a text that are searched."""
 
 
 def stated_in_words(text: str) -> Answers:
     """The number of degrees of freedom and the classes that a text states."""
-    text = text[:_LONGEST]
+    text = text[:LONGEST_IN_WORDS]
     classes: dict[str, None] = {}
     for m in _CLASS.finditer(text):
         positive, negative = _NAMES[m["word"].lower()]

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 
+from lagrange.answers.limits import MOST_LISTED
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, cuts
@@ -29,7 +30,6 @@ _SEVERAL = re.compile(
 )
 """A coordinate with the numbers of several of its values, `\\theta_{3,4}`."""
 _PLUS_MINUS = re.compile(r"±|\\pm(?![A-Za-z])|\+/-")
-_MOST = 8
 
 
 def with_listed_values(fragment: Fragment, declared: Collection[str] = ()) -> Fragment:
@@ -59,7 +59,7 @@ def with_listed_values(fragment: Fragment, declared: Collection[str] = ()) -> Fr
     if signed:
         sides = [_PLUS_MINUS.sub(lambda _, s=sign: s, side) for side in sides for sign in _signs(side)]  # type: ignore[misc]
     stated = all(_EQUALS.search(text[a:b]) for a, b in pieces)
-    if not 1 < len(sides) <= _MOST or (stated and not signed):
+    if not 1 < len(sides) <= MOST_LISTED or (stated and not signed):
         return draft.finished(latex=latex)
     draft.apply([(0, len(text), (r" \text{ or } " if latex else " or ").join(sides))])
     return draft.finished(latex=latex)

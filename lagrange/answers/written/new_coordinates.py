@@ -15,15 +15,13 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.limits import LONGEST_NEW_COORDINATE
 from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.scope import Scope
-
-_MOST = 60
-"""Operations of the other side."""
 
 
 def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr | None:
@@ -39,7 +37,12 @@ def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr |
     for known, other in ((left, right), (right, left)):
         order = _order(known, slots)
         rates = [n for n in range(3) if prime(own, n) in other.free_symbols]
-        if order is None or not rates or count_operations(other) > _MOST or count_operations(known) > _MOST:
+        if (
+            order is None
+            or not rates
+            or count_operations(other) > LONGEST_NEW_COORDINATE
+            or count_operations(known) > LONGEST_NEW_COORDINATE
+        ):
             continue
         if rates == [order]:
             return _integrated(known, other, prime(own, order), order, scope)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import re
 
+from lagrange.answers.limits import LONGEST_NUMBERING
+
 _WIDE = r"(?:\s{2,}|\t|(?:~\s*){2,}|\\q?quad\s*|\\hfill\s*|\\hspace\*?\{[^{}]{0,20}\}\s*|[.…]{3,}\s*|\\dotfill\s*)"
 _SPACE = rf"(?:{_WIDE}|(?:\s|~|\\[,;:! ])+|(?<=[=\s]0)|(?<=[=\s]0\.)|(?<=\$)|(?<=\\tag))"
 _WORD = r"(?:eq(?:uation|n)?s?\.?\s*|gl(?:eichung)?\.?\s*|no\.?\s*|#\s*)?"
@@ -22,8 +24,6 @@ _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
 _RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
 _ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
 _NUMBER = re.compile(rf"(?:{_ANY}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
-_LONGEST = 60
-"""Characters at the end of an equation that are searched for its number."""
 
 
 def number_at_the_end(text: str) -> tuple[int, str]:
@@ -31,7 +31,7 @@ def number_at_the_end(text: str) -> tuple[int, str]:
     if "=" not in text:
         return len(text), ""
     end = len(text.rstrip())
-    start = max(text.rindex("=") + 1, end - _LONGEST)
+    start = max(text.rindex("=") + 1, end - LONGEST_NUMBERING)
     match = _NUMBER.search(text, start)
     if match is None or not text[text.rindex("=") + 1 : match.start()].strip():
         return len(text), ""

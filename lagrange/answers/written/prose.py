@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
+from lagrange.answers.limits import SHORTEST_WORD
 from lagrange.answers.written.notation.plain import is_rate
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
@@ -38,8 +39,6 @@ _CONDITIONS = (
     "when if until till once whenever provided unless while wenn falls sobald bis lorsque quand si iff assuming"
 )
 _CONDITIONAL = frozenset(_CONDITIONS.split())
-_SHORTEST = 4
-"""Letters of a word of prose."""
 
 
 def without_prose(fragment: Fragment, known: Callable[[str], bool]) -> Fragment:
@@ -81,7 +80,7 @@ def words_known(scope: Scope, texts: Sequence[str]) -> Callable[[str], bool]:
 def _is_prose(word: str, known: Callable[[str], bool]) -> bool:
     plain = re.sub("['’]s$", "", word)
     lower = plain.lower()
-    if len(plain) < _SHORTEST or lower in FUNCTIONS or lower in OPERATIONS or lower in GREEK.values():
+    if len(plain) < SHORTEST_WORD or lower in FUNCTIONS or lower in OPERATIONS or lower in GREEK.values():
         return False
     return plain.isascii() is False or not known(plain)
 

@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answers.limits import MOST_SIDE_DEFINITIONS
 from lagrange.answers.written.notation.plain import cleaned
 from lagrange.answers.written.other_names import without_arguments
 from lagrange.answers.written.reading import too_long, tried
@@ -40,7 +41,6 @@ _LABEL = re.compile(
     rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[0-9{''.join(SUBSCRIPTS)}]{{1,3}}|_{_INDEX}|\^(?!\s*\{{?\s*2){_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
     r"(?P<square>(?:\^\s*\{?\s*2\s*\}?|²)?)\s*\Z"
 )
-_MOST_DEFINITIONS = 5
 
 
 @record
@@ -70,7 +70,7 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
     scope = _with_marked(text, scope)
     parts = _parts(text)
     beyond = parts[1:]
-    if not beyond or len(beyond) > _MOST_DEFINITIONS:
+    if not beyond or len(beyond) > MOST_SIDE_DEFINITIONS:
         parts = [text]
     else:
         is_value = len(cuts(parts[0].text, _EQUALS)) == 1

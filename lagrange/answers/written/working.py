@@ -16,7 +16,7 @@ from dataclasses import field, replace
 
 import sympy as sp
 
-from lagrange.answers.limits import MAX_LINES
+from lagrange.answers.limits import LONGEST_LAW, LONGEST_WRITTEN_NAME, MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
 from lagrange.answers.written.cases.special import about_special_cases
@@ -56,9 +56,6 @@ _AT_ZERO = re.compile(
 )
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _WORDS = re.compile(r"[^\W\d]+")
-_LONGEST_LAW = 60
-_LONGEST_NAME = 60
-"""Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
 _INDEX = re.compile(r"[_^]\{[^{}]*\}")
 _NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
 """What does not occur in a side that is a name alone: a quick test before the side is read."""
@@ -312,7 +309,7 @@ class _Sorting:
 
     def _is_general_law(self, line: Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
-        if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > _LONGEST_LAW:
+        if len(set(undeclared(line.reading, line.text))) < 2 or len(line.text) > LONGEST_LAW:
             return False
         names = {n.strip("_") for n in _WORDS.findall(line.text)}
         names |= {GREEK[c] for c in line.text if c in GREEK}
@@ -379,7 +376,7 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
-        if len(side.text.strip()) > _LONGEST_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
+        if len(side.text.strip()) > LONGEST_WRITTEN_NAME or _NO_NAME.search(_INDEX.sub("", side.text)):
             return "", ""
         known = self.names.get(side.text)
         if known is None or known[0] is not self.scope:

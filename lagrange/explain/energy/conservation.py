@@ -10,6 +10,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_INTEGRAL, MOST_MULTIPLES
 from lagrange.explain.motion import label_of
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -24,10 +25,6 @@ from lagrange.mechanics.dynamics.conservation import (
 
 SMALL = ("epsilon", "eta", "delta", "zeta")
 """Letters for a small number; the first that the problem does not use is taken."""
-LONGEST = 150
-"""Operations of an integral that is still shown without being asked for."""
-MOST_TERMS = 6
-"""The most multiples of equations of motion that are named where they add up to the rate of an integral."""
 
 
 def explain_conserved(
@@ -65,7 +62,7 @@ def _shown(
         Equation((i.expression, CONSTANT), label=f"conserved{suffix}-{conserved.integrals.index(i) + 1}")
         for i in integrals
     ]
-    long = any(count_operations(i.expression) > LONGEST for i in integrals)
+    long = any(count_operations(i.expression) > LONGEST_INTEGRAL for i in integrals)
     ending = "." if long else ":"
     return [
         prose(*_reason(conserved, integrals, small), ". ", *_conclusion(conserved, integrals, proofs=proofs), ending),
@@ -193,7 +190,7 @@ def proof_of(conserved: Conserved, integral: Integral) -> tuple[Part, ...]:
         terms.append((reference,) if m == 1 else (*factor, " times ", reference))
     if len(terms) < 2:
         return terms[0] if terms else ()
-    if len(terms) > MOST_TERMS:
+    if len(terms) > MOST_MULTIPLES:
         return ("a combination of the equations of motion",)
     return ("the sum of ", *series(terms))
 

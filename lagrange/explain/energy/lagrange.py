@@ -10,13 +10,12 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.displacements import conditions
 from lagrange.explain.energy.energies import LagrangeExposition
+from lagrange.explain.limits import LONGEST_INTERMEDIATE
 from lagrange.explain.motion import final_equations, scaling, title_of_equations
 from lagrange.explain.newton import nature
 from lagrange.explain.words import capital, constraints_called, in_brackets, plural
 
 ZERO = sp.S.Zero
-LONGEST = 60
-"""Operations of an intermediate line that is still shown without being asked for."""
 
 
 def explain_lagrange(setup: LagrangeExposition) -> Step:
@@ -140,7 +139,7 @@ def _derivatives(setup: LagrangeExposition) -> list[Block]:
         if p != 0
     ]
     absent = [q for q, p in zip(setup.coordinates, energies.partials, strict=True) if p == 0]
-    long = any(count_operations(rate) > LONGEST for rate in energies.rates)
+    long = any(count_operations(rate) > LONGEST_INTERMEDIATE for rate in energies.rates)
     body: list[Block] = []
     if absent_velocities:
         zero = [letters.momentum(q) for q, p in zip(setup.coordinates, energies.momenta, strict=True) if p == 0]
@@ -283,7 +282,9 @@ def _eliminated(setup: LagrangeExposition) -> list[Block]:
         Equation((r.force, value), label=f"force-of{setup.suffix}-{r.name}")
         for r, value in zip(reactions, motion.forces, strict=True)
     ]
-    long = any(count_operations(line.sides[1]) > LONGEST for line in lines if isinstance(line.sides[1], sp.Expr))
+    long = any(
+        count_operations(line.sides[1]) > LONGEST_INTERMEDIATE for line in lines if isinstance(line.sides[1], sp.Expr)
+    )
     names = {r.called for r in reactions}
     what = "reaction" if len(names) > 1 else names.pop()
     of = plural(len(motion.elimination.dependent), "The equation for ", "The equations for ")

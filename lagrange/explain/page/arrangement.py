@@ -20,6 +20,7 @@ from lagrange.document.derivation import Block, Detail, Display, Equation, Math,
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.limits import LONGEST_BEFORE, LONGEST_BESIDE_CHOICE
 from lagrange.explain.newton import explain_works
 from lagrange.explain.page.bodies import alike_about_all_axes
 from lagrange.explain.page.constraints import (
@@ -113,11 +114,6 @@ from lagrange.mechanics.rewriting.constraint_forms import common_number, with_sh
 from lagrange.mechanics.rewriting.factors import has_one_sign
 from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations, in_names
-
-LONGEST_BESIDE = 15
-"""The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
-LONGEST_BEFORE = 25
-"""The most operations of a reaction in the file's coordinates that is shown beside that in the chosen ones."""
 
 _FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
 """What comes under one title with the coordinates in which it is."""
@@ -260,7 +256,7 @@ def _is_detour(solution: Solution, step: Step) -> bool:
     moving = {*solution.own.configuration.slots.coordinates, *first.configuration.slots.coordinates, t}
     if all(not e.free_symbols & moving for e in first.configuration.expressed.values()):
         return True  # the others are constant
-    return turning or sum(count_operations(e) for e in own.expressions) > LONGEST_BESIDE
+    return turning or sum(count_operations(e) for e in own.expressions) > LONGEST_BESIDE_CHOICE
 
 
 def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:

@@ -16,18 +16,16 @@ from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
+from lagrange.explain.limits import FEWEST_TOGETHER
 from lagrange.explain.words import capital, introduced, joined, plural
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import vector_with_factor, with_factor
-
-FEWEST = 2
-"""The fewest bodies that are introduced together."""
 
 
 def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Block, ...]:
     """The statement with several bodies introduced together, and what acts on any; as it is for fewer."""
     configuration, problem = solution.own.configuration, solution.problem
-    several = len(problem.bodies) >= FEWEST and len(problem.bodies) == len(configuration.rotations)
+    several = len(problem.bodies) >= FEWEST_TOGETHER and len(problem.bodies) == len(configuration.rotations)
     plain = all(b.angle is not None or (b.axes and b.products == NO_PRODUCTS) for b in problem.bodies)
     points = [p.name for p in configuration.points]
     introducing = {f"{kind}-{name}" for name in points for kind in ("position", "spin", "momentum")}

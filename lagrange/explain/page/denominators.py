@@ -11,10 +11,9 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import free_letter
 from lagrange.document.derivation import Block, Display, Equation, Step
+from lagrange.explain.limits import SHORTEST_NAMED
 from lagrange.mechanics.rewriting.factors import letter_for
 
-SHORTEST = 12
-"""The fewest operations of a denominator that gets a letter."""
 SHORTEST_OF_MANY = 9
 """The fewest of one that three lines or more share."""
 
@@ -29,7 +28,9 @@ def _named(block: Block, taken: Collection[str]) -> Block:
         return block
     counts = Counter(base for e in block.equations for base in {*_below(e)})
     shared = [
-        b for b, n in counts.items() if n > 1 and count_operations(b) >= (SHORTEST if n == 2 else SHORTEST_OF_MANY)
+        b
+        for b, n in counts.items()
+        if n > 1 and count_operations(b) >= (SHORTEST_NAMED if n == 2 else SHORTEST_OF_MANY)
     ]
     if len(shared) != 1:
         return block

@@ -32,18 +32,13 @@ from lagrange.document.derivation import (
     Table,
 )
 from lagrange.explain.bodies import stated_triads, unit_vectors
+from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
 from lagrange.mechanics.rewriting.readable_equality import multiplied_out
-
-LONGEST_IN_LINE = 12
-"""The most operations of a product of differentials that is written in its sentence."""
-_MOST_LINES = 1
-"""The most stated equations that are printed at the head and again at the end."""
-
 
 # -- one name for one unit vector ------------------------------------------------------------------------------------
 
@@ -225,7 +220,7 @@ def _is_kinematic(block: Display) -> bool:
 
 def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
     """Whether a box of several lines has only equations that were shown."""
-    return len(block.equations) > _MOST_LINES and all(e.sides in shown for e in block.equations)
+    return len(block.equations) > MOST_LINES_TWICE and all(e.sides in shown for e in block.equations)
 
 
 def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
@@ -494,10 +489,6 @@ def _without_momentum(part: Part) -> Part:
     momenta = ", angular velocities and angular momenta(?: about the mass centres)?"
     part = re.sub(momenta, " and angular velocities", part)
     return capital(part) if part.startswith("its angular") else part
-
-
-LONGEST_STEP = 60
-"""The most operations of an intermediate expression in the answer to a question."""
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:

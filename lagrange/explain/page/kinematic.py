@@ -16,6 +16,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
 from lagrange.explain.displacements import conditions, explain_displacements
+from lagrange.explain.limits import LONGEST_SOLUTION
 from lagrange.explain.words import in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -24,9 +25,6 @@ from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import frobenius_on_surface, only_coordinate, without_common_number
 from lagrange.mechanics.rewriting.free_displacements import free_displacements
 from lagrange.mechanics.rewriting.in_speeds import squares_by_constraints, with_squares
-
-LONGEST_SOLUTION = 40
-"""The most operations of the dependent displacements together that are written by the free ones."""
 
 
 def explain_short_forms(short: Classification, slots: Slots) -> Step:

@@ -16,6 +16,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variati
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_FORMS, SHORT_WORK
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
@@ -33,8 +34,6 @@ from lagrange.mechanics.rewriting.readable_equality import is_same
 ZERO = sp.S.Zero
 MOST_NAMED = 3
 """The most bodies that are named where reactions do work on each of them."""
-LONGEST_FORMS = 12
-"""The most operations of the conditions on virtual displacements in components; longer ones of rods are in vectors."""
 """Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
 
 
@@ -331,10 +330,6 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
         elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
             body.append(block)
     return replace(step, body=(*body, *_single(several, ())))
-
-
-SHORT_WORK = 24
-"""The most operations of the virtual work of reactions that is written out where the forms have just been shown."""
 
 
 def work_by_forms(solution: Solution, step: Step) -> Step:

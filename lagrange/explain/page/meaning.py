@@ -13,6 +13,7 @@ from lagrange.core.symbols import CONSTANT, Unspecified, base, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
+from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
@@ -28,11 +29,6 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import SmallOscillations
-
-MOST_MULTIPLIERS = 2
-"""The most equations of motion whose multiples are named where they add up to the rate of a quantity."""
-LONGEST_LINE = 24
-"""The most operations of a conserved quantity that is written in its sentence."""
 
 
 def explain_meaning(
@@ -150,7 +146,7 @@ def _conserved(
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
     step = _without_constant_coordinates(step, conserved)
     step = replace(step, body=tuple(_in_remaining(b, conserved) for b in step.body))
-    short = all(count_operations(i.expression) <= LONGEST_LINE for i in conserved.integrals)
+    short = all(count_operations(i.expression) <= LONGEST_CONSERVED_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
         jacobi = any(i.quantity is ConservedQuantity.JACOBI for i in conserved.integrals)
@@ -266,7 +262,7 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
     form = meaning.view.in_speeds
     if form is None:
         return
-    for way in one_way(form, meaning.view.configuration.slots, LONGEST_LINE):
+    for way in one_way(form, meaning.view.configuration.slots, LONGEST_CONSERVED_LINE):
         sign, course = _COURSES[way.course]
         only: tuple[Part, ...] = ()
         if way.still is not None:

@@ -12,7 +12,8 @@ from lagrange.core.symbols import Slots, variation
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.displacements import LONGEST, conditions, of_points, solved_displacements
+from lagrange.explain.displacements import conditions, of_points, solved_displacements
+from lagrange.explain.limits import LONGEST_DISPLACEMENT, LONGEST_SUM
 from lagrange.explain.motion import WRITTEN_OUT, accelerations_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import plural, suffix_of
@@ -21,9 +22,6 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_equality import has_plain_accelerations
-
-LONGEST_SUM = 60
-"""The most operations of the principle in independent displacements that is shown before the equations themselves."""
 
 
 def displacements_shortly(step: Step) -> Step:
@@ -111,7 +109,7 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
     solved = motion.elimination.solved(slots)
     if not rows or not solved:
         return step
-    if any(count_operations(value) > LONGEST for value in solved.values()):
+    if any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values()):
         return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
     pivots = conditions(motion.elimination)
     where: tuple[Part, ...] = (" where ", *pivots) if pivots else ()

@@ -31,6 +31,7 @@ from lagrange.document.derivation import (
     Step,
 )
 from lagrange.explain.displacements import solved_displacements
+from lagrange.explain.limits import LONGEST_MULTIPLIER
 from lagrange.explain.words import plural, the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
@@ -40,9 +41,6 @@ from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import with_common_factor
 from lagrange.mechanics.rewriting.in_speeds import rates_by_speeds, substituted
 from lagrange.problem.model import Problem
-
-LONGEST = 60
-"""The most operations of a multiplier that is shown."""
 
 
 def ends_with_speeds(solution: Solution) -> bool:
@@ -80,7 +78,7 @@ def short_in_speeds(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]
     known: set[str] = set()  # of the head, which comes before the quasi-velocities are defined
 
     def side(value: Mathematics) -> Mathematics:
-        if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST:
+        if not isinstance(value, sp.Expr) or not value.has(*rule) or count_operations(value) > LONGEST_MULTIPLIER:
             return value
         if isinstance(value, TimeDerivative):
             return TimeDerivative(side(value.args[0]))
@@ -116,7 +114,11 @@ def _are_long(solution: Solution) -> bool:
         return False
     nameless = all(r.single is None and r.given is None for r in law.newton.reactions)
     values = [v for v in dynamics.reactions.multipliers.values() if v is not None]
-    return nameless and reaction_as_a_whole(solution) is None and any(count_operations(v) > LONGEST for v in values)
+    return (
+        nameless
+        and reaction_as_a_whole(solution) is None
+        and any(count_operations(v) > LONGEST_MULTIPLIER for v in values)
+    )
 
 
 def _without_rates(solution: Solution, block: Block) -> Block:

@@ -17,6 +17,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
+from lagrange.explain.limits import LONGEST_ANSWER, LONGEST_ANSWER_CONDITIONS, LONGEST_RESULT, MOST_RESULTS
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations
@@ -30,20 +31,12 @@ from lagrange.mechanics.valued import values_in
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
 
-LONGEST = 120
-"""The most operations of the equations in the result at the head."""
-MOST = 8
-"""The most equations there."""
 LONGER = 3
 """How many times longer than equations with constraints constant accelerations may be that take their place there."""
-LONGEST_ANSWER = 30
-"""The most operations of one answer, frequency or condition there."""
 LONGEST_ACCELERATION = 20
 """The most operations of a constant acceleration there, instead of the equations that it solves."""
 LONGEST_ROOT = 10
 """The most operations of a radicand in equations of motion there, where small oscillations are what is asked."""
-LONGEST_CONDITIONS = 16
-"""The most operations of the conditions beside an answer to a question."""
 
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
@@ -81,7 +74,7 @@ def explain_result(
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     while kept and not _is_short(kept.values()):
-        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
+        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(map(_operations, kept[rule]))))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
         yield from _of_constraints(solution, steps)
@@ -166,7 +159,7 @@ def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
         f"{in_words(classification.degrees_of_freedom, 'degree').capitalize()} of freedom; {kind}{because} and {time}"
     )
     functions = (*(f for _, f in classification.integrals), *(c.function for c in classification.combined[:1]))
-    lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST]
+    lines = [Equation((f, CONSTANT)) for f in functions if count_operations(f) <= LONGEST_ANSWER][:MOST_RESULTS]
     vectors = [*_displacements(steps)]
     if vectors and not lines:
         same = "" if len(vectors) > 1 else " are the same"
@@ -292,7 +285,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
             Equation((q, sp.S.Zero), condition=("where ", math(w**2, place)))
             for q, places in zip(coordinates, view.response.rests, strict=True)
             for place in places
-            if place.is_positive and count_operations(place) <= LONGEST_CONDITIONS
+            if place.is_positive and count_operations(place) <= LONGEST_ANSWER_CONDITIONS
         ]
         yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *still]
     elif view.forced is not None:
@@ -340,7 +333,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
-        if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_CONDITIONS:
+        if sum(count_operations(c.lhs - c.rhs) for c in b.conditions) > LONGEST_ANSWER_CONDITIONS:
             clauses.append(("under conditions that are given below",))
         elif b.conditions:
             clauses.append(("where ", *sign_conditions(b.conditions)))
@@ -355,7 +348,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
 
 def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:
     lines = [e for es in parts for e in es]
-    return len(lines) <= MOST and sum(map(_operations, lines)) <= LONGEST
+    return len(lines) <= MOST_RESULTS and sum(map(_operations, lines)) <= LONGEST_RESULT
 
 
 def _operations(equation: Equation) -> int:

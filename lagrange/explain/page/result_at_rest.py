@@ -14,6 +14,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Equation, Part, Rule
+from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
@@ -25,18 +26,13 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
-LONGEST_LINE = 30
-"""The most operations of the square of a frequency, or of a line about a steady motion."""
-LONGEST_WORDS = 12
-"""The most operations of the conditions of stability beside a solution."""
-
 
 def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates."""
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
     yield Rule.FRICTION_AT_REST, [*_friction(view)]
     if view.steady is not None:
-        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_LINE]
+        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_FREQUENCY]
     if view.linearization is not None:
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers)]
 
@@ -144,7 +140,7 @@ def _frequencies(linearization: Linearization, numbers: EquilibriaInNumbers | No
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
         squares = [f.square for f in at.frequencies]
-        if any(s is None or count_operations(s) > LONGEST_LINE for s in squares):
+        if any(s is None or count_operations(s) > LONGEST_FREQUENCY for s in squares):
             continue
         about = listed(math(r.lhs, r.rhs) for r in b.equations)
         words: tuple[Part, ...] = ("about ", *about) if about else ()

@@ -9,6 +9,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
+from lagrange.explain.limits import MOST_SYMBOLS, SHORT_SIDE
 from lagrange.explain.page.bodies import introduced_together
 from lagrange.explain.page.coordinates import explain_measures, is_letter
 from lagrange.explain.page.texts import set_text
@@ -16,11 +17,6 @@ from lagrange.explain.words import capital, introduced, joined, plural, spoken, 
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
-
-SHORT = 6
-"""The most operations of a side of an equation beside which another has room."""
-MOST_SYMBOLS = 10
-"""The most symbols that a sentence introduces; more are easier to find in a table."""
 
 
 def explain_system(solution: Solution, step: Step) -> Step:
@@ -109,4 +105,4 @@ def _with_masses(points: Sequence[MassPoint]) -> Iterator[Part]:
 def are_short(equations: Sequence[Equation]) -> bool:
     """Whether two of them have room in a line."""
     components = (s.as_sum() if isinstance(s, Vector) else s for e in equations for s in e.sides)
-    return all(count_operations(c) <= SHORT for c in components)
+    return all(count_operations(c) <= SHORT_SIDE for c in components)

@@ -17,6 +17,7 @@ from lagrange.core.symbols import UnitVector
 from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
 from lagrange.document.derivation import Part
+from lagrange.explain.limits import MOST_FORMULAS
 from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.problem.model import Problem
 
@@ -27,8 +28,6 @@ _NUMBERED = re.compile(r"[a-z]_?\d")
 """Vectors whose names are no words: n1, e_3."""
 _NAMED = re.compile(r"`(\w+)` is not declared")
 _WORDS = frozenset({"a", "A", "I"})
-MOST_FORMULAS = 50
-"""Of formulas in one text that are set; a description has two or three."""
 
 
 def set_text(text: str, problem: Problem) -> tuple[Part, ...]:

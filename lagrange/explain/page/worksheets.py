@@ -28,14 +28,11 @@ from lagrange.document.derivation import (
     Step,
     Task,
 )
+from lagrange.explain.limits import LEAST_ROOM, LINES_OF_EQUATION, MOST_ROOM
 from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
 from lagrange.explain.words import as_stated, constraints_called, plural, spoken
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Find, Problem, Question
-
-LEAST_ROOM, MOST_ROOM = 6, 18
-"""Lines of handwriting; a page of A4 has about 30."""
-LINES_OF_EQUATION = 2
 
 _FORCES = (Rule.REACTIONS, Rule.WORKLESS)
 _PRINCIPLE = (

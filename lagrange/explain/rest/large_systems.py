@@ -12,6 +12,7 @@ from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Rule, Step, Table
 from lagrange.explain.constraints import explain_classification, explain_freedom
+from lagrange.explain.limits import LARGE_SYSTEM_DIGITS, LONGEST_CONSTRAINT
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -21,12 +22,6 @@ from lagrange.mechanics.nearby.long_equations import LongEquations
 from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
 from lagrange.mechanics.nearby.stable_range import StableRange
 from lagrange.mechanics.results import Solution
-
-LONGEST = 30
-"""Operations of a constraint that is printed."""
-
-DIGITS = 6
-"""Of a number; JSON has all that are certain."""
 
 
 def large_system_steps(solution: Solution, taken: frozenset[str]) -> Iterator[Step]:
@@ -84,7 +79,7 @@ def _rest(rest: RestInNumbers, configuration: Configuration) -> Step:
 
 def _constraints(classification: Classification) -> Step:
     """The constraints, those that are short written out, and what each is."""
-    short = [c for c in classification.constraints if count_operations(c.constraint.function) <= LONGEST]
+    short = [c for c in classification.constraints if count_operations(c.constraint.function) <= LONGEST_CONSTRAINT]
     lines = [Equation((c.constraint.lhs, c.constraint.rhs), label=f"constraint-{c.row.name}") for c in short]
     rows = tuple(
         (
@@ -203,7 +198,7 @@ def _inside(r: StableRange) -> tuple[sp.Expr, ...]:
 
 
 def _short(x: sp.Expr) -> sp.Expr:
-    return x if x is sp.oo or x == 0 else sp.Float(x, DIGITS)
+    return x if x is sp.oo or x == 0 else sp.Float(x, LARGE_SYSTEM_DIGITS)
 
 
 def _shorter(block: LinearBlock) -> LinearBlock:
@@ -211,7 +206,8 @@ def _shorter(block: LinearBlock) -> LinearBlock:
 
     def short(rows: tuple[tuple[sp.Expr, ...], ...]) -> tuple[tuple[sp.Expr, ...], ...]:
         return tuple(
-            tuple(e.xreplace({f: sp.Float(f, DIGITS) for f in e.atoms(sp.Float)}) for e in row) for row in rows
+            tuple(e.xreplace({f: sp.Float(f, LARGE_SYSTEM_DIGITS) for f in e.atoms(sp.Float)}) for e in row)
+            for row in rows
         )
 
     return replace(block, mass=short(block.mass), damping=short(block.damping), stiffness=short(block.stiffness))
@@ -222,7 +218,7 @@ def _exponents(block: LinearBlock) -> Iterator[str]:
     for p in block.exponents:
         real, imaginary = (float(x) for x in p.as_real_imag())
         if imaginary >= 0:
-            text = f"{real:.{DIGITS}g}" + (f" ± {imaginary:.{DIGITS}g}i" if imaginary else "")
+            text = f"{real:.{LARGE_SYSTEM_DIGITS}g}" + (f" ± {imaginary:.{LARGE_SYSTEM_DIGITS}g}i" if imaginary else "")
             yield text.replace("-", "\u2212")
 
 

@@ -14,6 +14,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
 from lagrange.explain.rest.statics import full_turns, outside_ranges, singular_places
 from lagrange.explain.words import (
     branch_conditions,
@@ -33,12 +34,6 @@ from lagrange.mechanics.rewriting.readable_equality import is_linear
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
-LONGEST_CONDITIONS = 30
-"""The most operations of conditions of stability that are written out where an equation before has the same."""
-LONGEST_BESIDE = 15
-"""The most operations of a mode that is shown beside its frequency."""
-LONGEST = 120
-"""The most operations of conditions, or of a characteristic equation, that are shown."""
 
 
 def explain_linearization(linearization: Linearization, *, after_equilibrium: bool = False) -> Step:
@@ -102,7 +97,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
     cancelled = "Time appears in the positions but cancels in the equations of motion. "
     start = (cancelled if linearization.driven else "") + "At rest all velocities and accelerations are zero"
     shown = list(dict.fromkeys(c.expression for c in e.conditions))
-    long = not linearization.complete and sum(count_operations(c) for c in shown) > LONGEST
+    long = not linearization.complete and sum(count_operations(c) for c in shown) > LONGEST_CHARACTERISTIC
     if e.configuration.rows:
         start += ". Reactions balance the remaining forces" + (", and the constraints hold," if finite else "")
     elif not shown:
@@ -251,7 +246,7 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     gyroscopic = s.system.kind is VelocityTerms.GYROSCOPIC
     wave = ("exp(i " if gyroscopic else "cos(", math(unknown), " ", math(TIME), ")")
     closed = all(f.square is not None for f in s.frequencies)
-    if len(s.free) > 1 and count_operations(c) <= LONGEST:
+    if len(s.free) > 1 and count_operations(c) <= LONGEST_CHARACTERISTIC:
         words = ", with constant amplitudes not all zero, exist if"
         yield prose("Solutions proportional to ", *wave, words, detail=detail)
         yield display(Equation((c, ZERO), label=label_of(linearization, "frequencies", n)), detail=detail)
@@ -304,7 +299,7 @@ def _presupposed(f: Frequency, before: str = "") -> tuple[Part, ...]:
 
 def _long_ratios(f: Frequency, s: SmallOscillations, linearization: Linearization) -> list[Equation]:
     """ξ_2/ξ_1 = ..., for a mode too long to be shown beside its frequency, where it could not be broken."""
-    if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(count_operations(a) for a in f.modes[0]) <= LONGEST_BESIDE:
+    if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(count_operations(a) for a in f.modes[0]) <= LONGEST_MODE:
         return []
     first, *others = (linearization.displacements[k] for k in s.free)
     lines = [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
@@ -315,7 +310,7 @@ def _damped(n: int, s: SmallOscillations, linearization: Linearization) -> Itera
     """With damping: the characteristic equation for p; for one coordinate the frequency and the damping ratio."""
     p, c = s.unknown, s.characteristic
     wave = ("exp(", math(p), " ", math(TIME), ")")
-    if c is not None and count_operations(c) <= LONGEST:
+    if c is not None and count_operations(c) <= LONGEST_CHARACTERISTIC:
         yield prose("Nonzero solutions proportional to ", *wave, " exist if")
         yield display(Equation((c, ZERO), label=label_of(linearization, "exponents", n)))
     if s.damped is not None:
@@ -390,12 +385,12 @@ def _decaying(n: int, s: SmallOscillations, damped: DampedModes, linearization: 
                     "the two rates ", math(sigma), " ± ", math(root), ".")  # fmt: skip
     if damped.left:
         yield prose("The other roots are those of")
-        yield display(*(Equation((f, ZERO)) for f, _ in damped.left if count_operations(f) <= LONGEST))
+        yield display(*(Equation((f, ZERO)) for f, _ in damped.left if count_operations(f) <= LONGEST_CHARACTERISTIC))
 
 
 def _damped_shape(m: DampedMode, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:
     """`with ξ_1 : ξ_2 as 1 : −1`."""
-    if not m.shape or sum(count_operations(a) for a in m.shape) > LONGEST_BESIDE:
+    if not m.shape or sum(count_operations(a) for a in m.shape) > LONGEST_MODE:
         return ()
     moved = (linearization.displacements[k] for k in s.free)
     return ("with ", math(*moved, relation=":"), " as ", math(*m.shape, relation=":"))
@@ -496,7 +491,7 @@ def _why(s: SmallOscillations) -> tuple[Part, ...]:
     one = len(s.free) == 1
     stable = stability.verdict is StabilityVerdict.STABLE
     grows = " is negative, so some motion grows exponentially: "
-    long = any(count_operations(m) > LONGEST_BESIDE for m in stability.minors[:1])
+    long = any(count_operations(m) > LONGEST_MODE for m in stability.minors[:1])
     match ground:
         case Ground.POTENTIAL if not stable:
             return ("Some displacement produces a force that increases it: ",)

@@ -12,6 +12,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose, 
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
+from lagrange.explain.limits import LONGEST_MINORS
 from lagrange.explain.words import (
     branch_conditions,
     brief,
@@ -320,7 +321,7 @@ def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
     for name in dict.fromkeys(name for pulls in equilibrium.pulls for name in pulls):
         forces: dict[sp.Expr, list[Part]] = {}
         for n, pulls in enumerate(equilibrium.pulls, start=1):
-            if name in pulls and count_operations(pulls[name]) <= LONGEST:
+            if name in pulls and count_operations(pulls[name]) <= LONGEST_MINORS:
                 forces.setdefault(pulls[name], []).append(Ref(f"equilibrium{suffix}-{n}"))
         if forces:
             sizes = series((math(f), " at ", *listed(places)) for f, places in forces.items())
@@ -393,7 +394,7 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
 def _in_brief(s: Stability) -> tuple[Part, ...]:
     """The stability in short; of long conditions only that there are some."""
     said = (*s.conditions, *s.presupposed, *s.unstable)
-    if sum(count_operations(c.lhs - c.rhs) for c in said) > LONGEST:
+    if sum(count_operations(c.lhs - c.rhs) for c in said) > LONGEST_MINORS:
         return ("its stability depends on the parameters",)
     return stability_in_short(s)
 
@@ -420,12 +421,8 @@ def _freely(s: Stability) -> tuple[Part, ...]:
     return (", ", *listed(math(variation(q)) for q in s.free), " being free,")
 
 
-LONGEST = 30
-"""The most operations of the minors of a matrix that are shown."""
-
-
 def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
-    long = not one and sum(count_operations(m) for m in s.minors) > LONGEST
+    long = not one and sum(count_operations(m) for m in s.minors) > LONGEST_MINORS
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
     where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
@@ -445,7 +442,7 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
         case StabilityVerdict.STABLE:
             return (*what, ", positive" if one else ", all positive", *where, ": stable.")
         case StabilityVerdict.UNSTABLE if s.principal is not None:
-            if long or count_operations(s.principal) > LONGEST:
+            if long or count_operations(s.principal) > LONGEST_MINORS:
                 return ("another principal minor is negative", *where, ": unstable.")
             return (*what, "; another principal minor is ", math(s.principal), *where, ": unstable.")
         case StabilityVerdict.UNSTABLE if long:

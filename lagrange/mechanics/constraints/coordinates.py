@@ -26,11 +26,8 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, partial, prime
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
-from lagrange.mechanics.constraints.limits import LONGEST_EXPANDED, LONGEST_SOLVED, MOST_SOLVED_TERMS
+from lagrange.mechanics.constraints.limits import LONGEST_EXPANDED, LONGEST_SHOWN, LONGEST_SOLVED, MOST_SOLVED_TERMS
 from lagrange.problem.model import Choice
-
-LONGEST_SHOWN = 25
-"""The most operations of what a constraint becomes that an error shows."""
 
 
 @record

@@ -43,3 +43,9 @@ LONGEST_DISPLACEMENTS = 3000
 
 # The first coordinates of which each pair is tried as turning with a moving constraint [3].
 MOST_TURNED = 6
+
+LONGEST_SHOWN = 25
+"""The most operations of what a constraint becomes that an error shows."""
+
+MOST_MEASURED_POINTS = 6
+"""The most points whose differences are looked at for what an angle measures: 15 pairs."""

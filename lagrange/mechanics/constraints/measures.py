@@ -20,9 +20,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-
-MOST_POINTS = 6
-"""The most points whose differences are looked at."""
+from lagrange.mechanics.constraints.limits import MOST_MEASURED_POINTS
 
 
 @record
@@ -44,7 +42,7 @@ class Angle:
 
 def angles(configuration: Configuration, symbols: Sequence[sp.Symbol]) -> tuple[Angle, ...]:
     """What the given coordinates measure, as far as they are angles of lines between points; each once."""
-    written = [c for p in configuration.points[:MOST_POINTS] for c in p.position.fixed().components]
+    written = [c for p in configuration.points[:MOST_MEASURED_POINTS] for c in p.position.fixed().components]
     waves = [w for c in written for w in c.atoms(sp.sin, sp.cos)]
     sought = [q for q in symbols if any(w.args[0] == q for w in waves)]
     measured: dict[sp.Symbol, Angle] = {}
@@ -69,7 +67,7 @@ def of_mass_centre(configuration: Configuration, symbols: Sequence[sp.Symbol]) -
 
 def _lines(configuration: Configuration) -> Iterator[tuple[str, str, Vector]]:
     """The lines between points: those along rods first."""
-    points = configuration.points[:MOST_POINTS]
+    points = configuration.points[:MOST_MEASURED_POINTS]
     slots = {*configuration.slots.coordinates}
     moving = [p for p in points if _depends(p.position, slots)]
     rigid: list[tuple[str, str, Vector]] = []

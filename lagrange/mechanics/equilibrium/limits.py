@@ -83,3 +83,44 @@ DRAWS_OF_LIMITS = 60
 CONTACTS_OF_LIMITS = 3
 # Cases of these limits, by how often the drawn numbers lead to them.
 MOST_REGIMES = 3
+
+MOST_FORCED = 4
+"""The most coordinates for which a steady state is written in symbols."""
+
+MOST_UNKNOWNS = 4
+MOST_CHARTS = 2
+"""Unknowns of equilibria in numbers, and choices of rows for the elimination of multipliers that are tried until the
+list is complete: the boxes of the search grow with 2^n."""
+
+USUAL_SIZE = 10
+WITHOUT_LENGTHS = 100
+"""Lengths are searched up to so many times the sum of the lengths in the problem; up to this where it has none."""
+
+ROUND = 3.3
+"""TODO mechanics/equilibrium/numerical_equilibria.py"""
+
+NEWTON_STEPS = 40
+STILL = 1e-10
+"""Steps of Newton's method from one place, and the residual of a place of rest, in floating point."""
+
+SMALL_PIVOT = 1e-6
+"""A pivot below this part of the largest entry is none: the rank drops where zeros fill a curve."""
+
+SEARCH_DIGITS = 60
+CONFIRMING_DIGITS = 45
+CONFIRMING_STEPS = 7
+"""A place of rest counts if its residual is below 1e-45, reached in so many steps with 60 digits: Newton's method
+doubles the ten digits of the search in each, and a multiple root is not confirmed."""
+
+SPREADS = (1, 1, 2)
+"""Parameters are drawn so many times, between 2^−spread and 2^spread."""
+
+FARTHEST = 60.0
+"""A search that goes farther is given up: nothing is expected at infinity."""
+
+AGREES = 1e-18
+DIFFERS = 1e-9
+"""Relations hold to so many digits at a confirmed place of rest; conditions fail by so much, or they hold."""
+
+LONGEST_RANGE_CONDITION = 30
+"""Operations of an expression that becomes a condition: a longer one would not be read."""

@@ -22,19 +22,13 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.limits import MOST_CHARTS, MOST_UNKNOWNS, ROUND, USUAL_SIZE, WITHOUT_LENGTHS
 from lagrange.mechanics.equilibrium.searched.reach_of_links import angles_of_links, reach_of_links
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.numerical_roots import Root, real_roots, sign_at, signs_of_minors
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
-MOST_UNKNOWNS = 4
-MOST_CHARTS = 2
-"""So many choices of rows for the elimination of multipliers are tried, until the list is complete."""
-USUAL_SIZE = 10
-"""Lengths are searched up to so many times the sum of the lengths in the problem."""
-WITHOUT_LENGTHS = 100
-ROUND = 3.3
 ROUND_A_CIRCLE = tuple((2 * n + 1) / 26 for n in range(13))  # parts of it from which positions of rods are sought
 """A little more than π: a root at π is found from both sides."""
 

@@ -20,10 +20,8 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_between
+from lagrange.mechanics.equilibrium.limits import LONGEST_RANGE_CONDITION
 from lagrange.problem.model import Range
-
-LONGEST_CONDITION = 30
-"""Operations of an expression that becomes a condition: a longer one would not be read."""
 
 
 def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> Branch | None:
@@ -90,7 +88,7 @@ def _conditions(
             value = solution.at(points[0], e)
         except (NotAlgebraicError, DivisionByZeroError):
             continue
-        if not value.free_symbols & {*solution.unknowns} and count_operations(value) <= LONGEST_CONDITION:
+        if not value.free_symbols & {*solution.unknowns} and count_operations(value) <= LONGEST_RANGE_CONDITION:
             yield from not_negative(value, positive) or ()
 
 

@@ -44,10 +44,8 @@ from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration, substituted_configuration
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
+from lagrange.mechanics.limits import LONGEST_FACTORED
 from lagrange.problem.model import Friction, Impact, InitialValue, Problem
-
-LONGEST_FACTORED = 60
-"""The most operations of a result that is factored."""
 
 ZERO, HALF = sp.S.Zero, sp.Rational(1, 2)
 

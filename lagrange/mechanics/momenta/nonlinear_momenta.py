@@ -18,9 +18,7 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import partial
-
-LONGEST = 400
-"""The most operations of a Lagrangian and of the equation for the root."""
+from lagrange.mechanics.limits import LONGEST_NONLINEAR
 
 
 def velocities_by_root(
@@ -36,7 +34,7 @@ def velocities_by_root(
     """
     moving = {*velocities}
     powers = {p for e in (lagrangian, *stated) for p in e.atoms(sp.Pow) if _is_root(p) and p.base.free_symbols & moving}
-    if not powers or count_operations(lagrangian) > LONGEST:
+    if not powers or count_operations(lagrangian) > LONGEST_NONLINEAR:
         return None
     base, S = min((p.base for p in powers), key=count_operations), sp.Dummy("S", positive=True)
     shares = {p: sp.cancel(p.base / base) for p in powers}  # c² of c² − v² to 1 − v²/c²
@@ -71,7 +69,7 @@ def _is_root(p: sp.Expr) -> bool:
 def _root_of(equation: sp.Expr, S: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
     """a and b with S² = a/b, from an equation that is linear in S²."""
     above = sp.fraction(sp.cancel(sp.together(equation)))[0]
-    if not above.is_polynomial(S) or count_operations(above) > LONGEST:
+    if not above.is_polynomial(S) or count_operations(above) > LONGEST_NONLINEAR:
         return None
     terms: Mapping[tuple[int, ...], sp.Expr] = sp.Poly(above, S).as_dict()
     degrees = sorted(k for (k,) in terms)

@@ -12,9 +12,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from lagrange.core.records import record
-
-MOST_TERMS = 2
-"""The most terms of a factor whose zero is worth a sentence."""
+from lagrange.mechanics.limits import MOST_VANISHING_TERMS
 
 
 @record
@@ -31,7 +29,7 @@ def vanishings(value: sp.Expr, coefficients: Sequence[sp.Expr]) -> Iterator[Vani
     for factor in sp.Mul.make_args(sp.factor(sp.fraction(sp.together(value))[0])):
         base, exponent = factor.as_base_exp()
         terms = sp.Add.make_args(base)
-        if len(terms) != MOST_TERMS or not exponent.is_Integer or not base.is_polynomial(*base.free_symbols):
+        if len(terms) != MOST_VANISHING_TERMS or not exponent.is_Integer or not base.is_polynomial(*base.free_symbols):
             continue
         first, second = (a for a in sorted(terms, key=lambda a: a.could_extract_minus_sign()))
         if not first.is_positive or not second.is_negative or not _exists(first, -second, coefficients):

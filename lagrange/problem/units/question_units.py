@@ -19,6 +19,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
 from lagrange.core.units import Dimension, Unit, in_si, split_number, unit_of
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Condition, InitialValue, Measured, Problem, Question
 from lagrange.problem.values import known_dimensions
+from lagrange.values.limits import LARGEST_COEFFICIENT
 
 Known = Mapping[sp.Symbol, Dimension]
 Note = Callable[[Diagnostic], None]
@@ -99,10 +100,6 @@ class _Reader:
             (first, own), (second, differing) = ((_called(e), d) for e, d in (terms[0], other))
             help_ = f"`{first}` is {_in_words(own)}, and `{second}` is {_in_words(differing)}: correct one of them"
             self.errors.append(Diagnostic("unit-mismatch", message, span, help=help_))
-
-
-LARGEST_COEFFICIENT = 9
-"""A larger number in front of a term may hide a unit: 10 m for a weight."""
 
 
 def _terms(e: sp.Expr, known: Known) -> Iterator[Term]:

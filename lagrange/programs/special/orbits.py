@@ -22,11 +22,10 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial, t
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.programs.compiled import compiled
-from lagrange.programs.limits import NEARLY_CIRCULAR
+from lagrange.programs.limits import NEARLY_CIRCULAR, ORBIT_STEP, ROUNDED_SPEED
 from lagrange.programs.numerical_system import NumericalSystem, Values
 from lagrange.programs.state_equations import StateEquations
 
-_STEP, _ROUNDED = 1e-5, 1e-12
 _AXES = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0))
 
 
@@ -84,7 +83,7 @@ class _Orbits:
                 continue
             moved = numpy.abs(self.slopes[self._concerned(slope)]).max(axis=(0, 1)) > 0
             speeds, turning = numpy.where(moved, NEARLY_CIRCULAR * rate * pattern, speeds), True
-        speeds[numpy.abs(speeds) < _ROUNDED * numpy.abs(speeds).max()] = 0.0
+        speeds[numpy.abs(speeds) < ROUNDED_SPEED * numpy.abs(speeds).max()] = 0.0
         return [*self.state[:n], *speeds.tolist()] if turning else None
 
     def _distances(self) -> Iterator[_Distance]:
@@ -161,8 +160,8 @@ class _Orbits:
         def grows(rate: float) -> float:
             y = (*self.state[:n], *(rate * pattern).tolist())
             flow = self.system.rate(0.0, *y)
-            ahead, behind = (tuple(a + s * _STEP * d for a, d in zip(y, flow, strict=True)) for s in (1, -1))
-            return (change(_STEP, *ahead) - change(-_STEP, *behind)) / (2 * _STEP)
+            ahead, behind = (tuple(a + s * ORBIT_STEP * d for a, d in zip(y, flow, strict=True)) for s in (1, -1))
+            return (change(ORBIT_STEP, *ahead) - change(-ORBIT_STEP, *behind)) / (2 * ORBIT_STEP)
 
         a, one, other = grows(0.0), grows(1.0), grows(-1.0)
         b, c = (one - other) / 2, (one + other) / 2 - a

@@ -5,7 +5,8 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.document.derivation import Display, Equation, Rule
-from lagrange.explain.page.system import SHORT, are_short
+from lagrange.explain.limits import SHORT_SIDE
+from lagrange.explain.page.system import are_short
 from tests.support.shared import reported
 
 x = sp.Symbol("x")
@@ -13,7 +14,7 @@ x = sp.Symbol("x")
 
 def test_two_short_equations_share_a_line() -> None:
     assert are_short([Equation((x, sp.S.One)), Equation((x, sp.S.Zero))])
-    long = sp.Add(*(sp.sin(k * x) for k in range(1, 4 * SHORT)))
+    long = sp.Add(*(sp.sin(k * x) for k in range(1, 4 * SHORT_SIDE)))
     assert not are_short([Equation((x, long)), Equation((x, long))])
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from lagrange.document.derivation import Derivation, Detail, Display, Picture, Prose, Rule, Task
-from lagrange.explain.page.worksheets import LEAST_ROOM, MOST_ROOM, worked_solution, worksheet
+from lagrange.explain.limits import LEAST_ROOM, MOST_ROOM
+from lagrange.explain.page.worksheets import worked_solution, worksheet
 from lagrange.explain.report import Report
 from lagrange.render import terminal
 from tests.support.shared import reported

@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
+from lagrange.answers.limits import MOST_AT_RELEASE
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -24,7 +25,6 @@ from lagrange.mechanics.questions.states import Place, initial_state
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
 
-MOST_UNKNOWNS = 12
 AT_START = "it holds at the initial state, about which the questions are"
 _RESTATED = "it restates the initial state"
 _OPEN = "it holds at the initial state, but does not follow from the equations of motion"
@@ -81,7 +81,7 @@ def _start(candidate: ReferenceCandidate, solution: Solution) -> Mapping[sp.Symb
         return None
     system, slots = candidate.system, candidate.configuration.slots
     unknowns = (*slots.accelerations, *system.multipliers)
-    if not {*slots.coordinates, *slots.velocities} <= state.keys() or len(unknowns) > MOST_UNKNOWNS:
+    if not {*slots.coordinates, *slots.velocities} <= state.keys() or len(unknowns) > MOST_AT_RELEASE:
         return None
     state = {s: e.xreplace(dict(candidate.values)) for s, e in state.items()}
     known = [e.xreplace(state) for e in (*system.equations, *system.accelerated_constraints)]

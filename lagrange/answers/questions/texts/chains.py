@@ -12,6 +12,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.limits import MOST_IN_CHAIN
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.written.decimals import as_written, rounded
@@ -23,14 +24,13 @@ from lagrange.expressions.edits import cut, cuts
 from lagrange.expressions.reader import read_value
 
 _SIGN = re.compile(r"(?<![<>!=:])==?(?![=>])|≈|\\approx(?![A-Za-z])")
-_MOST = 6
 NOT_EQUAL = "its sides are not equal to one another"
 
 
 def sides_agree(fragment: Fragment, reference: Reference) -> bool | None:
     """Whether the sides of a chain that are values agree; None if there are not two of them, or it is not known."""
     places = cuts(fragment.text, _SIGN)
-    if not 2 < len(places) <= _MOST:
+    if not 2 < len(places) <= MOST_IN_CHAIN:
         return None
     scope, parameters = replace(reference.scope, decimals=""), {*reference.parameters.values()}
     values: list[sp.Expr] = []

@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.limits import MOST_LINEARIZED
 from lagrange.answers.questions.frequencies import Place
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import reference_of_solution
@@ -27,7 +28,6 @@ from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.results import Solution
 
-MOST_COORDINATES = 4
 _ABOUT = "it is compared with the equations linearized about {}"
 _OTHER = "with these coefficients of the accelerations, that of `{}` is another in the equations linearized about {}"
 
@@ -55,7 +55,7 @@ def check_linearized(answer: Sequence[Fragment], solution: Solution) -> AnswerVe
         slots = linearization.displacements if in_letters else linearization.configuration.slots.coordinates
         for place in _places(linearization):
             size = len(place.oscillations.free)
-            if size > MOST_COORDINATES:
+            if size > MOST_LINEARIZED:
                 continue
             at = _position(place)
             claims = [_coefficients(as_written(e).xreplace(dict(reference.values)), slots, place) for e in equations]

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.answers.limits import CLEAR_STABILITY, SENTENCE_SAMPLES
 from lagrange.answers.questions import stability_in_text as said
 from lagrange.answers.references import Reference
 from lagrange.answers.results.approximate import beside_limit
@@ -29,7 +30,6 @@ from lagrange.mechanics.results import Solution
 _ABOUT = "it is taken to be about {}"
 _NOWHERE = "this is true at none of the equilibria"
 _REVERSED = "the condition for stability has the wrong sense"
-SAMPLES = 20
 
 
 @record
@@ -121,7 +121,7 @@ def _is_true(clauses: Sequence[_Clause], place: _Place) -> bool:
     parameters = sorted({s for e in everything for s in e.free_symbols} - {*coordinates}, key=str)
     angles = {s for e in everything for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
     draw, seen = random.Random(3), set()
-    for _ in range(SAMPLES):
+    for _ in range(SENTENCE_SAMPLES):
         state: dict[sp.Symbol, sp.Expr] = {
             s: sp.Float(draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)) for s in parameters
         }
@@ -129,7 +129,7 @@ def _is_true(clauses: Sequence[_Clause], place: _Place) -> bool:
         for stable, at in (s for moved in (state, *beside) for s in _states(place, coordinates, moved)):
             for clause in clauses:
                 holds = clause.condition.xreplace(at).evalf()
-                if not holds.is_number or abs(holds) < said.CLEAR or (holds < 0 and len(clauses) > 1):
+                if not holds.is_number or abs(holds) < CLEAR_STABILITY or (holds < 0 and len(clauses) > 1):
                     continue
                 if stable is not (clause.stable if holds > 0 else not clause.stable):
                     return False

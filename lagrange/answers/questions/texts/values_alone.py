@@ -13,6 +13,7 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 
+from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
 from lagrange.answers.written.lines import has_sign_of_equality
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
@@ -31,8 +32,6 @@ _WORD = re.compile(r"[^\W\d_]{2,}")
 _SMALL_WORDS = "is are be the it we an to of in at on by for if no so"
 _OF_SENTENCES = frozenset(_SMALL_WORDS.split())
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "and", "or"})
-_LONGEST_RUN = 3
-"""Letters of a run that may be a product of names."""
 
 
 def with_sign_after_names(text: str, names: Collection[str]) -> str:
@@ -50,7 +49,7 @@ def with_sign_after_names(text: str, names: Collection[str]) -> str:
 def is_expressions(text: str) -> bool:
     """Whether a text without equations may be expressions, and no sentence."""
     words = [w.lower() for w in _WORD.findall(_COMMAND.sub(" ", text))]
-    prose = [w for w in words if w not in _KNOWN and (len(w) > _LONGEST_RUN or w in _OF_SENTENCES)]
+    prose = [w for w in words if w not in _KNOWN and (len(w) > LONGEST_RUN_OF_LETTERS or w in _OF_SENTENCES)]
     return bool(text.strip()) and not prose and ":" not in text and not is_inequality(Fragment.of(text))
 
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
+from lagrange.answers.limits import LONGEST_MACRO, MOST_MACROS
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -24,8 +25,6 @@ _DEFINES = re.compile(
     r"|\\def\s*\\(?P<old>[A-Za-z]{1,20})\s*(?P<pattern>(?:#[1-3]){0,3})\s*(?=\{)"
     r"|\\DeclareMathOperator\*?\s*\{\s*\\(?P<operator>[A-Za-z]{1,20})\s*\}\s*(?=\{)"
 )
-_MOST, _LONGEST = 60, 300
-"""Definitions, and characters of one."""
 
 
 @record
@@ -44,14 +43,14 @@ def macros_of(text: str) -> dict[str, Macro]:
     macros: dict[str, Macro] = {}
     for match in _DEFINES.finditer(text):
         end = ends.get(match.end())
-        if end is None or len(macros) >= _MOST or end - match.end() > _LONGEST:
+        if end is None or len(macros) >= MOST_MACROS or end - match.end() > LONGEST_MACRO:
             continue
         body = text[match.end() + 1 : end]
         if match["operator"]:
             macros[match["operator"]] = Macro(rf"\operatorname{{{body}}}")
             continue
         body = _expanded(body, macros)
-        if len(body) <= _LONGEST:
+        if len(body) <= LONGEST_MACRO:
             number = int(match["arguments"] or 0) or (match["pattern"] or "").count("#")
             macros[match["name"] or match["bare"] or match["old"]] = Macro(body, number)
     return macros

@@ -20,6 +20,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from lagrange.answers.limits import MOST_MATRIX_ROWS
 from lagrange.core.records import record
 from lagrange.expressions.edits import closings, cuts
 
@@ -45,8 +46,6 @@ _DEFINITION = re.compile(
 _DERIVED = re.compile(
     rf"\\(?P<dots>d{{1,2}})ot\s*(?:\{{\s*(?:(?P<bold>{_BOLD})\s*\{{?\s*)?(?P<name>{_NAME})\s*\}}?\s*\}}|(?:(?P<bold2>{_BOLD})\s*\{{?\s*)?(?P<name2>{_NAME})\}}?)"
 )
-_MOST = 6
-"""Rows of a column."""
 
 _WRAPPER = re.compile(
     r"(?:(?:sp|sympy|sym|np|numpy)\.)?(?:[Mm]atrix|[Aa]rray|[Vv]ector|asarray|asmatrix|transpose)\s*\(\s*\Z"
@@ -187,7 +186,7 @@ def rows_with_names(texts: Sequence[str]) -> list[list[str] | None]:
         if match and len(lists) == 1 and (lists[0].start, lists[0].end) == (0, len(match["value"])):
             values[match["name"]] = match["value"]
     unchanged: list[list[str] | None] = [None] * len(texts)
-    if not values or len(values) > _MOST:
+    if not values or len(values) > MOST_MATRIX_ROWS:
         return unchanged
     token = re.compile(
         rf"(?<![A-Za-z0-9_'.])(?:{'|'.join(map(re.escape, values))})(?![A-Za-z0-9_'])(?:\([^()=]{{0,20}}\))?"
@@ -293,7 +292,7 @@ def _equations(text: str, matrices: Sequence[_Written]) -> list[str]:
     left = _side(text, 0, signs[0].start(), matrices)
     right = _side(text, signs[0].end(), len(text), matrices)
     number = max(len(left or ()), len(right or ()))
-    if left is None or right is None or not 0 < number <= _MOST:
+    if left is None or right is None or not 0 < number <= MOST_MATRIX_ROWS:
         return []
     left, right = (side or ["0"] * number for side in (left, right))
     return [f"{a} = {b}" for a, b in zip(left, right, strict=True)] if len(left) == len(right) else []

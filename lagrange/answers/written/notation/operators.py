@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
+from lagrange.answers.limits import MOST_OPERATORS
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings, cuts
 
@@ -22,8 +23,6 @@ _NAME = re.compile(
 _JOINED = re.compile(rf"(?<![A-Za-z0-9_'.\\])D(?=[{''.join(GREEK)}]|\\[a-z])")
 _BRACKET = re.compile(r"\s*(?=\()")
 _SIGN = re.compile(r"(?<=[^\s(])\s*[+−-](?!\Z)")
-_MOST = 8
-"""Operators that are applied to one another."""
 
 
 def with_operators(draft: Draft, names: frozenset[str]) -> None:
@@ -34,7 +33,7 @@ def with_operators(draft: Draft, names: frozenset[str]) -> None:
         joined = re.compile(rf"(?<![A-Za-z0-9_'.\\])D(?=(?:{'|'.join(map(re.escape, sorted(names)))})(?![A-Za-z0-9_]))")
         draft.replace(joined, "D ")
     draft.replace(_JOINED, "D ")
-    for _ in range(_MOST):
+    for _ in range(MOST_OPERATORS):
         if not (draft.apply(_polynomials(draft.text)) or draft.apply(_last(draft.text))):
             return
 
@@ -78,7 +77,7 @@ def _polynomials(text: str) -> Iterator[Edit]:
         stop = name.end() if name else ends[bracket.end()] + 1  # type: ignore[union-attr]
         operand = text[end + 1 : stop].strip()
         terms = _terms(text[start + 1 : end])
-        if len(terms) > _MOST or any(len(_D.findall(term)) > 1 for term in terms):
+        if len(terms) > MOST_OPERATORS or any(len(_D.findall(term)) > 1 for term in terms):
             continue
         yield start, stop, f"({' '.join(_applied(term, operand) for term in terms)})"
         return

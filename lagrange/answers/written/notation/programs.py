@@ -25,6 +25,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field
 
+from lagrange.answers.limits import MOST_METHOD_CALLS, MOST_PROGRAM_STATES, MOST_STATEMENTS
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -66,7 +67,6 @@ _CONTINUED = re.compile(r"\.\.\.[ \t]*\n|\\[ \t]*\n")
 _COMMA, _SEMICOLON = re.compile(","), re.compile(";|\n")
 _STATEMENT = re.compile(r";|\n")
 _BLANKS = re.compile(r"\s+(?![-+*/^]\s)(?=[^\s*/^)])(?<![-+*/^(]\s)")
-_MOST_STATEMENTS, _MOST_STATES = 80, 12
 _METHOD = re.compile(r"\.\s*(?P<name>diff|doit|simplify|expand|trigsimp|factor|evalf)\s*(?=\()")
 _NAME_BEFORE = re.compile(r"[^\W\d]\w*(?:\.[^\W\d]\w*)?\Z")
 _METHOD_OF_LAGRANGE = re.compile(
@@ -81,8 +81,6 @@ _COMPREHENSION = re.compile(
     r"(?P<names>[\w\s,]{1,80})[\])]\s*\]\s*\Z"
 )
 _SEVERAL = re.compile(r"\s*(?P<names>[^\W\d]\w*(?:\s*,\s*[^\W\d]\w*)+)\s*=(?!=)\s*(?P<values>[^=]*)\Z")
-_MOST_CALLS = 12
-"""Calls of methods in one equation."""
 
 Column = list[str]
 
@@ -175,7 +173,7 @@ def _read(text: str, header: re.Match[str] | None, function: _Function) -> None:
         if m["name"] == state:
             for n, name in enumerate(re.split(r"[\s,;]+", m["names"].strip())):
                 function.named.setdefault(n, name)
-    if len(statements) > _MOST_STATEMENTS:
+    if len(statements) > MOST_STATEMENTS:
         raise _NotUnderstoodError
     for statement in statements:
         if not statement.strip() or declares(statement) or _HEADER.match(statement):
@@ -365,7 +363,7 @@ def _in_brackets(text: str) -> str:
 def _stated(function: _Function) -> Iterator[str]:
     """The equations of motion."""
     size = len(function.rates)
-    if not 0 < size <= _MOST_STATES or sorted(function.rates) != list(range(size)):
+    if not 0 < size <= MOST_PROGRAM_STATES or sorted(function.rates) != list(range(size)):
         raise _NotUnderstoodError
     names = [_component(n, function) for n in range(size)]
     velocities: dict[str, str] = {}
@@ -397,7 +395,7 @@ def _renamed(text: str, names: Mapping[str, str]) -> str:
 
 def as_functions(draft: Draft) -> None:
     """Write the method calls of an equation as functions, the inner ones first."""
-    for _ in range(_MOST_CALLS):
+    for _ in range(MOST_METHOD_CALLS):
         text = draft.text
         calls = list(_METHOD.finditer(text))
         ends = closings(text) if calls else {}

@@ -13,6 +13,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from lagrange.answers.limits import MOST_IN_A_RATIO
 from lagrange.expressions.edits import Edit, closings, cuts
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
@@ -22,8 +23,6 @@ _EXTREME = re.compile(r"(?<![A-Za-z0-9_\\])\\?(max|min|Max|Min)\s*(?=[(\[{])")
 _OF_A_NAME = re.compile(
     r"\s*\$?\s*\\?(?P<which>max|min|Max|Min)\s*(?:\(|\\left\s*\(|\{)\s*\|?(?P<name>\\?[A-Za-zα-ωΑ-Ω]{1,8})\|?\s*(?:\)|\\right\s*\)|\})\s*(?==)"
 )
-_MOST = 4
-"""Members of a ratio, arguments of an extreme."""
 
 
 def ratios_of(text: str) -> list[str]:
@@ -40,7 +39,7 @@ def ratios_of(text: str) -> list[str]:
         left = left[1:]
     if len(left) == 1 and len(right) == 2:
         return [f"{left[0]} = ({right[0]})/({right[1]})"]
-    if len(left) != len(right) or len(left) > _MOST or any(map(_WORD.search, (*left, *right))):
+    if len(left) != len(right) or len(left) > MOST_IN_A_RATIO or any(map(_WORD.search, (*left, *right))):
         return []
     pairs = zip(left, left[1:], right, right[1:], strict=False)
     return [f"({a})/({b}) = ({c})/({d})" for a, b, c, d in pairs]
@@ -111,7 +110,7 @@ def extremes(text: str, *, latex: bool = False) -> Iterator[Edit]:
             continue
         inside = text[match.end() + 1 : end]
         values = [re.sub(r"\\(?:left|right|\{|\})\s*\Z", "", inside[a:b]) for a, b in cuts(inside, re.compile(","))]
-        if len(values) > _MOST or not all(v.strip() for v in values) or len(inside) > 200:
+        if len(values) > MOST_IN_A_RATIO or not all(v.strip() for v in values) or len(inside) > 200:
             continue
         made, sign = f"({values[0]})", "+" if match[1].lower() == "max" else "-"
         bars = (r"\left|", r"\right|") if latex else ("abs(", ")")

@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from lagrange.answers.limits import LONGEST_REPEATED
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, Edit, closings
@@ -45,8 +46,6 @@ _WRITTEN_OUT = {
     "cosh": "log(({x}) + sqrt(({x})^2 - 1))",
     "tanh": "(log((1 + ({x}))/(1 - ({x})))/2)",
 }
-_LONGEST = 400
-"""Characters of an argument that is written several times."""
 
 
 def signs_as_indices(draft: Draft) -> None:
@@ -109,7 +108,7 @@ def _inverses(text: str, pattern: re.Pattern[str], forms: dict[str, str]) -> Ite
     for match in pattern.finditer(text):
         ends = closings(text) if ends is None else ends
         end = ends.get(match.end())
-        if end is not None and end - match.end() < _LONGEST:
+        if end is not None and end - match.end() < LONGEST_REPEATED:
             name = next(filter(None, match.groups()))
             inside = re.sub(r"\\right\s*\Z", "", text[match.end() + 1 : end])
             yield match.start(), end + 1, forms[name].replace("{x}", inside)

@@ -35,13 +35,12 @@ from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.principle import dalembert
 from lagrange.mechanics.equilibrium.driven.drives import Drive
+from lagrange.mechanics.equilibrium.limits import MOST_FORCED
 from lagrange.mechanics.equilibrium.linear_stability import LinearSystem
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
 ZERO = sp.S.Zero
-MOST_FORCED = 4
-"""The most coordinates for which a steady state is written in symbols."""
 
 
 @record

@@ -18,15 +18,18 @@ from typing import Any
 
 import mpmath
 
+from lagrange.mechanics.equilibrium.limits import (
+    CONFIRMING_DIGITS,
+    CONFIRMING_STEPS,
+    NEWTON_STEPS,
+    SEARCH_DIGITS,
+    SMALL_PIVOT,
+    STILL,
+)
+
 Number = Any
 Functions = Callable[[Sequence[Number]], list[Number]]
 """f(x); raises ValueError or ArithmeticError where it has no value."""
-
-STEPS = 40
-STILL = 1e-10
-SMALL = 1e-6
-"""A pivot below this part of the largest entry is none: the rank drops where zeros fill a curve."""
-DIGITS, CONFIRMING_DIGITS, CONFIRMING_STEPS = 60, 45, 7
 
 
 def zero_near(f: Functions, start: Sequence[float], largest: float) -> list[float] | None:
@@ -37,7 +40,7 @@ def zero_near(f: Functions, start: Sequence[float], largest: float) -> list[floa
     except (ValueError, ArithmeticError):
         return None
     size = _square(value)
-    for _ in range(STEPS):
+    for _ in range(NEWTON_STEPS):
         if size < STILL**2:
             return x
         try:
@@ -78,9 +81,9 @@ def with_best(f: Functions, start: Sequence[float], first: int) -> list[float]:
 
 def confirmed(f: Functions, guess: Sequence[float]) -> list[Number] | None:
     """The zero near a guess to many digits; None where it does not converge fast."""
-    with mpmath.workdps(DIGITS):
+    with mpmath.workdps(SEARCH_DIGITS):
         x = [mpmath.mpf(a) for a in guess]
-        width = mpmath.mpf(10) ** (-DIGITS // 2)
+        width = mpmath.mpf(10) ** (-SEARCH_DIGITS // 2)
         try:
             for _ in range(CONFIRMING_STEPS):
                 value = f(x)
@@ -146,7 +149,7 @@ def _pivots(rows: list[list[Number]]) -> list[tuple[int, int]]:
     open_rows, open_columns = {*range(len(rows))}, {*range(len(rows[0]) if rows else 0)}
     while open_rows and open_columns:
         size, i, j = max((abs(rows[i][j]), i, j) for i in open_rows for j in open_columns)
-        if not size > SMALL * largest:
+        if not size > SMALL_PIVOT * largest:
             break
         places.append((i, j))
         open_rows.remove(i)

@@ -33,20 +33,18 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
+    AGREES,
+    DIFFERS,
+    FARTHEST,
     MOST_SEARCHED_UNKNOWNS,
     MOST_TURNED,
     SEARCHED_OPERATIONS,
     SEARCHED_STARTS,
+    SPREADS,
 )
 from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
-
-SPREADS = (1, 1, 2)
-"""Parameters are drawn so many times, between 2^−spread and 2^spread."""
-FARTHEST = 60.0
-AGREES, DIFFERS = 1e-18, 1e-9
-"""Relations hold to so many digits at a confirmed place of rest; conditions fail by so much, or they hold."""
 
 
 def with_search(e: Equilibrium) -> Equilibrium:
