@@ -19,7 +19,7 @@ from lagrange.problem.keys import (
     WAYS_OF_TURNING,
     FrameType,
 )
-from lagrange.problem.yaml.kinds import AnyOf, Form, Kind, ListOf, Named, Words
+from lagrange.problem.yaml.kinds import AnyOf, Keys, Kind, ListOf, Named, OneOf
 
 Schema = dict[str, Any]
 
@@ -76,7 +76,7 @@ def schema_of(kind: Kind) -> Schema:
     match kind:
         case str():
             return _INLINE.get(kind, {"$ref": f"#/$defs/{kind}"})
-        case Words(words=words):
+        case OneOf(words=words):
             return {"enum": [value for word in words for value in _as_yaml_reads(word)]}
         case ListOf(item=item, least=least, most=most):
             bounds = ({"minItems": least} if least else {}) | ({"maxItems": most} if most is not None else {})
@@ -86,7 +86,7 @@ def schema_of(kind: Kind) -> Schema:
             return {"type": "object", "additionalProperties": schema_of(value), **spelled}
         case AnyOf(kinds=kinds):
             return {"anyOf": [schema_of(k) for k in kinds]}
-        case Form():
+        case Keys():
             return _form(kind) | _conditions(kind)
 
 
@@ -97,7 +97,7 @@ def _as_yaml_reads(word: str) -> list[Any]:
     return [word, _READ_AS[word]] if word in _READ_AS else [word]
 
 
-def _form(form: Form) -> Schema:
+def _form(form: Keys) -> Schema:
     """A mapping with known keys; an editor offers it under its title."""
     properties = {key.name: _described(key.meaning, schema_of(key.kind)) for key in form.keys}
     schema: Schema = {
@@ -113,7 +113,7 @@ def _described(description: str | None, schema: Schema) -> Schema:
     return {"description": description, **({"allOf": [schema]} if "$ref" in schema else schema)}
 
 
-def _conditions(form: Form) -> Schema:
+def _conditions(form: Keys) -> Schema:
     """What holds between keys: a frame has as many coordinates as its type, a body is turned in one way."""
     if form == FRAME:
         counts = {t: len(names) for t, names in FRAME_COORDINATES.items() if t is not FrameType.CARTESIAN}

@@ -121,7 +121,7 @@ def solve(
     completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
     """
     from lagsolve.output import Destination, Layout
-    from lagsolve.solve_task import Task
+    from lagsolve.solve_task import SolveTask
 
     if watch and "-" in problems:
         raise click.UsageError("--watch needs a file: standard input cannot be read again")
@@ -130,7 +130,7 @@ def solve(
     layout = Layout(worksheet, solution, beamer, reader or "github", static)
     destination = Destination.of(format_, output, fragment, detail, vectors, layout)
     destination.refuse_overwrite(problems)
-    task = Task(problems, choice, method, destination, settings, digits, timeout, memory)
+    task = SolveTask(problems, choice, method, destination, settings, digits, timeout, memory)
     if watch:
         from lagsolve.solve_task import watch_for_ever
 

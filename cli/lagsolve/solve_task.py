@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 @record
-class Task:
+class SolveTask:
     """The problems to be solved, the method, and the destination of the result.
 
     settings  texts NAME=VALUE, the values of parameters
@@ -96,10 +96,10 @@ def look_for_garbage_seldom() -> None:
     gc.enable()
 
 
-State = tuple[tuple[int, ...] | None, ...]
+FileState = tuple[tuple[int, ...] | None, ...]
 
 
-def watch_for_ever(task: Task, wait: Callable[[], None] = lambda: time.sleep(WATCH_SECONDS)) -> NoReturn:
+def watch_for_ever(task: SolveTask, wait: Callable[[], None] = lambda: time.sleep(WATCH_SECONDS)) -> NoReturn:
     """Runs a task, and again after every change of its files, until an exception such as that of Ctrl-C ends it.
 
     A problem that cannot be read does not end it. Raises BrokenPipeError where the reader of the output has gone.
@@ -136,7 +136,7 @@ def changes(paths: Sequence[Path], wait: Callable[[], None]) -> Iterator[bool]:
             yield True
 
 
-def state(paths: Sequence[Path]) -> State:
+def state(paths: Sequence[Path]) -> FileState:
     """A value that differs if a file has changed: its time of writing, its size, and which file it is."""
     return tuple(_state(path) for path in paths)
 
@@ -149,7 +149,7 @@ def _state(path: Path) -> tuple[int, ...] | None:
     return status.st_mtime_ns, status.st_size, status.st_ino, status.st_dev
 
 
-def _run_reporting_errors(task: Task) -> None:
+def _run_reporting_errors(task: SolveTask) -> None:
     """Runs a task once; errors are shown."""
     try:
         task.run()

@@ -31,7 +31,7 @@ from lagrange.pictures.sketch import apart, farthest, in_line, overlapping, same
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import BodyShape, Drawn, FigureLine, Keeper, Outline
 
-Element = dict[str, Any]
+DrawnElement = dict[str, Any]
 _STROKES = {
     Drawn.RODS: "rod",
     Drawn.LINES: "reference",
@@ -80,7 +80,7 @@ class Elements:
     system: SystemPicture
     chosen: Pose | None
     cells: Cells = field(default_factory=Cells)
-    items: list[Element] = field(default_factory=list)
+    items: list[DrawnElement] = field(default_factory=list)
     curves: list[tuple[Vector, tuple[sp.Symbol, ...]]] = field(default_factory=list)
     traced: list[tuple[sp.Expr, tuple[sp.Symbol, ...], Vector]] = field(default_factory=list)
     labels: list[sp.Expr | str] = field(default_factory=list)

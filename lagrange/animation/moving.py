@@ -46,7 +46,7 @@ from lagrange.pictures.systems import SystemPicture
 from lagrange.programs.contacts import coefficients_at_rest, guards
 from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
 from lagrange.programs.first_order import in_coordinates
-from lagrange.programs.languages import JAVASCRIPT, Argument, Function
+from lagrange.programs.languages import JAVASCRIPT, Argument, GeneratedFunction
 from lagrange.programs.special.samples import AMPLITUDE, FREQUENCY, UNDECLARED_GRAVITY, samples
 from lagrange.programs.starting import Start, start
 from lagrange.programs.state_equations import StateEquations, filled, state_equations
@@ -173,7 +173,7 @@ class _Maker:
         if name.startswith("cur"):
             assert self.elements is not None
             arguments.append(("u", tuple(self.elements.curves[int(name[3:])][1])))
-        return " ".join(JAVASCRIPT.function(Function.of(name, arguments, outputs))).removeprefix("function ")
+        return " ".join(JAVASCRIPT.function(GeneratedFunction.of(name, arguments, outputs))).removeprefix("function ")
 
     def _refuse_unknown(self, symbols: Iterable[sp.Symbol], signs: Mapping[Sign, sp.Expr]) -> None:
         for s in symbols:

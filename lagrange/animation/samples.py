@@ -10,11 +10,11 @@ import sympy as sp
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.results import Solution
-from lagrange.programs.special.samples import Samples
+from lagrange.programs.special.samples import SampleFunctions
 from lagrange.programs.state_equations import filled
 
 
-def sampled(solution: Solution, taken: Samples) -> Solution:
+def sampled(solution: Solution, taken: SampleFunctions) -> Solution:
     """The solution with the samples in the constraints of its configurations, for the figure."""
     if not taken:
         return solution

@@ -161,7 +161,7 @@ def _with_group(diagnosis: Diagnosis, times: sp.Expr, system: System) -> Diagnos
 
 Change = tuple[sp.Expr | None, sp.Expr | None]
 """A term, or None if it is missing, and what it should be, or None if it does not belong there."""
-Row = tuple[sp.Expr, list[Any]]
+EquationRow = tuple[sp.Expr, list[Any]]
 """A term and its residue."""
 
 
@@ -329,7 +329,7 @@ class _Search:
     # Candidates: (cost, diagnosis), sought at the first state. Several changes may make the same equation right.
     # The change of lowest cost that holds at all states is named; a common slip costs less than a rare one.
 
-    def _by_number(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_number(self, terms: Sequence[EquationRow], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A wrong sign or a wrong numerical coefficient, of a term or of a sum in brackets."""
         bracketed = [(e, r) for e in self.brackets if (r := self.states[0].residue(e)) is not None]
         for term, residue in (*terms, *bracketed):
@@ -344,7 +344,7 @@ class _Search:
             slip = kind_of_factor(term, number, self.slots.velocities)
             yield cost, Diagnosis(None, slip, term, number * term, number)
 
-    def _by_another(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_another(self, terms: Sequence[EquationRow], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A term that should be another one, or has a factor too many or too few."""
         state = self.states[0]
         reduce = state.point.arithmetic.reduce
@@ -375,7 +375,7 @@ class _Search:
     def _is_inertia(self, term: sp.Expr) -> bool:
         return not term.free_symbols.isdisjoint(self._accelerations)
 
-    def _by_missing(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_missing(self, terms: Sequence[EquationRow], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A term too many, or a term of the derived equations that is missing."""
         state = self.states[0]
         for term, own in terms:

@@ -40,7 +40,7 @@ from lagrange.answers.verdicts import (
     EquationVerdict,
     Verdict,
 )
-from lagrange.answers.written.decimals import Values, remark_on, rounded_in_motion
+from lagrange.answers.written.decimals import DecimalValues, remark_on, rounded_in_motion
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Decimal, Slots, base, symbols_in
@@ -244,7 +244,7 @@ def _rounded(
     standings: Sequence[Sequence[Standing]],
     components: Sequence[Sequence[sp.Expr]],
     candidate: ReferenceCandidate,
-) -> dict[int, Values]:
+) -> dict[int, DecimalValues]:
     """The numbers that the decimals of wrong equations stand for, where these make them right."""
     rounded = {}
     for n, r in enumerate(readings):
@@ -256,7 +256,7 @@ def _rounded(
 
 
 def _with_rounded(
-    values: Mapping[int, Values],
+    values: Mapping[int, DecimalValues],
     readings: Sequence[Reading],
     components: Sequence[tuple[sp.Expr, ...]],
     standings: tuple[tuple[Standing, ...], ...],

@@ -25,25 +25,25 @@ from lagrange.mechanics.dynamics.reaction_signs import ForceKind, SingleForce
 
 
 @record
-class Meaning:
+class ForceMeaning:
     """ρ, and in words what the name is taken for; empty for what it is in the derivation."""
 
     ratio: sp.Expr
     remark: str
 
 
-def meanings(reaction: Reaction) -> tuple[Meaning, ...]:
+def meanings(reaction: Reaction) -> tuple[ForceMeaning, ...]:
     """What the name of one reaction may stand for, the meaning of the derivation first."""
     name, single = reaction.force.name, reaction.single
-    same = Meaning(sp.S.One, "")
-    opposite = Meaning(sp.S.NegativeOne, _opposite(name, single))
+    same = ForceMeaning(sp.S.One, "")
+    opposite = ForceMeaning(sp.S.NegativeOne, _opposite(name, single))
     if single is None or abs(single.factor) == 1:
         return same, opposite
     what = "tension" if single.kind is ForceKind.TENSION else "force"
     remark = f"`{name}` is taken as the multiplier of the constraint; in the derivation it is the {what}"
     negative = f"`{name}` is taken as minus the multiplier of the constraint; in the derivation it is the {what}"
     per_force = 1 / single.factor
-    return same, opposite, Meaning(per_force, remark), Meaning(-per_force, negative)
+    return same, opposite, ForceMeaning(per_force, remark), ForceMeaning(-per_force, negative)
 
 
 def _opposite(name: str, single: SingleForce | None) -> str:

@@ -27,14 +27,14 @@ FROM_THE_START = "it holds for the motion from the given initial state"
 
 def relation_from_start(solution: Solution, view: InCoordinates) -> sp.Expr | None:
     """What vanishes in every state after the initial one: the energy less its first value. None: not known."""
-    from lagrange.mechanics.questions.states import Place, initial_state
+    from lagrange.mechanics.questions.states import MotionView, initial_state
 
     if not solution.problem.initial or view.dynamics is None or view.conserved is None or solution.law is None:
         return None
     integral = next((i for i in view.conserved.integrals if i.constant is True and i.quantity.value == "energy"), None)
     if integral is None:
         return None
-    place = Place(view.dynamics, view.conserved, solution.law)
+    place = MotionView(view.dynamics, view.conserved, solution.law)
     try:
         initial = initial_state(place, solution.problem, [v.configuration for v in solution.views])
     except ProblemError:

@@ -72,7 +72,7 @@ def _stated(
     fragment: Fragment,
     reaction: Reaction,
     reference: Reference,
-    judged: Callable[[str, Claim], Iterator[EquationVerdict]],
+    judged: Callable[[str, ReactionClaim], Iterator[EquationVerdict]],
 ) -> EquationVerdict | None:
     """The best verdict over all that may be meant; None if none of it is judged."""
     text = f"{reaction.name}: {fragment.text}"
@@ -100,7 +100,7 @@ def _rank(verdict: Verdict, order: Sequence[Verdict]) -> int:
     return order.index(verdict) if verdict in order else len(order)
 
 
-def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationVerdict]:
+def _judged(text: str, claim: ReactionClaim, reference: Reference) -> Iterator[EquationVerdict]:
     """The verdicts on a claim in all sets of coordinates that have what it uses."""
     zero, remarks = claim
     for c in reference.candidates_for({s.name for s in zero.free_symbols}):
@@ -116,11 +116,11 @@ def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationV
             yield EquationVerdict(text, verdict, remarks=(*remarks, *more) if verdict is Verdict.EQUIVALENT else ())
 
 
-Claim = tuple[sp.Expr, tuple[str, ...]]
+ReactionClaim = tuple[sp.Expr, tuple[str, ...]]
 """What may be meant, as an expression that is zero; and the remarks if it is right."""
 
 
-def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
+def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[ReactionClaim]:
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
     from lagrange.answers.written.printed_names import printed_names
     from lagrange.answers.written.reading import tried
@@ -223,7 +223,7 @@ class _AtBranch:
         return [c for c, named in zip(self.claims, self.beside, strict=True) if named or not beside]
 
 
-class AtRest:
+class StatedReactionsAtRest:
     """The reactions of a system at rest, with which stated ones are compared.
 
     reactions  those in the file's coordinates and in each choice

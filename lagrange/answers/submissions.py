@@ -47,7 +47,7 @@ from lagrange.answers.written.notation.programs import declares, equations_of_pr
 from lagrange.answers.written.notation.ratios import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
-from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
+from lagrange.expressions.latex_layout import LayoutMark, Region, delimited, equations, has_equation, marks_of, rows
 from lagrange.expressions.relations import is_inequality
 from lagrange.problem.model import Answers
 from lagrange.problem.sources import decode
@@ -163,7 +163,7 @@ def _part(fragment: Fragment, start: int, end: int) -> Fragment:
     return Fragment(fragment.text[start:end], fragment.span(start, end), (fragment.start or 0) + start)
 
 
-def _regions(fragment: Fragment, marks: Sequence[Mark]) -> list[Region]:
+def _regions(fragment: Fragment, marks: Sequence[LayoutMark]) -> list[Region]:
     """The mathematics with equations in it."""
     regions, unclosed = delimited(marks)
     if unclosed:

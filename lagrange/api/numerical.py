@@ -32,10 +32,10 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Assumption, Parameter
 from lagrange.programs import first_order
-from lagrange.programs.first_order import FirstOrder
+from lagrange.programs.first_order import FirstOrderEquations
 
 
-def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrder:
+def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrderEquations:
     """The equations in coordinates and velocities; α pulls back what is lost of the constraints."""
     equations = first_order.in_coordinates(motion)
     if not stabilised:
@@ -54,7 +54,7 @@ def _pull(row: Row, slots: Slots, stabilised: float) -> sp.Expr:
 
 MODULES = ("math", "numpy")
 Values = Mapping[str | sp.Symbol, SupportsFloat]
-Vector = Sequence[float]
+FloatVector = Sequence[float]
 Solve = Callable[[list[list[float]], list[float]], Any]
 
 
@@ -72,7 +72,7 @@ class RightHandSide:
 
     def __init__(
         self,
-        equations: FirstOrder,
+        equations: FirstOrderEquations,
         parameters: Sequence[Parameter],
         values: Values,
         functions: Mapping[str, Given],
@@ -91,7 +91,7 @@ class RightHandSide:
         self.values: Mapping[str, float] = self._code.values
         n = len(equations.rates)
 
-        def parts(time: float, y: Vector) -> tuple[list[float], list[list[float]], list[float], list[float]]:
+        def parts(time: float, y: FloatVector) -> tuple[list[float], list[list[float]], list[float], list[float]]:
             numbers = run(time, y)
             matrix = [numbers[k : k + size] for k in range(n, n + size * size, size)]
             right = numbers[n + size * size : n + size * size + size]
@@ -101,7 +101,7 @@ class RightHandSide:
         self._in_numpy = module == "numpy"
         self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
 
-    def __call__(self, time: float, y: Vector) -> Any:
+    def __call__(self, time: float, y: FloatVector) -> Any:
         """dy/dt, shape (n + p,), or for N states at once (n + p, N)."""
         if self._in_numpy and _is_table(y):
             return _for_each(self, time, y)
@@ -121,21 +121,21 @@ class RightHandSide:
                 raise ValueError(f"`{name}` is no component of y, which has {', '.join(self.names)}")
         return [given.get(name, 0.0) for name in self.names]
 
-    def multipliers(self, time: float, y: Vector) -> dict[str, float]:
+    def multipliers(self, time: float, y: FloatVector) -> dict[str, float]:
         """The multipliers of the constraints that these coordinates do not satisfy identically, by name."""
         _, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
         multipliers = self._unknowns(time, matrix, right)[speeds:]
         return {s.name: float(v) + 0.0 for s, v in zip(self._equations.unknowns[speeds:], multipliers, strict=True)}
 
-    def violation(self, time: float, y: Vector) -> list[float]:
+    def violation(self, time: float, y: FloatVector) -> list[float]:
         """The errors in the constraints: g of finite relations g = 0, then dg/dt of these and φ of the others, φ = 0.
 
         It should vanish in the initial state of an integration.
         """
         return [float(x) for x in self._parts(time, y)[3]]
 
-    def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
+    def function(self, expression: sp.Expr) -> Callable[[float, FloatVector], float]:
         """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
 
         Symbols are identified by their names: `Symbol("theta'")` is the velocity. With `module="numpy"` y may have the
@@ -193,7 +193,7 @@ class _Code:
 
     def __init__(
         self,
-        equations: FirstOrder,
+        equations: FirstOrderEquations,
         functions: Mapping[str, Given],
         parameters: Sequence[Parameter],
         values: Values,
@@ -228,7 +228,7 @@ class _Code:
         constants = [self.values[s.name] for s in others]
         size = len(self._equations.state)
 
-        def run(time: float, y: Vector, solved: Vector = ()) -> list[float]:
+        def run(time: float, y: FloatVector, solved: FloatVector = ()) -> list[float]:
             if len(y) != size:
                 raise ValueError(f"y has {size} components, and {len(y)} are given")
             numbers: list[float] = compiled(time, *y, *solved, *constants)

@@ -72,7 +72,7 @@ def _function(f: Unspecified) -> sp.Expr:
 
 
 @record
-class Reader:
+class SympyReader:
     """Reads SymPy's expressions, of slots or of functions of time, as expressions of a problem.
 
     scope   the declared names, the only ones with a meaning
@@ -160,7 +160,7 @@ class Reader:
         formal = {str(v): sp.Dummy(str(v), real=True) for v in e.variables if isinstance(v, sp.Symbol)}
         if len(formal) < len(e.variables):
             raise _not_understood(e)
-        inside = Reader(self.scope, {**self.formal, **formal}).expression(e.expr)
+        inside = SympyReader(self.scope, {**self.formal, **formal}).expression(e.expr)
         at = map(self.expression, e.point)
         return inside.xreplace({formal[str(v)]: p for v, p in zip(e.variables, at, strict=True)})
 
@@ -278,7 +278,7 @@ def _fragment(equation: object, name: str, scope: Scope, notation: Notation) -> 
     if isinstance(equation, str):
         return Fragment.of(equation, name)
     try:
-        lhs, rhs = Reader(scope).equation(equation)
+        lhs, rhs = SympyReader(scope).equation(equation)
     except ProblemError as error:
         return GivenEquation.of_reading(Reading(str(equation), error=error), name)
     written = f"{text(lhs, notation)} = {text(rhs, notation)}"

@@ -36,7 +36,7 @@ from lagrange.core.vectors import (
 )
 
 ZERO, ONE = sp.S.Zero, sp.S.One
-Names = tuple[str, str, str]
+UnitVectorNames = tuple[str, str, str]
 
 
 def unit_vector(triad: Triad, index: int) -> Vector:
@@ -67,7 +67,7 @@ def spherical(r: sp.Symbol, theta: sp.Symbol, phi: sp.Symbol) -> Triad:
     return Triad(names, directions, ((theta, (ZERO, ZERO, ONE)), (phi, (ct, -st, ZERO))))
 
 
-def _turning_about_k(names: Names, phi: sp.Symbol) -> Triad:
+def _turning_about_k(names: UnitVectorNames, phi: sp.Symbol) -> Triad:
     s, c = sp.sin(phi), sp.cos(phi)
     directions = sp.ImmutableMatrix([[c, s, 0], [-s, c, 0], [0, 0, 1]])
     return Triad(names, directions, ((phi, (ZERO, ZERO, ONE)),))
@@ -94,12 +94,12 @@ class Orientation:
     vectors: Mapping[str, Vector]
 
 
-def axis_names(body: str) -> Names:
+def axis_names(body: str) -> UnitVectorNames:
     """The names of the axes of a body."""
     return f"e1_{body}", f"e2_{body}", f"e3_{body}"
 
 
-def names_before_last(body: str) -> Names:
+def names_before_last(body: str) -> UnitVectorNames:
     """The names of the axes that take no part in the last rotation."""
     return f"n1_{body}", f"n2_{body}", f"n3_{body}"
 
@@ -133,7 +133,7 @@ def turned_by_rotations(body: str, rotations: Rotations, inertia: InertiaTensor,
 def turned_with_axes(
     body: str,
     axes: Axes,
-    called: Names | None,
+    called: UnitVectorNames | None,
     angular_velocity: Vector,
     inertia: InertiaTensor,
     slots: Slots,

@@ -16,9 +16,9 @@ from lagrange.mechanics.questions.from_start import FromStart
 from lagrange.mechanics.questions.results import (
     AnswerBranch,
     Asked,
-    Because,
     How,
     IntegralKind,
+    Reason,
     Route,
     UsedIntegral,
     one_value,
@@ -331,25 +331,25 @@ def _has_velocities(asked: Asked) -> bool:
     return not all(s.name.endswith("'") or s.is_positive for s in asked.quantity.free_symbols)
 
 
-def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
+def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
     equation = math(b.lhs, b.rhs)
     match because:
-        case Because.INITIAL:
+        case Reason.INITIAL:
             return ("The solution ", equation, " is the initial state itself.")
-        case Because.ARRIVAL:
+        case Reason.ARRIVAL:
             return ("The solution ", equation, " has the wrong sense: a coordinate that reaches a value for the first "
                     "time moves towards it.")  # fmt: skip
-        case Because.TURNING:
+        case Reason.TURNING:
             return ("The solution ", equation, " lies on the other side: the motion begins in the opposite direction, "
                     "and keeps it up to the first turning point.")  # fmt: skip
-        case Because.SENSE:
+        case Reason.SENSE:
             return ("The solution ", equation, " has the opposite sense, for which this equation of motion does "
                     "not hold.")  # fmt: skip
-        case Because.PAST:
+        case Reason.PAST:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
-        case Because.LATER:
+        case Reason.LATER:
             return ("The solution ", equation, " comes later, if at all.")
-        case Because.START:
+        case Reason.START:
             return ("The solution ", equation, " does not begin with the initial state.")
 
 

@@ -56,7 +56,7 @@ class Region:
 
 
 @record
-class Mark:
+class LayoutMark:
     """Something that matters for the layout: `kind` is its text, or a word for it."""
 
     kind: str
@@ -124,7 +124,7 @@ def equations(fragment: Fragment) -> Sequence[Fragment]:
     return parts or (piece(fragment, 0, len(fragment.text)),)
 
 
-def marks_of(text: str) -> list[Mark]:
+def marks_of(text: str) -> list[LayoutMark]:
     """What matters for the layout, in the order of the text. Verbatim environments are skipped."""
     marks = []
     closing = _closing_braces(text)
@@ -138,19 +138,19 @@ def marks_of(text: str) -> list[Mark]:
         elif side == "begin" and name in _VERBATIM:
             verbatim = name
         elif side and name.rstrip("*") in MATRICES:  # in which rows are no equations
-            marks.append(Mark("{" if side == "begin" else "}", start, at))
+            marks.append(LayoutMark("{" if side == "begin" else "}", start, at))
         elif side:
             if name.rstrip("*") in _WITH_ARGUMENTS and side == "begin" and (arguments := _ARGUMENTS.match(text, at)):
                 at = arguments.end()
-            marks.append(Mark(f"{side} {name}", start, at))
+            marks.append(LayoutMark(f"{side} {name}", start, at))
         elif match["words"] and at - 1 not in closing:
-            marks.append(Mark("{", at - 1, at))
+            marks.append(LayoutMark("{", at - 1, at))
         elif match.lastgroup:
             at = closing[at - 1] if match["words"] else at
             kind = match[0] if match.lastgroup == "sign" else match.lastgroup
             kind = "=" if kind == "equals" else "wide" if kind == "arrow" else kind
             kind = "or" if ALTERNATIVE.fullmatch(text, start, at) else kind
-            marks.append(Mark(kind, start, at))
+            marks.append(LayoutMark(kind, start, at))
     return marks
 
 
@@ -166,11 +166,11 @@ def _closing_braces(text: str) -> dict[int, int]:
     return ends
 
 
-def delimited(marks: Sequence[Mark]) -> tuple[list[Region], list[Mark]]:
+def delimited(marks: Sequence[LayoutMark]) -> tuple[list[Region], list[LayoutMark]]:
     r"""The outermost parts between `$`, `$$`, `\(`, `\[` or in environments; and the marks that are not closed."""
     regions: list[Region] = []
-    unclosed: list[Mark] = []
-    opened: Mark | None = None
+    unclosed: list[LayoutMark] = []
+    opened: LayoutMark | None = None
     index = level = 0
     for n, mark in enumerate(marks):
         if opened is None:
@@ -193,12 +193,12 @@ def delimited(marks: Sequence[Mark]) -> tuple[list[Region], list[Mark]]:
     return regions, unclosed
 
 
-def has_equation(marks: Sequence[Mark], region: Region) -> bool:
+def has_equation(marks: Sequence[LayoutMark], region: Region) -> bool:
     """Whether there is a `=` in a region."""
     return any(m.kind == "=" for m in marks[region.first : region.last])
 
 
-def rows(fragment: Fragment, marks: Sequence[Mark], region: Region) -> list[LatexFragment]:
+def rows(fragment: Fragment, marks: Sequence[LayoutMark], region: Region) -> list[LatexFragment]:
     """The equations in one region of a text."""
     text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
     cut = [(*trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
@@ -221,7 +221,7 @@ def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int
     return not equals and not begins_another
 
 
-def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool]]:
+def _cut(marks: Sequence[LayoutMark], region: Region) -> Iterator[tuple[int, int, bool]]:
     """Cut at rows, delimiters and environments, and at commas and wide spaces that another equation follows.
 
     Yields where each part begins and ends, and whether it has a `=`.
@@ -257,7 +257,7 @@ def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool
     yield start, region.end, equals
 
 
-def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
+def _followed_by_equation(marks: Sequence[LayoutMark], region: Region) -> set[int]:
     """The marks that a `=` follows in the same row."""
     followed, follows = set(), False
     for n in range(region.last - 1, region.first - 1, -1):
@@ -273,7 +273,7 @@ def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
     return followed
 
 
-def _boxes_of_equations(marks: Sequence[Mark], region: Region) -> set[int]:
+def _boxes_of_equations(marks: Sequence[LayoutMark], region: Region) -> set[int]:
     r"""The marks of each `\boxed{...}` around whole equations."""
     boxes: set[int] = set()
     open_: list[tuple[int, int]] = []
@@ -293,7 +293,7 @@ def _boxes_of_equations(marks: Sequence[Mark], region: Region) -> set[int]:
 class _Trim:
     """Leaves out what accompanies an equation: spaces, labels, its number, punctuation, words."""
 
-    def __init__(self, text: str, marks: Sequence[Mark]) -> None:
+    def __init__(self, text: str, marks: Sequence[LayoutMark]) -> None:
         self.text = text
         self.marks = marks
         self.starts = [m.start for m in marks]
@@ -340,7 +340,7 @@ class _Trim:
             n -= 1
         return n >= 0 and self.marks[n].kind == "wide" and not self.text[self.ends[n] : place].strip()
 
-    def _is_separate(self, mark: Mark) -> bool:
+    def _is_separate(self, mark: LayoutMark) -> bool:
         """Whether there is a wide space on both sides, or on one and nothing on the other, as around no factor."""
         before, after = self._wide_before(mark.start), self._wide_after(mark.end)
         return (before and (after or not self.text[mark.end :].strip())) or (
@@ -352,7 +352,7 @@ class _Trim:
         n = bisect_left(self.starts, place)
         return n < len(self.marks) and self.marks[n].kind == "wide" and not self.text[place : self.starts[n]].strip()
 
-    def _is_beside(self, mark: Mark) -> bool:
+    def _is_beside(self, mark: LayoutMark) -> bool:
         if mark.kind != "words":
             return mark.kind in _BESIDE
         if self._is_separate(mark):

@@ -33,7 +33,7 @@ from lagrange.expressions.latex_names import (
     help_for_command,
     is_inequality,
 )
-from lagrange.expressions.latex_scanner import Place, Scanner
+from lagrange.expressions.latex_scanner import Scanner, TextRange
 from lagrange.expressions.latex_tokens import AtomReader, NameReader, TokenList
 from lagrange.expressions.limits import MAX_NESTING
 from lagrange.expressions.scope import Scope
@@ -438,7 +438,7 @@ class LatexLexer:
             scanner.note(message, start, scanner.at, "write `+` between them for a mixed number")
         self.atoms.tail()
 
-    def _total_derivative(self, start: int, above: Place, below: Place) -> bool:
+    def _total_derivative(self, start: int, above: TextRange, below: TextRange) -> bool:
         r"""Read a fraction as `\frac{d^n}{dt^n}`, if it is one."""
         d = _D_ABOVE.match(self.scanner.text, *above)
         by_time = _D_TIME_BELOW.fullmatch(self.scanner.text, *below)
@@ -462,7 +462,7 @@ class LatexLexer:
         self.atoms.tail()
         return True
 
-    def _partial_derivative(self, start: int, above: Place, below: Place) -> bool:
+    def _partial_derivative(self, start: int, above: TextRange, below: TextRange) -> bool:
         """Read a fraction as a partial derivative, if it is one."""
         text = self.scanner.text
         partial = _PARTIAL_ABOVE.match(text, *above)
@@ -471,7 +471,7 @@ class LatexLexer:
             return False
         if "/" in text[slice(*below)] or _PARTIAL.search(text, partial.end(), above[1]):
             return False  # a fraction of derivatives
-        variables: list[Place] = []
+        variables: list[TextRange] = []
         for n, (_, first) in enumerate(places):
             last = places[n + 1][0] if n + 1 < len(places) else below[1]
             order = _ORDER_AT_END.search(text, max(first, last - 12), last)

@@ -18,7 +18,7 @@ from lagrange.expressions.characters import DOT, GREEK, PRIMES, SUBSCRIPTS, SUPE
 from lagrange.expressions.latex_names import LETTERS, MARKS, NOTHING, SPACES, WORDS
 from lagrange.expressions.limits import MAX_NESTING
 
-Place = tuple[int, int]
+TextRange = tuple[int, int]
 """Where something begins and ends (exclusive)."""
 
 _COMMAND = re.compile(r"\\([A-Za-z]+\*?|.)", re.DOTALL)
@@ -38,9 +38,9 @@ class Scripts:
 
     primes: int = 0
     parts: tuple[str, ...] = ()
-    exponent: Place | None = None
+    exponent: TextRange | None = None
     end: int = 0
-    subscript: Place | None = None
+    subscript: TextRange | None = None
 
 
 class Scanner:
@@ -159,7 +159,7 @@ class Scanner:
         """The position of the brace that closes the one at `at`."""
         return self._closings[at]
 
-    def argument(self, owner: int) -> Place:
+    def argument(self, owner: int) -> TextRange:
         """Read the argument of a command, or of `^`, at `owner`: a group in braces, or one letter, digit or command."""
         self.skip()
         if self.ends() or self.text[self.at] in "^_)]=&|+*/,":
@@ -190,8 +190,8 @@ class Scanner:
         start, self.at = self.at, at
         primes = 0
         parts: tuple[str, ...] = ()
-        exponent: Place | None = None
-        subscript: Place | None = None
+        exponent: TextRange | None = None
+        subscript: TextRange | None = None
         end = at
         while True:
             self.skip_blanks()
@@ -287,7 +287,7 @@ class Scanner:
         first, last = self.place(start, end)
         return self.fragment.text[first:last]
 
-    def place(self, start: int, end: int) -> Place:
+    def place(self, start: int, end: int) -> TextRange:
         """The place in the text as it was written."""
         return self.normalized.written(min(start, len(self.text)), min(end, len(self.text)))
 

@@ -24,10 +24,10 @@ from lagrange.expressions.suggestions import TreeReport
 from lagrange.expressions.syntax_tree import (
     FUNCTIONS,
     Bars,
+    BracketedList,
     Call,
-    Components,
     Name,
-    Number,
+    NumberLiteral,
     Power,
     Primed,
     Product,
@@ -42,7 +42,7 @@ DIFFERENTIALS = ("d", "delta")
 FactorTrees = tuple[tuple[str, Tree], ...]
 
 
-class Meaning:
+class TextMeaning:
     """What the trees of one text mean, as scalars and as vectors.
 
     names  all that occur in the text
@@ -60,7 +60,7 @@ class Meaning:
     def scalar(self, tree: Tree) -> sp.Expr:
         """The tree as a scalar. Raises ProblemError where it is none."""
         match tree:
-            case Number(text=text, start=start):
+            case NumberLiteral(text=text, start=start):
                 if self.scope.decimals is not None and Decimal.is_rounded(text):
                     return Decimal(text, f"{self.scope.decimals}{start}")
                 return sp.Rational(text)
@@ -80,7 +80,7 @@ class Meaning:
                 return self._called(tree)
             case Bars(operand=inner):
                 return self._size(inner, tree)
-            case Components():
+            case BracketedList():
                 message = "a list of components is used where a scalar is expected"
                 help_ = "group with parentheses; brackets make a vector"
                 raise self.report.error("vector-for-scalar", message, tree, help_)
@@ -160,14 +160,14 @@ class Meaning:
     def _power(self, tree: Power) -> sp.Expr:
         if self._nested_exponent(tree) > MAX_NESTED_EXPONENT:
             message = f"nested exponents multiply to more than {MAX_NESTED_EXPONENT}"
-            if isinstance(tree.exponent, Number) and sp.Rational(tree.exponent.text) > MAX_EXPONENT:
+            if isinstance(tree.exponent, NumberLiteral) and sp.Rational(tree.exponent.text) > MAX_EXPONENT:
                 message = f"numbers in an exponent may be up to {MAX_EXPONENT}"
             raise self.report.error("exponent-too-large", message, tree, "is this the intended power?")
         if self.is_vector(tree.base):
             help_ = "write `dot(a, a)` for its square"
             raise self.report.error("vector-power", "a vector has no powers", tree, help_)
         base = self.scalar(tree.base)
-        number = tree.exponent.text if isinstance(tree.exponent, Number) else None
+        number = tree.exponent.text if isinstance(tree.exponent, NumberLiteral) else None
         exponent = self.scalar(tree.exponent) if number is None else sp.Rational(number)
         with self.report.blaming(tree):
             return self._arithmetic.power(base, exponent)
@@ -178,7 +178,7 @@ class Meaning:
         if highest is None:
             match tree:
                 case Power(base=base, exponent=exponent):
-                    own = float(sp.Rational(exponent.text)) if isinstance(exponent, Number) else 1.0
+                    own = float(sp.Rational(exponent.text)) if isinstance(exponent, NumberLiteral) else 1.0
                     highest = max(own, 1.0) * self._nested_exponent(base)
                 case Sum() | Product() | Primed() | Bars():
                     highest = max(self._nested_exponent(part) for part in parts(tree))
@@ -266,7 +266,7 @@ class Meaning:
 
     def _check_moves(self, value: sp.Expr, tree: Tree, primed: Primed) -> None:
         """Refuse primes of numbers and of constant symbols; a constant abbreviation may have them."""
-        if isinstance(tree, Number):
+        if isinstance(tree, NumberLiteral):
             message, help_ = (
                 f"the number {tree.text} has no time derivative",
                 "write `x'^2` for the square of x'",
@@ -299,7 +299,7 @@ class Meaning:
         inner, *by = call.arguments
         variables: list[Tree] = []
         for argument in by:
-            if isinstance(argument, Number) and variables and argument.text in ("1", "2", "3", "4"):
+            if isinstance(argument, NumberLiteral) and variables and argument.text in ("1", "2", "3", "4"):
                 variables += [variables[-1]] * (int(argument.text) - 1)
             else:
                 variables.append(argument)
@@ -370,7 +370,7 @@ class Meaning:
         match tree:
             case Name(text=text):
                 return self.scope.vector(text) is not None
-            case Components() | Call(name="cross"):
+            case BracketedList() | Call(name="cross"):
                 return True
             case Primed(operand=inner):
                 return self.is_vector(inner)
@@ -390,7 +390,7 @@ class Meaning:
         match tree:
             case Name():
                 return self._named_vector(tree)
-            case Components(items=items):
+            case BracketedList(items=items):
                 return self._listed(tree, items)
             case Primed(operand=inner, order=order):
                 self._check_order(order, tree)
@@ -468,7 +468,7 @@ class Meaning:
         self.report.note(message, name, f"`e_{axis}` always is the unit vector")
         return unit
 
-    def _listed(self, tree: Components, items: tuple[Tree, ...]) -> Vector:
+    def _listed(self, tree: BracketedList, items: tuple[Tree, ...]) -> Vector:
         if len(items) not in (2, 3):
             message = f"a vector has two or three components, not {len(items)}"
             raise self.report.error(

@@ -24,11 +24,11 @@ from lagrange.expressions.syntax_tree import (
     FUNCTIONS,
     OPERATIONS,
     Bars,
+    BracketedList,
     Call,
-    Components,
     Lexicon,
     Name,
-    Number,
+    NumberLiteral,
     Power,
     Primed,
     Product,
@@ -50,7 +50,7 @@ def _power_at_the_end(call: Call) -> Power | None:
     """`sin x^2` as (sin x)^2; None if the argument does not end with a power."""
     (argument, *others) = call.arguments
     last = argument.factors[-1][1] if isinstance(argument, Product) else argument
-    if others or not isinstance(last, Power) or not isinstance(last.exponent, Number):
+    if others or not isinstance(last, Power) or not isinstance(last.exponent, NumberLiteral):
         return None
     whole: Tree = last.base
     if isinstance(argument, Product):
@@ -171,7 +171,7 @@ class Parser:
     def _note_quotient(self, start: int, slash: int, divisor: Tree, factor: Token) -> None:
         """Report how `a/b c` was read. `1/2 m` with its space is as it looks, `1/2m` is not."""
         self.doubts = self.doubts or bool(slash)
-        if slash and not (isinstance(divisor, Number) and self.fragment.text[factor.start - 1].isspace()):
+        if slash and not (isinstance(divisor, NumberLiteral) and self.fragment.text[factor.start - 1].isspace()):
             quotient, below = self._text(start, factor.start), self._text(slash + 1, factor.start)
             multiplied = self._text(factor.start, self._last_end)
             help_ = f"for the other reading write `{self._text(start, slash)}/({below} {multiplied})`"
@@ -210,7 +210,7 @@ class Parser:
         self._enter(opening)
         exponent = self._factor()
         self._depth -= 1
-        if isinstance(exponent, Number) and exponent.text == "1" and self._is("/"):
+        if isinstance(exponent, NumberLiteral) and exponent.text == "1" and self._is("/"):
             written = self._text(start, self._last_end)
             message = f"the exponent of `{written}` ends before the `/`"
             self._note(start, self._token.end, message, "write `x^(1/2)` for a root")
@@ -276,14 +276,14 @@ class Parser:
         token = self._token
         if token.kind is TokenKind.NUMBER:
             self._advance()
-            return Number(token.text, token.start, token.end)
+            return NumberLiteral(token.text, token.start, token.end)
         if token.kind is TokenKind.NAME:
             return self._named()
         if self._is("("):
             return self._parenthesis()
         if self._is("["):
             items = self._list("]")
-            return Components(items, token.start, self._last_end)
+            return BracketedList(items, token.start, self._last_end)
         if self._is("|"):
             return self._between_bars()
         raise self._unexpected()
@@ -323,7 +323,7 @@ class Parser:
                 return power
         return call if exponent is None else Power(call, exponent, token.start, self._last_end)
 
-    def _function_exponent(self, token: Token) -> Number | None:
+    def _function_exponent(self, token: Token) -> NumberLiteral | None:
         """The 2 of `sin^2(theta)`."""
         if not self._is("^"):
             return None
@@ -339,7 +339,7 @@ class Parser:
             message = f"the exponent of `{token.text}` must be an integer"
             raise self._error("function-exponent", message, number, help_)
         self._advance(1 + bracketed)
-        return Number(number.text, number.start, number.end)
+        return NumberLiteral(number.text, number.start, number.end)
 
     def _bare_function(self, token: Token) -> Call:
         """A function without parentheses and the product that it takes."""
@@ -387,7 +387,7 @@ class Parser:
             return True
         if token.kind is TokenKind.NAME:
             return not factors or not self._ends_argument(factors, token, function)
-        return (self._is("(") and all(isinstance(f, Number) for f in factors)) or (
+        return (self._is("(") and all(isinstance(f, NumberLiteral) for f in factors)) or (
             self._is("|") and not factors and not self._in_bars
         )
 
@@ -414,12 +414,12 @@ class Parser:
 
     def _is_derivative(self, factors: list[Tree]) -> bool:
         """Whether the name here has primes and follows a symbol: a velocity is seldom part of an angle."""
-        return self._peek(1).kind is TokenKind.PRIMES and not all(isinstance(f, Number) for f in factors)
+        return self._peek(1).kind is TokenKind.PRIMES and not all(isinstance(f, NumberLiteral) for f in factors)
 
     def _note_argument(self, token: Token, factors: list[Tree], call: Call) -> None:
         """Report the argument where another reader might end it elsewhere."""
         last, help_ = factors[-1], f"write `{token.text}(...)` around what belongs to it"
-        symbols = [f for f in factors if not isinstance(f, Number)]
+        symbols = [f for f in factors if not isinstance(f, NumberLiteral)]
         time = isinstance(last, Name) and last.text == "t"
         argument = call.arguments[0]
         root_of_product = token.text == "sqrt" and len(factors) > 1

@@ -19,7 +19,7 @@ from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.limits import MAX_CHARACTERS, MAX_NAME
-from lagrange.expressions.meaning import DIFFERENTIALS, Meaning
+from lagrange.expressions.meaning import DIFFERENTIALS, TextMeaning
 from lagrange.expressions.parser import Parser
 from lagrange.expressions.scope import RESERVED, FunctionDeclaration, Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Call, Name, Tree, parts
@@ -154,7 +154,7 @@ class _Reading:
         self._scope = scope
         self._fragment, self._tokens = fragment, resolved
         self._parser = Parser(fragment, resolved, scope)
-        self._meaning = Meaning(fragment, scope, frozenset(r.text for r in resolved if r.kind is TokenKind.NAME))
+        self._meaning = TextMeaning(fragment, scope, frozenset(r.text for r in resolved if r.kind is TokenKind.NAME))
         self._surprises = [*notes, *_powers_of_ten(fragment, scope, resolved)]
 
     @property

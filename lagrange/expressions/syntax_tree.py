@@ -41,7 +41,7 @@ class Lexicon(Protocol):
 
 
 @record
-class Number:
+class NumberLiteral:
     """A number, as it was written."""
 
     text: str
@@ -108,7 +108,7 @@ class Call:
 
 
 @record
-class Components:
+class BracketedList:
     """A list in brackets: the components of a vector."""
 
     items: tuple[Tree, ...]
@@ -125,13 +125,13 @@ class Bars:
     end: int
 
 
-Tree = Number | Name | Primed | Sum | Product | Power | Call | Components | Bars
+Tree = NumberLiteral | Name | Primed | Sum | Product | Power | Call | BracketedList | Bars
 
 
 def parts(tree: Tree) -> tuple[Tree, ...]:
     """The children of a node, in the order of the text."""
     match tree:
-        case Number() | Name():
+        case NumberLiteral() | Name():
             return ()
         case Primed(operand=inner) | Bars(operand=inner):
             return (inner,)
@@ -141,5 +141,5 @@ def parts(tree: Tree) -> tuple[Tree, ...]:
             return tuple(factor for _, factor in factors)
         case Power(base=base, exponent=exponent):
             return (base, exponent)
-        case Call(arguments=items) | Components(items=items):
+        case Call(arguments=items) | BracketedList(items=items):
             return items

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 
 @record
-class Limit:
+class LimitingCase:
     """The equations of motion where a parameter vanishes, grows, or equals another; `to` is 0, oo or the other.
 
     reactions  the values of the reactions there, by symbol; none for a growing parameter
@@ -72,7 +72,7 @@ class Parts:
 
 
 @record
-class Meaning:
+class ResultMeaning:
     """What the result says in one set of coordinates.
 
     small  rest and small motion of one degree of freedom
@@ -84,7 +84,7 @@ class Meaning:
 
     view: InCoordinates
     small: Linearization | None
-    limits: tuple[Limit, ...]
+    limits: tuple[LimitingCase, ...]
     parts: tuple[Parts, ...]
     terms: tuple[sp.Expr, sp.Expr, str] | None
     constant: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
@@ -92,13 +92,13 @@ class Meaning:
     freed: WithEliminatedRates | None = None
 
 
-def meaning(solution: Solution) -> Meaning | None:
+def meaning(solution: Solution) -> ResultMeaning | None:
     """What the result says in the first choice of coordinates, or the file's own; None without equations of motion."""
     view = solution.chosen
     if view.motion is None or view.dynamics is None or not view.motion.final:
         return None
     reactions = _reactions(solution, view)
-    return Meaning(
+    return ResultMeaning(
         view,
         _small(solution, view),
         tuple(_limits(solution, view, reactions)),
@@ -170,7 +170,7 @@ def _is_let_go(solution: Solution, view: InCoordinates, place: Branch) -> bool:
 # -- limits ------------------------------------------------------------------------------------------------------------
 
 
-def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Limit]:
+def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[LimitingCase]:
     motion = view.motion
     assert motion is not None
     equations = tuple(e.expression for e in motion.final)
@@ -206,7 +206,7 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
         whole = len(shown) == len(values) and sum(count_operations(e) for e in shown.values()) <= LONGEST_LIMIT
         if to == 0 and len(limit) > 1 and not (shown and whole) and _only_stops(limit, equations, view):
             continue  # nor that without forces there is no acceleration
-        yield Limit(parameter, to, limit, shown if whole else {})
+        yield LimitingCase(parameter, to, limit, shown if whole else {})
         limits.append(limit)
         if len(limits) == MOST_LIMITS:
             return

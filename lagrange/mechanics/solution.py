@@ -517,7 +517,7 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to the questions of the file."""
     from lagrange.mechanics.questions.checks import check_questions
     from lagrange.mechanics.questions.questions import answers_to_questions
-    from lagrange.mechanics.questions.states import Place
+    from lagrange.mechanics.questions.states import MotionView
 
     on_stage("questions")
     law = solution.law
@@ -532,7 +532,7 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
         dynamics = view.dynamics
         if dynamics.reactions is None and law.used:
             dynamics = motion(law, view.coordinates.configuration, view.elimination)
-        places.append(Place(dynamics, integrals, law))
+        places.append(MotionView(dynamics, integrals, law))
     configurations = [v.configuration for v in solution.views]
     if not solution.problem.questions:
         from lagrange.mechanics.questions.from_start import motion_from_start

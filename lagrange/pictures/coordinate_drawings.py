@@ -27,7 +27,7 @@ from lagrange.pictures.poses import (
 )
 from lagrange.pictures.shapes import plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, overlapping, same_ends, toward
-from lagrange.pictures.systems import Page, SystemPicture
+from lagrange.pictures.systems import PaperMap, SystemPicture
 from lagrange.problem.model import Drawn
 
 _RODS = (Drawn.RODS, Drawn.STRINGS)
@@ -60,7 +60,7 @@ class CoordinateDrawings:
         return self.system.pose
 
     @property
-    def page(self) -> Page:
+    def page(self) -> PaperMap:
         """From space to the page."""
         return self.system.page
 

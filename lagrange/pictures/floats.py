@@ -16,7 +16,7 @@ from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
 from lagrange.pictures.limits import LARGEST_VALUE
 
-Values = Mapping[sp.Symbol, float]
+FloatValues = Mapping[sp.Symbol, float]
 FloatVector = tuple[float, float, float]
 
 
@@ -24,7 +24,7 @@ class NoValueError(ValueError):
     """An expression has no real value of reasonable size."""
 
 
-def value(expression: sp.Expr, values: Values) -> float:
+def value(expression: sp.Expr, values: FloatValues) -> float:
     """The value of an expression. Raises NoValueError, also for a symbol without a value."""
     try:
         number = _value(expression, values)
@@ -35,7 +35,7 @@ def value(expression: sp.Expr, values: Values) -> float:
     return number
 
 
-def _value(e: sp.Basic, values: Values) -> float:
+def _value(e: sp.Basic, values: FloatValues) -> float:
     if isinstance(e, sp.Symbol):
         if e not in values:
             raise NoValueError(e.name)
@@ -59,7 +59,7 @@ def _value(e: sp.Basic, values: Values) -> float:
     return float(function(*(_value(a, values) for a in e.args)))
 
 
-def place(vector: Vector, values: Values) -> FloatVector:
+def place(vector: Vector, values: FloatValues) -> FloatVector:
     """A vector's components along i, j, k. Raises NoValueError."""
     x, y, z = (value(c, values) for c in vector.fixed().components)
     return x, y, z
@@ -110,7 +110,7 @@ def solved(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[fl
 
 
 def projected(
-    relations: Sequence[sp.Expr], slopes: Sequence[Sequence[sp.Expr]], moving: Sequence[sp.Symbol], start: Values
+    relations: Sequence[sp.Expr], slopes: Sequence[Sequence[sp.Expr]], moving: Sequence[sp.Symbol], start: FloatValues
 ) -> dict[sp.Symbol, float]:
     """Values near the start at which the relations f vanish, by Newton's iteration.
 

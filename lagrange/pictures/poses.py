@@ -31,7 +31,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, plus, projected, value
+from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
 from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
 
@@ -46,7 +46,7 @@ class Pose:
     """A position: values of all symbols, which satisfy the constraints of a configuration."""
 
     configuration: Configuration
-    values: Values
+    values: FloatValues
 
     @property
     def coordinates(self) -> tuple[sp.Symbol, ...]:

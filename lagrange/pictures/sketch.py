@@ -41,7 +41,7 @@ _RAISED = "₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹ₐₑₕᵢ
 
 
 @record
-class Wanted:
+class LabelRequest:
     """A label to be placed.
 
     anchors   points next to which it may be placed, each with the preferred direction
@@ -69,7 +69,7 @@ def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
 
 
 def placed(
-    wanted: Iterable[Wanted], lines: Sequence[Polyline], dots: Sequence[Dot], notation: Notation
+    wanted: Iterable[LabelRequest], lines: Sequence[Polyline], dots: Sequence[Dot], notation: Notation
 ) -> tuple[Label, ...] | None:
     """The labels in their places; None if there is no place for a required one."""
     pieces = [piece for line in lines for piece in line.pieces]
@@ -91,7 +91,10 @@ def _around(dot: Dot) -> Box:
 
 
 def _first_free(
-    wanted: Wanted, extent: tuple[float, float], pieces: Sequence[tuple[PagePoint, PagePoint]], taken: Sequence[Box]
+    wanted: LabelRequest,
+    extent: tuple[float, float],
+    pieces: Sequence[tuple[PagePoint, PagePoint]],
+    taken: Sequence[Box],
 ) -> Label | None:
     width, height = extent
     for reach in _REACHES:
@@ -196,7 +199,7 @@ class Sketch:
 
     lines: list[Polyline] = field(default_factory=list)
     dots: list[Dot] = field(default_factory=list)
-    wanted: list[Wanted] = field(default_factory=list)
+    wanted: list[LabelRequest] = field(default_factory=list)
     filled: list[tuple[float, Polyline]] = field(default_factory=list)
 
     def line(self, points: Sequence[PagePoint], kind: StrokeKind, closed: bool = False) -> None:
@@ -219,7 +222,7 @@ class Sketch:
         self, content: sp.Expr | str, at: PagePoint, prefer: PagePoint, clear: float = 0.0, optional: bool = False
     ) -> None:
         """A label near a point."""
-        self.wanted.append(Wanted(content, ((at, prefer),), clear, optional))
+        self.wanted.append(LabelRequest(content, ((at, prefer),), clear, optional))
 
     def label_beside(
         self, content: sp.Expr | str, a: PagePoint, b: PagePoint, optional: bool = False, clear: float = 0.0
@@ -229,7 +232,7 @@ class Sketch:
         other = (-side[0], -side[1])
         parts = (0.5, 0.4, 0.6, 0.3, 0.7)
         anchors = tuple((along(a, b, part), s) for part in parts for s in (side, other))
-        self.wanted.append(Wanted(content, anchors, clear, optional))
+        self.wanted.append(LabelRequest(content, anchors, clear, optional))
 
     def scene(self, notation: Notation) -> Scene | None:
         """The picture; None if there is no place for a required label."""

@@ -1,7 +1,7 @@
 """A system in a general position on a page: rods, joints, shapes of bodies, and distances that are constant.
 
 All of this is read off the solution, in floating point: a property is believed if it holds in the position drawn and in
-several others. A `Page` maps space to centimetres; its scale is chosen so that all points fit.
+several others. A `PaperMap` maps space to centimetres; its scale is chosen so that all points fit.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.results import Solution
-from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, value
+from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
@@ -56,7 +56,7 @@ class SystemPicture:
     view: View
     contacts: tuple[RoughContact, ...] = ()
 
-    def at(self, vector: Vector, more: Values | None = None) -> FloatVector:
+    def at(self, vector: Vector, more: FloatValues | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
         expressed, values = self.configuration.expressed, {**self.pose.values, **(more or {})}
         return place(vector.fixed().map(lambda c: c.xreplace(expressed)) if expressed else vector, values)
@@ -236,7 +236,7 @@ class SystemPicture:
         return tuple(dict.fromkeys(rod.centre for _, rod in self.rods if rod.centre is not None))
 
     @cached_property
-    def page(self) -> Page:
+    def page(self) -> PaperMap:
         """The page, with a scale at which all points and bodies fit."""
         places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
         flat = [self.view.flat(p) for p in (*places, *self._figure_corners(), (0.0, 0.0, 0.0))]
@@ -257,7 +257,7 @@ class SystemPicture:
         only = right - left < 1e-9 or high - low < 1e-9
         width = LONGEST_LINE if only else WIDTH
         scale = min(width / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), LARGEST_SCALE)
-        return Page(self.view, scale)
+        return PaperMap(self.view, scale)
 
     def _figure_corners(self) -> Iterator[FloatVector]:
         """Places of what the figure adds."""
@@ -322,7 +322,7 @@ def _holds(system: SystemPicture, body: MassPoint, point: Callable[[Pose], Float
 
 
 @record
-class Page:
+class PaperMap:
     """The map from space to centimetres; the origin is at (0, 0)."""
 
     view: View

@@ -212,17 +212,17 @@ def _unknown(key: Scalar, _value: Node | None, names: DeclaredNames) -> sp.Symbo
 
 
 @record
-class Functions:
+class DeclaredFunctions:
     """The prescribed motions u(t), and the other undefined functions."""
 
     prescribed: tuple[sp.Symbol, ...] = ()
     undefined: tuple[FunctionDeclaration, ...] = ()
 
 
-def read_functions(node: Node | None, names: DeclaredNames) -> Functions:
+def read_functions(node: Node | None, names: DeclaredNames) -> DeclaredFunctions:
     """name -> list of argument names."""
     if node is None:
-        return Functions()
+        return DeclaredFunctions()
     prescribed: list[sp.Symbol] = []
     undefined: list[FunctionDeclaration] = []
     for key, value in names.diagnostics.attempt(lambda: _function_entries(node, names)) or ():
@@ -236,7 +236,7 @@ def read_functions(node: Node | None, names: DeclaredNames) -> Functions:
             prescribed.append(sp.Symbol(name, real=True))
         else:
             undefined.append(FunctionDeclaration(name, arguments))
-    return Functions(tuple(prescribed), tuple(undefined))
+    return DeclaredFunctions(tuple(prescribed), tuple(undefined))
 
 
 def _function_entries(node: Node, names: DeclaredNames) -> tuple[tuple[Scalar, Node], ...]:
@@ -276,7 +276,7 @@ def _argument(scalar: Scalar) -> str:
 def first_scope(
     parameters: tuple[Parameter, ...],
     coordinates: tuple[Coordinate, ...],
-    functions: Functions,
+    functions: DeclaredFunctions,
     unknowns: tuple[sp.Symbol, ...],
 ) -> Scope:
     """The scope of the declared symbols alone."""

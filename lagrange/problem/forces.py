@@ -45,7 +45,7 @@ from lagrange.problem.sections import (
     mapping_of,
     scalar_of,
 )
-from lagrange.problem.yaml.kinds import Form
+from lagrange.problem.yaml.kinds import Keys
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
@@ -101,7 +101,7 @@ def _force(
     node: Node,
     context: LoadContext,
     tensions: Scope,
-    forms: Mapping[str, Form] = FORCES,
+    forms: Mapping[str, Keys] = FORCES,
     noun: str = "force",
 ) -> Force:
     what = f"the {noun} `{name}`"
@@ -135,7 +135,7 @@ def _is_vector_alone(node: Node) -> bool:
     return isinstance(node, Scalar)
 
 
-def _refuse_type(mapping: MappingNode, what: str, forms: Mapping[str, Form]) -> None:
+def _refuse_type(mapping: MappingNode, what: str, forms: Mapping[str, Keys]) -> None:
     """Refuse `type: spring`, with the cure: the key that says what acts is the kind itself. Raises ProblemError."""
     for key, value in mapping.entries:
         if key.text in ("type", "kind") and isinstance(value, Scalar) and value.text in forms:
@@ -144,9 +144,9 @@ def _refuse_type(mapping: MappingNode, what: str, forms: Mapping[str, Form]) -> 
             raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"write `{{{needed}}}`"))
 
 
-def _any_of(noun: str, forms: Mapping[str, Form]) -> Form:
+def _any_of(noun: str, forms: Mapping[str, Keys]) -> Keys:
     """All keys of forces, to suggest one where the kind of a force is not clear."""
-    return Form(f"a {noun}", tuple({key.name: key for form in forms.values() for key in form.keys}.values()))
+    return Keys(f"a {noun}", tuple({key.name: key for form in forms.values() for key in form.keys}.values()))
 
 
 class _Entry:

@@ -3,9 +3,9 @@
 The reader accepts these keys and no others; `lagsolve schema` and `lagsolve new` are made from this module, and a test
 compares the tables of docs/problem-files.md with it. A new key is declared here and read in the module of its section.
 
-A `Kind` is what a value may be: the name of a primitive kind (`PRIMITIVE`) or of a part (`PARTS`), words, a list, names
-with values of one kind, a form (a mapping with known keys), or one of several kinds. Values are text to the reader, so
-what an expression may contain is not decided by its kind.
+A `Kind` is what a value may be: the name of a primitive kind (`PRIMITIVE`) or of a part (`PARTS`), words, a list,
+names with values of one kind, a form (a mapping with known keys), or one of several kinds. Values are text to the
+reader, so what an expression may contain is not decided by its kind.
 
 SymPy is not imported here: schema and template must not wait for it.
 """
@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from lagrange.problem.yaml.kinds import AnyOf, Form, Key, Kind, ListOf, Named, Words, one_or_list, or_nothing, three
+from lagrange.problem.yaml.kinds import AnyOf, Key, Keys, Kind, ListOf, Named, OneOf, one_or_list, or_nothing, three
 
 # -- words -------------------------------------------------------------------------------------------------------------
 
@@ -123,12 +123,12 @@ WAYS_OF_TURNING = (("angle",), ("orientation",), ("axes", "angular_velocity"))
 
 # -- forms -------------------------------------------------------------------------------------------------------------
 
-AXES = Form("words for the axes", tuple(Key(axis, "text", f"The direction of {axis}.") for axis in "ijk"))
+AXES = Keys("words for the axes", tuple(Key(axis, "text", f"The direction of {axis}.") for axis in "ijk"))
 
-PARAMETER = Form(
+PARAMETER = Keys(
     "what a parameter is",
     (
-        Key("assume", Words(tuple(a.value for a in Assumption)), "What is assumed of it; positive by default."),
+        Key("assume", OneOf(tuple(a.value for a in Assumption)), "What is assumed of it; positive by default."),
         Key("unit", "text", "Its unit, such as kg*m^2."),
         Key("meaning", "text", "What it is, in words."),
         Key("value", "expression", "Its value, a number with its unit: 9.81 m/s^2, 30 cm, 30 deg, 2/3, 2*pi rad/s."),
@@ -136,7 +136,7 @@ PARAMETER = Form(
     ),
 )
 
-COORDINATE = Form(
+COORDINATE = Keys(
     "what a coordinate is",
     (
         Key("meaning", "text", "What it measures, in words."),
@@ -145,12 +145,12 @@ COORDINATE = Form(
     ),
 )
 
-FRAME = Form(
+FRAME = Keys(
     "a frame",
     (
         Key(
             "type",
-            Words(tuple(t.value for t in FrameType)),
+            OneOf(tuple(t.value for t in FrameType)),
             "One of cartesian, polar [r, phi], cylindrical [rho, phi, z] or spherical [r, theta, phi].",
             required=True,
             example="polar",
@@ -159,7 +159,7 @@ FRAME = Form(
     ),
 )
 
-SHAPE = Form(
+SHAPE = Keys(
     "a shape",
     (
         Key("disc", "expression", "A disc of this radius, across the third axis of the body.", example="R"),
@@ -174,7 +174,7 @@ SHAPE = Form(
 _NAME = Key("name", "text", "What sentences call it: `name: upper particle`. The article is added.")
 _SHAPE = Key("shape", "shape", "What it looks like in the figure: {disc: R}, {rod: [A, B]}, {box: [a, b]}.")
 
-EXCHANGE = Form(
+EXCHANGE = Keys(
     "exchanged mass",
     (
         Key("velocity", "vector", "Its velocity just after it leaves, or just before it joins.", example="0"),
@@ -182,7 +182,7 @@ EXCHANGE = Form(
     ),
 )
 
-PARTICLE = Form(
+PARTICLE = Keys(
     "a particle",
     (
         Key("mass", "expression", "Its mass, m or m_0 - q*t; without one it is a massless point."),
@@ -194,15 +194,15 @@ PARTICLE = Form(
     ),
 )
 
-ORIENTATION = Form(
+ORIENTATION = Keys(
     "three rotations",
     (
-        Key("axes", Words(SEQUENCES), "About which axes, in their order: 313.", required=True, example="313"),
+        Key("axes", OneOf(SEQUENCES), "About which axes, in their order: 313.", required=True, example="313"),
         Key("angles", three("expression"), "By which angles.", required=True, example="[phi, theta, psi]"),
     ),
 )
 
-BODY = Form(
+BODY = Keys(
     "a rigid body",
     (
         Key("mass", "expression", "Its mass; 0 by default."),
@@ -228,7 +228,7 @@ BODY = Form(
     ),
 )
 
-CONSTRAINT = Form(
+CONSTRAINT = Keys(
     "a constraint in full",
     (
         Key(
@@ -242,7 +242,7 @@ CONSTRAINT = Form(
         Key("reaction", "name", "What its force of constraint is called."),
         Key(
             "by",
-            Words(tuple(k.value for k in Keeper)),
+            OneOf(tuple(k.value for k in Keeper)),
             "What keeps it, where the equation does not show it: a rod pulls and pushes, a string pulls.",
         ),
     ),
@@ -255,7 +255,7 @@ _BETWEEN = Key(
 )
 
 FORCES = {
-    "vector": Form(
+    "vector": Keys(
         "a force",
         (
             Key("vector", "vector", "A force: its vector.", required=True, example="F*i"),
@@ -263,10 +263,10 @@ FORCES = {
             Key("at", "vector", "Where a force acts, if not at that point itself."),
         ),
     ),
-    "moment": Form(
+    "moment": Keys(
         "a moment", (Key("moment", "vector", "A moment on a body: its vector.", required=True, example="M*k"), _ON_BODY)
     ),
-    "spring": Form(
+    "spring": Keys(
         "a spring",
         (
             Key("spring", "expression", "A spring: its stiffness.", required=True, example="c"),
@@ -275,10 +275,10 @@ FORCES = {
             Key("sense", "sense", "The sign of the second end's coordinate minus the first's, on a line."),
         ),
     ),
-    "damper": Form(
+    "damper": Keys(
         "a damper", (Key("damper", "expression", "A damper: its coefficient.", required=True, example="b"), _BETWEEN)
     ),
-    "potential": Form(
+    "potential": Keys(
         "a field of force",
         (
             Key(
@@ -290,7 +290,7 @@ FORCES = {
             ),
         ),
     ),
-    "generalized": Form(
+    "generalized": Keys(
         "generalized forces",
         (
             Key(
@@ -302,7 +302,7 @@ FORCES = {
             ),
         ),
     ),
-    "friction": Form(
+    "friction": Keys(
         "Coulomb friction",
         (
             Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
@@ -320,7 +320,7 @@ FORCES = {
             Key("contact", "sense", "The sign of the reaction, when known."),
         ),
     ),
-    "belt": Form(
+    "belt": Keys(
         "a belt on a rough drum",
         (
             Key("belt", "expression", "A belt or rope on a rough drum: the coefficient.", required=True, example="mu"),
@@ -332,7 +332,7 @@ FORCES = {
 }
 """The kinds of forces, each recognised by the key of its name."""
 
-CHOICE = Form(
+CHOICE = Keys(
     "a choice of coordinates",
     (
         Key(
@@ -346,7 +346,7 @@ CHOICE = Form(
     ),
 )
 
-IMPACT = Form(
+IMPACT = Keys(
     "an impact",
     (
         Key(
@@ -370,7 +370,7 @@ IMPACT = Form(
 )
 
 IMPULSES = {
-    "vector": Form(
+    "vector": Keys(
         "an impulse",
         (
             Key("vector", "vector", "An impulse: its vector.", required=True, example="J*i"),
@@ -378,14 +378,14 @@ IMPULSES = {
             Key("at", "vector", "Where it acts, if not at that point itself."),
         ),
     ),
-    "moment": Form(
+    "moment": Keys(
         "an impulsive moment",
         (Key("moment", "vector", "An impulsive moment on a body.", required=True, example="H*k"), _ON_BODY),
     ),
 }
 """The kinds of given impulses, each recognised by the key of its name."""
 
-QUESTION = Form(
+QUESTION = Keys(
     "a question",
     (
         Key("quantity", "expression", "What is asked for: an expression.", required=True, example="theta"),
@@ -394,12 +394,12 @@ QUESTION = Form(
     ),
 )
 
-ANSWERS = Form(
+ANSWERS = Keys(
     "answers",
     (
         Key("degrees_of_freedom", "number", "How many there are."),
-        Key("classification", one_or_list(Words(CLASSES)), "Such as [holonomic, scleronomic]."),
-        Key("integrable", Named(Words(("true", "false")), new=False), "Which constraints are integrable: {rod: true}."),
+        Key("classification", one_or_list(OneOf(CLASSES)), "Such as [holonomic, scleronomic]."),
+        Key("integrable", Named(OneOf(("true", "false")), new=False), "Which constraints are integrable: {rod: true}."),
         Key("equations", one_or_list("equation"), "The equations of motion."),
         Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
         Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
@@ -429,11 +429,11 @@ ANSWERS = Form(
 )
 
 _EACH = AnyOf(("decimal", Named("decimal", new=False)))
-POINTS = Form(
+POINTS = Keys(
     "points",
     tuple(Key(k, _EACH if k in ("ask", "reactions") else "decimal", f"For `{k}` in an answer.") for k in ANSWERS.names),
 )
-VARY = Form(
+VARY = Keys(
     "a range of values",
     (
         Key("from", "expression", "The first value.", required=True, example="0.2 m"),
@@ -444,17 +444,17 @@ VARY = Form(
 
 _CHAINS = ListOf("path")
 
-CIRCLE = Form(
+CIRCLE = Keys(
     "a circle of a figure",
     (
         Key("centre", "vector", "Its centre.", required=True, example="r_P"),
         Key("radius", "expression", "Its radius.", required=True, example="R"),
         Key("axis", "vector", "In space: the direction across it."),
-        Key("as", Words(("disc", "ring", "sphere", "curve")), "What it is; a disc by default."),
+        Key("as", OneOf(("disc", "ring", "sphere", "curve")), "What it is; a disc by default."),
     ),
 )
 
-CURVE = Form(
+CURVE = Keys(
     "a curve or surface of a figure",
     (
         Key("point", "vector", "A place that depends on one parameter, or on two.", required=True, example="x*i"),
@@ -462,12 +462,12 @@ CURVE = Form(
             required=True, example="x"),
         Key("from", one_or_list("expression"), "Where it begins.", required=True, example="0"),
         Key("to", one_or_list("expression"), "Where it ends.", required=True, example="2*pi"),
-        Key("as", Words(("ground", "curve", "rods", "strings", "lines", "outlines")),
+        Key("as", OneOf(("ground", "curve", "rods", "strings", "lines", "outlines")),
             "What it is: ground is hatched on the right-hand side; a curve by default."),
     ),
 )  # fmt: skip
 
-FIGURE = Form(
+FIGURE = Keys(
     "a figure",
     (
         Key("at", Named("expression", new=False), "The position drawn, in numbers: {theta: 30 deg, l: 2}."),
@@ -496,7 +496,7 @@ FIGURE = Form(
     ),
 )  # fmt: skip
 
-PROBLEM = Form(
+PROBLEM = Keys(
     "a problem for lagsolve",
     (
         Key("title", "text", "What the problem is called.", required=True, example="..."),
@@ -548,7 +548,7 @@ PROBLEM = Form(
         Key("impact", IMPACT, "Blows, and constraints that begin to act in an instant."),
         Key("lagrangian", "expression", "The Lagrangian outright, instead of particles and bodies."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
-        Key("find", one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
+        Key("find", one_or_list(OneOf(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
         Key(
             "vary",
@@ -569,9 +569,9 @@ PARTS: dict[str, Kind] = {
     "curve": CURVE,
     "equations": or_nothing(one_or_list("equation")),
     "alternatives": AnyOf((one_or_list("expression"), ListOf(ListOf("expression")))),
-    "sense": Words(tuple(SENSES)),
-    "slip": AnyOf((Words(tuple(SENSES)), "vector")),
-    "parameter": or_nothing(Words(tuple(a.value for a in Assumption)), "quantity", PARAMETER),
+    "sense": OneOf(tuple(SENSES)),
+    "slip": AnyOf((OneOf(tuple(SENSES)), "vector")),
+    "parameter": or_nothing(OneOf(tuple(a.value for a in Assumption)), "quantity", PARAMETER),
     "coordinate": AnyOf(("text", COORDINATE)),
     "frame": or_nothing(FRAME),
     "exchange": EXCHANGE,

@@ -42,7 +42,7 @@ from lagrange.problem.sections import (
 from lagrange.problem.yaml.nodes import ListNode, Node, Scalar, ScalarText
 
 T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
-Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]
+FragmentReader = Callable[[Fragment, Scope, list[Diagnostic]], T]
 
 
 class LoadContext:
@@ -147,13 +147,13 @@ class LoadContext:
 
     # -- reading -----------------------------------------------------------------------------------------------------
 
-    def _read(self, reader: Reader[T], fragment: Fragment, scope: Scope | None = None) -> T:
+    def _read(self, reader: FragmentReader[T], fragment: Fragment, scope: Scope | None = None) -> T:
         notes: list[Diagnostic] = []
         value = self.read_quietly(reader, fragment, scope or self.scope, notes)
         self.diagnostics.report_all(notes)
         return value
 
-    def read_quietly(self, reader: Reader[T], fragment: Fragment, scope: Scope, notes: list[Diagnostic]) -> T:
+    def read_quietly(self, reader: FragmentReader[T], fragment: Fragment, scope: Scope, notes: list[Diagnostic]) -> T:
         """The text as a reader of expressions understands it; remarks on the reading are appended to `notes`.
 
         Raises ProblemError; without a diagnostic where the declaration of a name has failed, or the work budget is

@@ -33,7 +33,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, differential, t, variation
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.keys import Assumption
-from lagrange.problem.yaml.kinds import Form
+from lagrange.problem.yaml.kinds import Keys
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 
@@ -158,7 +158,7 @@ class Section:
     strange  the values of other keys that were not taken for one of them
     """
 
-    def __init__(self, node: MappingNode, what: str, form: Form, diagnostics: Diagnostics) -> None:
+    def __init__(self, node: MappingNode, what: str, form: Keys, diagnostics: Diagnostics) -> None:
         self.node = node
         self.what = what
         self.form = form

@@ -34,7 +34,7 @@ from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.keys import ANSWERS, CLASSES, POINTS
 from lagrange.problem.limits import MOST_SIGNS
-from lagrange.problem.load_context import LoadContext, Reader
+from lagrange.problem.load_context import FragmentReader, LoadContext
 from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question, Weight
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
@@ -244,11 +244,11 @@ class AnswerReader:
         self._try(read_equation if "=" in fragment.text else read_value, fragment)
         return fragment
 
-    def _try(self, reader: Reader[Any], fragment: Fragment) -> None:
+    def _try(self, reader: FragmentReader[Any], fragment: Fragment) -> None:
         """Reads an answer only to find its mistakes: notes on how it is read belong to the verdict on it."""
         if not self.tries:
             return
-        limited: Reader[Any] = partial(read_value, latex=True)
+        limited: FragmentReader[Any] = partial(read_value, latex=True)
         if reader is read_equation:
             limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
         for equation in equations(fragment):

@@ -14,7 +14,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.programs.languages import PYTHON, Argument, Function
+from lagrange.programs.languages import PYTHON, Argument, GeneratedFunction
 from lagrange.programs.printer import Printer
 from lagrange.programs.straight_line import StraightLine, straight_line
 
@@ -75,5 +75,7 @@ def compiled(
         else:
             moving.append((symbol, value))
     arguments: list[Argument] = [("t", t), *((f"y{k}", s) for k, s in enumerate(state))]
-    function = Function("f", tuple(arguments), StraightLine(tuple(moving), written.outputs), constants=constants)
+    function = GeneratedFunction(
+        "f", tuple(arguments), StraightLine(tuple(moving), written.outputs), constants=constants
+    )
     return compiled_text("\n".join(PYTHON.function(function)), "f", namespace)

@@ -17,7 +17,7 @@ from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
 
 
 @record
-class FirstOrder:
+class FirstOrderEquations:
     """First-order equations, in symbols.
 
     slots        the coordinates, and the prescribed motions u(t)
@@ -82,12 +82,12 @@ class FirstOrder:
         return (*self.finite, *self.velocity_forms)
 
 
-def in_coordinates(dynamics: Motion) -> FirstOrder:
+def in_coordinates(dynamics: Motion) -> FirstOrderEquations:
     """The equations in coordinates and velocities."""
     form = dynamics.matrices
     slots, rows = form.configuration.slots, form.configuration.rows
     used = [n for n in range(len(rows)) if n not in dynamics.equations.elimination.unused]
-    return FirstOrder(
+    return FirstOrderEquations(
         slots=slots,
         speeds=slots.velocities,
         rates=slots.velocities,
@@ -101,13 +101,13 @@ def in_coordinates(dynamics: Motion) -> FirstOrder:
     )
 
 
-def in_speeds(equations: QuasiEquations) -> FirstOrder:
+def in_speeds(equations: QuasiEquations) -> FirstOrderEquations:
     """The equations in coordinates and quasi-velocities, which satisfy the constraints on velocities identically."""
     quasi = equations.quasi
     slots = quasi.configuration.slots
     unknowns = tuple(prime(s) for s in quasi.symbols)
     at_rest = dict.fromkeys(unknowns, sp.S.Zero)
-    return FirstOrder(
+    return FirstOrderEquations(
         slots=slots,
         speeds=quasi.symbols,
         rates=tuple(quasi.shown(quasi.rates[v]) for v in slots.velocities),

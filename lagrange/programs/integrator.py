@@ -19,14 +19,14 @@ from lagrange.core.records import record
 from lagrange.programs.compiled import Compiled, compiled_text
 from lagrange.programs.limits import MOST_STEPS, PACE, SLOWEST_PACE, SMALLEST_STEP
 
-Rate = Callable[..., Sequence[float]]
+RateFunction = Callable[..., Sequence[float]]
 """f(t, y_0, y_1, ...)."""
 State = tuple[float, ...]
 
 _SAFETY, _LEAST_FACTOR, _LARGEST_FACTOR, _ORDER = 0.9, 0.2, 10.0, 8
 
 
-class StoppedError(Exception):
+class IntegrationStoppedError(Exception):
     """The integration cannot go on, at a time, for a reason that can be shown."""
 
     def __init__(self, time: float, reason: str) -> None:
@@ -43,7 +43,7 @@ class IntegrationStep:
     before: State
     after: State
     slopes: tuple[State, ...]
-    rate: Rate
+    rate: RateFunction
 
     @property
     def end(self) -> float:
@@ -73,7 +73,13 @@ def at(step: IntegrationStep, coefficients: Sequence[State], time: float) -> Sta
 
 
 def steps(
-    rate: Rate, start: float, state: State, end: float, relative: float, absolute: float, longest: float = math.inf
+    rate: RateFunction,
+    start: float,
+    state: State,
+    end: float,
+    relative: float,
+    absolute: float,
+    longest: float = math.inf,
 ) -> Iterator[IntegrationStep]:
     """The steps from the start to the end; a state that is sent back replaces the one at the end of the step.
 
@@ -85,16 +91,18 @@ def steps(
     taken, looked = 0, start
     while time < end:
         if taken > MOST_STEPS:
-            raise StoppedError(time, f"more than {MOST_STEPS:,} steps are needed")
+            raise IntegrationStoppedError(time, f"more than {MOST_STEPS:,} steps are needed")
         taken += 1
         if taken % PACE == 0:
             if time - looked < SLOWEST_PACE * (end - start):
-                raise StoppedError(time, f"more than {MOST_STEPS:,} steps would be needed")
+                raise IntegrationStoppedError(time, f"more than {MOST_STEPS:,} steps would be needed")
             looked = time
         last = time + length >= end * (1 - 1e-14)
         length = end - time if last else length
         if length < SMALLEST_STEP * max(abs(time), 1e-3):
-            raise StoppedError(time, "it comes to a singular place: a collision, or a pole of the coordinates")
+            raise IntegrationStoppedError(
+                time, "it comes to a singular place: a collision, or a pole of the coordinates"
+            )
         try:
             after, slopes, error = make_step(rate, time, length, state, slope, relative, absolute)
         except (ArithmeticError, ValueError):
@@ -114,17 +122,19 @@ def steps(
         length = min(length * factor, longest)
 
 
-def _first(rate: Rate, time: float, state: State) -> State:
+def _first(rate: RateFunction, time: float, state: State) -> State:
     try:
         slope = tuple(rate(time, *state))
     except (ArithmeticError, ValueError):
         slope = (math.nan,)
     if not all(map(math.isfinite, slope)):
-        raise StoppedError(time, "the accelerations are not determined")
+        raise IntegrationStoppedError(time, "the accelerations are not determined")
     return slope
 
 
-def _first_length(rate: Rate, time: float, state: State, slope: State, relative: float, absolute: float) -> float:
+def _first_length(
+    rate: RateFunction, time: float, state: State, slope: State, relative: float, absolute: float
+) -> float:
     """The length of the first step (Hairer, Nørsett and Wanner, section II.4)."""
     scale = [absolute + relative * abs(y) for y in state]
     size = _norm(state, scale)

@@ -1,7 +1,7 @@
 """Functions in Python, C, MATLAB (and Octave), Julia and JavaScript.
 
-A `Function` has arguments, each a number or an array of numbers, and outputs; `Language.function` writes it as a
-function of that language that returns the array of its outputs, with assignments for repeated parts. Locals are named
+A `GeneratedFunction` has arguments, each a number or an array of numbers, and outputs; `Language.function` writes it as
+a function of that language that returns the array of its outputs, with assignments for repeated parts. Locals are named
 as the caller says, and temporaries c0, c1, ...
 """
 
@@ -15,7 +15,7 @@ import sympy as sp
 
 from lagrange.core.printable import printable
 from lagrange.core.records import record
-from lagrange.programs.names import Names
+from lagrange.programs.names import ProgramNames
 from lagrange.programs.printer import Printer, Syntax
 from lagrange.programs.straight_line import StraightLine, straight_line, symbols_of
 
@@ -33,7 +33,7 @@ class Target(StrEnum):
 
 
 @record
-class Function:
+class GeneratedFunction:
     """A function of numbers and arrays, and its outputs in terms of their symbols.
 
     program  the outputs as a straight-line program
@@ -54,7 +54,7 @@ class Function:
         arguments: Sequence[Argument],
         outputs: Sequence[sp.Expr],
         names: Mapping[sp.Symbol, str] | None = None,
-    ) -> Function:
+    ) -> GeneratedFunction:
         """The function with these outputs."""
         return cls(name, tuple(arguments), straight_line(outputs), names or {})
 
@@ -106,7 +106,7 @@ class Language:
         between = self.separator.rstrip()
         return [f"{before}{rows[0]}{between}", *(f"    {r}{between}" for r in rows[1:-1]), f"    {rows[-1]}{after}"]
 
-    def function(self, function: Function) -> list[str]:
+    def function(self, function: GeneratedFunction) -> list[str]:
         """The lines of a function."""
         used = symbols_of(function.program)
         code = dict(function.constants)
@@ -124,7 +124,7 @@ class Language:
                 code[symbol] = element if wanted is None else wanted
                 if wanted is not None and symbol in used:
                     lines.append(self.assign.format(name=wanted, code=element))
-        taken = Names([*(n for n, _ in function.arguments), *code.values()])
+        taken = ProgramNames([*(n for n, _ in function.arguments), *code.values()])
         printer = Printer(self.syntax, code)
         for symbol, value in function.program.assignments:
             written_value = printer(value)

@@ -36,7 +36,7 @@ RESERVED = frozenset(_WORDS.split())
 """Words of Python, C, MATLAB, Octave, Julia, JavaScript, and what the programs use themselves."""
 
 
-class Names:
+class ProgramNames:
     """Names for symbols, one for each."""
 
     def __init__(self, taken: Iterable[str] = ()) -> None:

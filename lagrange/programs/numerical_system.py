@@ -24,12 +24,12 @@ import sympy as sp
 from lagrange.core.operations import distinct_parts
 from lagrange.core.symbols import partial, t
 from lagrange.programs.compiled import Compiled, compiled
-from lagrange.programs.integrator import Rate, State
+from lagrange.programs.integrator import RateFunction, State
 from lagrange.programs.limits import MOST_PROJECTIONS, NEGLIGIBLE, ROUNDING
 from lagrange.programs.state_equations import StateEquations
 from lagrange.programs.straight_line import can_be_eliminated, solved_in_line
 
-Values = Mapping[sp.Symbol, float]
+FloatValues = Mapping[sp.Symbol, float]
 
 
 class NumericalSystem:
@@ -39,7 +39,7 @@ class NumericalSystem:
     signs    the sign of each expression on which dry friction depends
     """
 
-    def __init__(self, states: StateEquations, values: Values, signs: Mapping[sp.Expr, int] | None = None) -> None:
+    def __init__(self, states: StateEquations, values: FloatValues, signs: Mapping[sp.Expr, int] | None = None) -> None:
         self.states, self.values = states, values
         self.signs = dict.fromkeys(indicators(states), 1) if signs is None else dict(signs)
         self._rule: dict[sp.Basic, sp.Basic] = {sp.sign(e): sp.Integer(s) for e, s in self.signs.items()}
@@ -61,13 +61,13 @@ class NumericalSystem:
         return e.xreplace(self._rule) if self._rule else e
 
     @cached_property
-    def rate(self) -> Rate:
+    def rate(self) -> RateFunction:
         """dy/dt, called with t and the components of y. Raises ArithmeticError where it does not exist."""
         e = self.states.equations
         rates, right = [*map(self._signed, e.rates)], [*map(self._signed, e.right)]
         matrix = [[*map(self._signed, row)] for row in e.matrix]
         if can_be_eliminated(len(right), len(e.multipliers)):
-            made: Rate = compiled(e.state, solved_in_line(rates, matrix, right), self.values)
+            made: RateFunction = compiled(e.state, solved_in_line(rates, matrix, right), self.values)
             return made
         solved, speeds, n = self.solved, len(e.speeds), len(e.rates)
         first = compiled(e.state, rates, self.values) if tuple(rates) != e.slots.velocities else None
@@ -79,7 +79,7 @@ class NumericalSystem:
         return rate
 
     @cached_property
-    def solved(self) -> Rate:
+    def solved(self) -> RateFunction:
         """s', then λ."""
         import numpy
 
@@ -100,9 +100,9 @@ class NumericalSystem:
         return solved
 
     @cached_property
-    def matrix(self) -> Rate:
+    def matrix(self) -> RateFunction:
         """The rows of the linear equations for s' and λ, one after another."""
-        made: Rate = self._compiled([*chain.from_iterable(self.states.equations.matrix)])
+        made: RateFunction = self._compiled([*chain.from_iterable(self.states.equations.matrix)])
         return made
 
     def function_of(self, expressions: Sequence[sp.Expr]) -> Callable[..., list[float]]:
@@ -249,7 +249,7 @@ def solved_near(
     residuals: Sequence[sp.Expr],
     unknowns: Sequence[sp.Symbol],
     guess: Sequence[float],
-    values: Values,
+    values: FloatValues,
 ) -> tuple[list[float], float]:
     """Values near a guess for which residuals vanish, by the shortest steps of Gauss and Newton, and the error left."""
     x = [float(g) for g in guess]

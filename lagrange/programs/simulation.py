@@ -32,7 +32,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.problem.model import ENERGY, Question
 from lagrange.programs.contacts import Guard
-from lagrange.programs.integrator import IntegrationStep, State, StoppedError, at, interpolated, steps
+from lagrange.programs.integrator import IntegrationStep, IntegrationStoppedError, State, at, interpolated, steps
 from lagrange.programs.limits import (
     ENDED_SLIP,
     LARGEST_DRIFT,
@@ -252,7 +252,7 @@ class _Run:
                 if again is None:
                     return
                 time, state = again
-        except StoppedError as stop:
+        except IntegrationStoppedError as stop:
             empty = self._emptied(stop.time)
             kind, name = (EventKind.STOPPED, stop.reason) if empty is None else (EventKind.EMPTY, empty)
             self._end(kind, name, stop.time, self.last[1])
@@ -309,7 +309,7 @@ class _Run:
         try:
             return self.system.projected(step.end, step.after)
         except (ArithmeticError, ValueError):
-            raise StoppedError(step.end, "the constraints cannot be met any more") from None
+            raise IntegrationStoppedError(step.end, "the constraints cannot be met any more") from None
 
     # -- events --------------------------------------------------------------------------------------------------------
 
@@ -453,7 +453,7 @@ class _Run:
         """Goes on with the other sign; where what it is the sign of then goes back, friction holds the system."""
         self.flips += 1
         if self.flips > MOST_FLIPS:
-            raise StoppedError(time, "friction changes its sense again and again")
+            raise IntegrationStoppedError(time, "friction changes its sense again and again")
         assert watch.indicator is not None
         signs = dict(self.system.signs)
         old = signs[watch.indicator]
@@ -477,7 +477,7 @@ class _Run:
         """The state in which a slip in a plane begins again; None, with the event, if the simulation ends."""
         self.flips += 1
         if self.flips > MOST_FLIPS:
-            raise StoppedError(time, "friction changes its sense again and again")
+            raise IntegrationStoppedError(time, "friction changes its sense again and again")
         if len(self.states.plane_slips) > 1:
             self._end(EventKind.AT_REST, str(slip), time, state)
             return None

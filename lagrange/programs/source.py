@@ -21,9 +21,9 @@ from lagrange.core.operations import count_distinct
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, t
 from lagrange.document.math_writer import text
-from lagrange.programs.languages import LANGUAGES, Function, Language, Target
+from lagrange.programs.languages import LANGUAGES, GeneratedFunction, Language, Target
 from lagrange.programs.limits import LONGEST_PROGRAM
-from lagrange.programs.names import Names
+from lagrange.programs.names import ProgramNames
 from lagrange.programs.printer import Printer
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
@@ -57,7 +57,7 @@ class _File:
         self.states, self.start, self.target, self.name = states, start, target, name
         self.language: Language = LANGUAGES[target]
         self.parameters = tuple(p.symbol for p in states.parameters)
-        self.names = Names([name])
+        self.names = ProgramNames([name])
         self.called = {s: self.names.readable(s) for s in (*states.state, *self.parameters)}
         self.calls: dict[sp.Basic, _Call] = {}
 
@@ -79,13 +79,13 @@ class _File:
         used = {s for x in (*(v for _, v in program.assignments), *program.outputs) for s in x.free_symbols}
         needed = [c for c in self.calls.values() if c.symbol in used]
         if not needed:
-            return self.language.function(Function(name, arguments, program, self.called))
+            return self.language.function(GeneratedFunction(name, arguments, program, self.called))
         # A call is the value of a function of the state; its arguments are written out where it stands.
         printer = Printer(self.language.syntax, {t: "t", **self.called})
         for c in needed:
             calls[c.symbol] = f"{c.name}({', '.join(map(printer, c.arguments))})"
         extra = {s for c in needed for x in c.arguments for s in x.free_symbols}
-        lines = self.language.function(Function(name, arguments, program, self.called, constants=calls))
+        lines = self.language.function(GeneratedFunction(name, arguments, program, self.called, constants=calls))
         bound = [self.called[s] for s in self.called if s in extra and s not in used]
         return [lines[0], *(f"    {self._binding(n)}" for n in bound), *lines[1:]]
 

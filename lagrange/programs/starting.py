@@ -34,7 +34,7 @@ from lagrange.programs.defaults import (
     slipping,
 )
 from lagrange.programs.limits import LARGEST_CONTRADICTION, PUSH
-from lagrange.programs.numerical_system import NumericalSystem, Values, solved_near
+from lagrange.programs.numerical_system import FloatValues, NumericalSystem, solved_near
 from lagrange.programs.special.orbits import orbit
 from lagrange.programs.state_equations import StateEquations
 
@@ -64,7 +64,7 @@ class Start:
     orbits   whether velocities are those of a nearly circular orbit, because something attracts
     """
 
-    values: Values
+    values: FloatValues
     state: tuple[float, ...]
     assumed: Mapping[str, float]
     pushed: bool = False
@@ -199,7 +199,9 @@ def _numbers(
     return {**dict.fromkeys(states.branches, 1.0), **values}  # a sign that cancels in the equations is in positions
 
 
-def _guess(states: StateEquations, values: Values, drawn: Mapping[sp.Symbol, float], *, stated: bool) -> list[float]:
+def _guess(
+    states: StateEquations, values: FloatValues, drawn: Mapping[sp.Symbol, float], *, stated: bool
+) -> list[float]:
     """The state that nobody has given: the position of the figure, at rest where anything is `stated`."""
     e = states.equations
     at: dict[sp.Symbol, float] = {**values, t: 0.0, **{q: drawn.get(q, 0.5) for q in e.slots.coordinates}}
@@ -297,7 +299,7 @@ class _Others:
         """Their velocities."""
         return tuple(prime(q) for q in self.coordinates)
 
-    def placed(self, start: Sequence[float], unknown: Sequence[sp.Symbol], values: Values) -> list[float]:
+    def placed(self, start: Sequence[float], unknown: Sequence[sp.Symbol], values: FloatValues) -> list[float]:
         """A guess in which coordinates of the file are where the other coordinates put them."""
         at = {**values, t: 0.0, **dict(zip(unknown, start, strict=True))}
         return [
@@ -319,7 +321,7 @@ def _conditions(
     return places, speeds
 
 
-def _value(e: sp.Expr, values: Values) -> float:
+def _value(e: sp.Expr, values: FloatValues) -> float:
     return float(sp.N(e.xreplace({s: sp.Float(v, 17) for s, v in values.items()}), 17))
 
 

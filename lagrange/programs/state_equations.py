@@ -33,7 +33,7 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Assumption, Parameter, Problem
 from lagrange.programs.contacts import Contact, contacts
-from lagrange.programs.first_order import FirstOrder, in_coordinates, in_speeds
+from lagrange.programs.first_order import FirstOrderEquations, in_coordinates, in_speeds
 from lagrange.programs.special.long_motion import long_energy, long_first_order
 
 
@@ -64,7 +64,7 @@ class StateEquations:
     problem: Problem
     view: InCoordinates
     configuration: Configuration
-    equations: FirstOrder
+    equations: FirstOrderEquations
     energy: sp.Expr | None = None
     conserved: Mapping[str, sp.Expr] = field(default_factory=dict)
     reactions: Mapping[str, sp.Expr] = field(default_factory=dict)
@@ -288,7 +288,9 @@ def _named(conserved: Conserved) -> Iterator[tuple[str, sp.Expr]]:
         yield name, integral.expression
 
 
-def _reactions(dynamics: Motion, law: NewtonLaw, equations: FirstOrder) -> Iterator[tuple[str, Reaction, sp.Expr]]:
+def _reactions(
+    dynamics: Motion, law: NewtonLaw, equations: FirstOrderEquations
+) -> Iterator[tuple[str, Reaction, sp.Expr]]:
     """The reactions in state and multipliers, under the names that the page has; those too long to write are solved."""
     known = dynamics.reactions
     for r in law.newton.reactions:

@@ -24,7 +24,7 @@ from lagrange.programs.integrator import State
 from lagrange.programs.limits import DIRECTIONS, MOST_AT_REST, NARROW, SLOW
 from lagrange.programs.numerical_system import NumericalSystem
 
-Signs = Mapping[sp.Expr, int]
+SlipSigns = Mapping[sp.Expr, int]
 
 
 def at_rest(system: NumericalSystem) -> NumericalSystem:
@@ -47,7 +47,7 @@ def growth(system: NumericalSystem, e: sp.Expr, time: float, state: State) -> fl
     return math.fsum(a * b for a, b in zip(slopes, rates, strict=True))
 
 
-def beginning(system: NumericalSystem, resting: Sequence[sp.Expr], time: float, state: State) -> Signs | None:
+def beginning(system: NumericalSystem, resting: Sequence[sp.Expr], time: float, state: State) -> SlipSigns | None:
     """The senses in which slips begin, for all that are zero in a state; None if friction holds one of them."""
     if len(resting) > MOST_AT_REST:
         return None

@@ -12,7 +12,7 @@ from lagrange.problem.model import ENERGY
 from lagrange.problem.values import no_values, values_of
 from lagrange.programs.state_equations import StateEquations
 from lagrange.values.dimensions import dimension
-from lagrange.values.homogeneity import Exponents, Homogeneity, product
+from lagrange.values.homogeneity import Homogeneity, UnitExponents, product
 
 
 class Units:
@@ -58,7 +58,7 @@ class Units:
         """M s' − Aᵀ λ = f and A s' = b, each row of one dimension, and what belongs to the motion beside them."""
         e, of = states.equations, self._homogeneity.exponents
 
-        def times(coefficient: sp.Expr, unknown: sp.Symbol) -> Exponents | None:
+        def times(coefficient: sp.Expr, unknown: sp.Symbol) -> UnitExponents | None:
             first, second = of(coefficient), of(unknown)
             return None if first is None or second is None else product((first, 1), (second, 1))
 
@@ -72,7 +72,7 @@ class Units:
         for reaction in states.reactions.values():
             of(reaction)
         for _, multiplier, rate in states.idle.values() if self._known else ():
-            power: Exponents = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
+            power: UnitExponents = {unit: Fraction(int(n)) for unit, n in zip(BASE, _POWER, strict=True) if n}
             self._homogeneity.alike([times(rate, multiplier), power])
 
     def of(self, expression: sp.Expr) -> str:

@@ -39,7 +39,7 @@ from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
 from lagrange.render.selection import ShownSteps, shown, written_out
 from lagrange.render.styled_text import Styled
-from lagrange.render.terminal_layout import Grid, Words, fill, matrix_lines, pad, side_by_side, table_lines
+from lagrange.render.terminal_layout import Grid, StyledWords, fill, matrix_lines, pad, side_by_side, table_lines
 from lagrange.render.walk import Emitter, block_lines
 
 if TYPE_CHECKING:
@@ -124,8 +124,8 @@ class _Page(Emitter[Styled]):
         if gap >= 2 or not source:
             yield (Styled.assemble((title, "bold"), " " * gap, (source, "dim")) if source else Styled(title, "bold"))
         else:
-            yield from fill(Words().text(title, "bold"), self.width)
-            yield from fill(Words().text(source, "dim"), self.width)
+            yield from fill(StyledWords().text(title, "bold"), self.width)
+            yield from fill(StyledWords().text(source, "dim"), self.width)
         yield Styled("─" * self.width, "dim")
 
     def step(self, number: int, step: Step) -> Iterator[Styled]:
@@ -133,7 +133,7 @@ class _Page(Emitter[Styled]):
             indent = INDENT if number else ""
             yield from (Styled.assemble(indent, line) for line in block_lines(step.body, self))
             return
-        words = Words().text(printable(step.title), "bold")
+        words = StyledWords().text(printable(step.title), "bold")
         label = f"{number:<{len(INDENT) - 2}} "
         for n, line in enumerate(fill(words, self.width - len(label))):
             yield Styled.assemble((label, "bold") if n == 0 else " " * len(label), line)
@@ -144,8 +144,8 @@ class _Page(Emitter[Styled]):
     def paragraphs(self, run: Sequence[Prose]) -> Iterator[Styled]:
         return (line for block in run for line in fill(self.words(block.parts), self.room, prose=True))
 
-    def words(self, parts: Iterable[Part]) -> Words:
-        words = Words()
+    def words(self, parts: Iterable[Part]) -> StyledWords:
+        words = StyledWords()
         for part in parts:
             match self.content.resolved(part):
                 case Math(sides=sides, relation=relation):
@@ -221,7 +221,7 @@ class _Page(Emitter[Styled]):
         broken = Breaker(cell_len, width).equation(sides, self.relation(equation.relation))
         rows = (Styled(" " * round(line.indent) + line.code) for line in broken)
         # A factor without a sign to break at may still be too wide: `fill` tears it at spaces, at worst anywhere.
-        return [piece for row in rows for piece in fill(Words().line(row), width, hang=4)]
+        return [piece for row in rows for piece in fill(StyledWords().line(row), width, hang=4)]
 
     def align(self, equations: Sequence[Equation], broken: list[list[Styled]], width: int) -> None:
         """Shift short left sides to the right, so that the relations are aligned."""
@@ -280,7 +280,7 @@ class _Page(Emitter[Styled]):
         beside = ways > 0 and right >= min(20, ways)
         for check, words in zip(run, names, strict=True):
             mark, style = MARKS[check.passed]
-            how = Words().text(printable(check.how), "dim")
+            how = StyledWords().text(printable(check.how), "dim")
             first = [*fill(words, left if beside else room)]
             second = [*fill(how, right)] if beside else []
             rows = max(len(first), len(second))

@@ -73,7 +73,7 @@ def _row(blocks: Sequence[Sequence[str]]) -> Iterator[str]:
     yield from ("    ".join(lines).rstrip() for lines in zip(*padded, strict=True))
 
 
-class Words:
+class StyledWords:
     """A paragraph being built: words with their styles."""
 
     def __init__(self) -> None:
@@ -85,7 +85,7 @@ class Words:
         """The paragraph on one line."""
         return " ".join(word.plain for word in self.words)
 
-    def text(self, text: str, style: str = "") -> Words:
+    def text(self, text: str, style: str = "") -> StyledWords:
         """Add running text. A line is never broken at a no-break space."""
         for piece in re.split(r"([^\S\u00a0]+)", text):
             if piece and not piece.isspace():
@@ -94,7 +94,7 @@ class Words:
                 self._open = False
         return self
 
-    def formula(self, sides: Sequence[str], relation: str) -> Words:
+    def formula(self, sides: Sequence[str], relation: str) -> StyledWords:
         """Add a formula a = b = c, from marked sides."""
         on_one_line = f" {relation} ".join(plain(side) for side in sides)
         if cell_len(on_one_line) <= UNBROKEN_FORMULA:
@@ -116,7 +116,7 @@ class Words:
             self._add(Styled(piece))
         return self
 
-    def line(self, line: Styled) -> Words:
+    def line(self, line: Styled) -> StyledWords:
         """Add a line as one word."""
         self.words.append(line)
         return self
@@ -129,7 +129,7 @@ class Words:
         self._open = True
 
 
-def fill(words: Words, width: int, hang: int = 0, *, prose: bool = False) -> Iterator[Styled]:
+def fill(words: StyledWords, width: int, hang: int = 0, *, prose: bool = False) -> Iterator[Styled]:
     """The lines of a paragraph. `hang` indents all lines of a torn word but its first.
 
     prose  whether no short word stands alone on the last line
@@ -187,7 +187,7 @@ def _whole_character(text: str, cut: int) -> int:
     return cut
 
 
-Grid = list[list[Words]]  # the first row is the header, the first column names the rows
+Grid = list[list[StyledWords]]  # the first row is the header, the first column names the rows
 COLUMN_GAP = 3
 
 
@@ -248,6 +248,6 @@ def _stacked(grid: Grid, width: int) -> Iterator[Styled]:
     for row in rows:
         yield from fill(row[0], width)
         for title, cell in zip(header[1:], row[1:], strict=True):
-            entry = Words()
+            entry = StyledWords()
             entry.words = [*title.words[:-1], *(Styled.assemble(w, ":") for w in title.words[-1:]), *cell.words]
             yield from (Styled("  ") + line for line in fill(entry, width - 2, hang=2))

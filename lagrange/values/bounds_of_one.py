@@ -17,7 +17,7 @@ from lagrange.values.quantities import real_value
 
 
 @record
-class Between:
+class NumberRange:
     """low ≤ wanted ≤ high; None where there is no such end. Without both, the inequality holds always."""
 
     wanted: sp.Expr
@@ -25,7 +25,7 @@ class Between:
     high: sp.Expr | None
 
 
-def ends_of_one(e: sp.Expr, symbol: sp.Symbol) -> Between | None:
+def ends_of_one(e: sp.Expr, symbol: sp.Symbol) -> NumberRange | None:
     """e ≥ 0 with numbers for all but one symbol; None where it is no statement of this kind."""
     waves = {f.func: f for f in e.atoms(sp.sin, sp.cos, sp.tan) if f.args[0] == symbol}
     letter = sp.Dummy(positive=True)
@@ -60,16 +60,16 @@ def _by_tangent(e: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     return (above / below).subs({s: tangent, c: 1})
 
 
-def _where_positive(function: sp.Poly, wanted: sp.Expr) -> Between | None:
+def _where_positive(function: sp.Poly, wanted: sp.Expr) -> NumberRange | None:
     """Where a polynomial is not negative for a positive quantity."""
     roots = sorted(set(map(real_value, _positive_roots(function))))
     grows = real_value(function.LC()) > 0
     if not roots and grows and _is_simple(function):
-        return Between(wanted, None, None)
+        return NumberRange(wanted, None, None)
     if len(roots) == 1:
-        return Between(wanted, roots[0], None) if grows else Between(wanted, None, roots[0])
+        return NumberRange(wanted, roots[0], None) if grows else NumberRange(wanted, None, roots[0])
     if len(roots) == 2 and not grows:
-        return Between(wanted, roots[0], roots[1])
+        return NumberRange(wanted, roots[0], roots[1])
     return None
 
 

@@ -21,7 +21,7 @@ from lagrange.core.symbols import Sign, Unspecified, base, t
 from lagrange.core.units import BASE, Dimension
 from lagrange.values.limits import LARGEST_COEFFICIENT
 
-Exponents = dict[Hashable, Fraction]
+UnitExponents = dict[Hashable, Fraction]
 """Of units, by their names, and of unknown dimensions, by a symbol or the name of an undefined function."""
 
 _OF_A_NUMBER = (sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.sinh, sp.cosh, sp.tanh, sp.asin, sp.acos, sp.atan)
@@ -31,17 +31,17 @@ class Homogeneity:
     """What is known of dimensions, and what sums add to it."""
 
     def __init__(self, known: Mapping[sp.Symbol, Dimension]) -> None:
-        self._known: dict[Hashable, Exponents] = {
+        self._known: dict[Hashable, UnitExponents] = {
             s: {u: Fraction(int(n.p), int(n.q)) for u, n in zip(BASE, d, strict=True) if n} for s, d in known.items()
         }
         self._known[t] = {"s": Fraction(1)}
-        self._found: dict[sp.Expr, Exponents | None] = {}
+        self._found: dict[sp.Expr, UnitExponents | None] = {}
 
     def equal(self, *sides: sp.Expr) -> None:
         """Learns that all these have one dimension."""
         self.alike(self.exponents(e) for e in sides)
 
-    def alike(self, terms: Iterable[Exponents | None]) -> Exponents | None:
+    def alike(self, terms: Iterable[UnitExponents | None]) -> UnitExponents | None:
         """Learns that these dimensions are one, and returns it; None where none is known, or they contradict."""
         first, agree = None, True
         for term in terms:
@@ -59,13 +59,13 @@ class Homogeneity:
             return None
         return tuple(sp.Rational(n.numerator, n.denominator) for n in (whole.get(u, Fraction(0)) for u in BASE))
 
-    def exponents(self, e: sp.Expr) -> Exponents | None:
+    def exponents(self, e: sp.Expr) -> UnitExponents | None:
         """The exponents of an expression, each part looked at once; None where there is nothing to go by."""
         if e not in self._found:
             self._found[e] = self._exponents(e)
         return self._found[e]
 
-    def _exponents(self, e: sp.Expr) -> Exponents | None:
+    def _exponents(self, e: sp.Expr) -> UnitExponents | None:
         if e.is_number:
             small = all(abs(n.p) <= LARGEST_COEFFICIENT for n in e.atoms(sp.Rational)) and not e.has(sp.Float)
             return {} if small and e != 0 else None
@@ -96,7 +96,7 @@ class Homogeneity:
             return {}
         return None
 
-    def _of_function(self, f: Unspecified) -> Exponents | None:
+    def _of_function(self, f: Unspecified) -> UnitExponents | None:
         """That of the function itself, divided by those of the arguments with respect to which it is differentiated."""
         places = [self.exponents(a) for a in f.arguments]
         if any(place is None and order for place, order in zip(places, f.orders, strict=True)):
@@ -104,10 +104,10 @@ class Homogeneity:
         slopes = ((place or {}, -int(order)) for place, order in zip(places, f.orders, strict=True))
         return product(({f.name + "()": Fraction(1)}, 1), *slopes)
 
-    def _with_known(self, e: Exponents) -> Exponents:
+    def _with_known(self, e: UnitExponents) -> UnitExponents:
         return product(*((self._known.get(key, {key: Fraction(1)}), n) for key, n in e.items()))
 
-    def _learned(self, zero: Exponents) -> bool:
+    def _learned(self, zero: UnitExponents) -> bool:
         """Solves an equation for one of its unknowns; whether it agrees with what is known."""
         rest = self._with_known(zero)
         unknown = next((key for key in rest if not isinstance(key, str) or key not in BASE), None)
@@ -123,9 +123,9 @@ class Homogeneity:
         return True
 
 
-def product(*factors: tuple[Exponents, Fraction | int]) -> Exponents:
+def product(*factors: tuple[UnitExponents, Fraction | int]) -> UnitExponents:
     """The exponents of a product of powers."""
-    out: Exponents = {}
+    out: UnitExponents = {}
     for exponents, power in factors:
         for key, n in exponents.items():
             total = out.get(key, Fraction(0)) + power * n

@@ -38,7 +38,7 @@ from lagrange.values.limits import (
     WORKING_DIGITS,
 )
 
-Box = list[Any]  # of intervals
+RootBox = list[Any]  # of intervals
 
 
 class _NoValueError(Exception):
@@ -46,7 +46,7 @@ class _NoValueError(Exception):
 
 
 @record
-class Root:
+class NumericalRoot:
     """One root, to `WORKING_DIGITS`, the only one in a box around it."""
 
     values: tuple[sp.Float, ...]
@@ -57,7 +57,7 @@ class Root:
 class Roots:
     """The roots in a box; `complete`: whether these are proved to be all."""
 
-    roots: tuple[Root, ...]
+    roots: tuple[NumericalRoot, ...]
     complete: bool
 
 
@@ -72,10 +72,10 @@ def real_roots(
     starts  where Newton's iteration starts, as parts of the width of the search, also with one or two unknowns
     """
     jacobian = [[e.diff(u) for u in unknowns] for e in equations]
-    waiting: list[Box] = [[iv.mpf(list(ends)) for ends in search]]
+    waiting: list[RootBox] = [[iv.mpf(list(ends)) for ends in search]]
     widths = [float(high) - float(low) for low, high in search]
-    roots: list[Root] = []
-    undecided: list[Box] = []
+    roots: list[NumericalRoot] = []
+    undecided: list[RootBox] = []
     operations = sum(count_operations(e) + 1 for row in (equations, *jacobian) for e in row)
     most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
     several = len(unknowns) > 2
@@ -111,13 +111,13 @@ def real_roots(
     return Roots(tuple(sorted(inside, key=lambda r: [float(v) for v in r.values])), not left)
 
 
-def sign_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: Root) -> int | None:
+def sign_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: NumericalRoot) -> int | None:
     """The sign of an expression at a root; None where the enclosure contains 0."""
     return _sign(_value_at(e, unknowns, root))
 
 
 def signs_of_minors(
-    matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: Root
+    matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: NumericalRoot
 ) -> dict[tuple[int, ...], int | None]:
     """The signs of all principal minors of a symmetric matrix at a root, by their rows, likewise."""
     entries = [[_value_at(x, unknowns, root) for x in row] for row in matrix]
@@ -137,7 +137,7 @@ def _determinant(entries: Sequence[Sequence[Any]], rows: Sequence[int], columns:
     return sum(terms, iv.mpf(0))
 
 
-def _value_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: Root) -> Any | None:
+def _value_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: NumericalRoot) -> Any | None:
     tight = [iv.mpf([v - abs(v) * 1e-12 - 1e-14, v + abs(v) * 1e-12 + 1e-14]) for v in map(float, root.values)]
     try:
         return _enclosure(e, dict(zip(unknowns, tight, strict=True)), {})
@@ -163,24 +163,24 @@ def _inflated(x: Any) -> Any:
     return iv.mpf([low - margin, high + margin])
 
 
-def _contains(outer: Sequence[tuple[float, float]], box: Box) -> bool:
+def _contains(outer: Sequence[tuple[float, float]], box: RootBox) -> bool:
     return all(low <= a and b <= high for (low, high), (a, b) in zip(outer, map(_ends, box), strict=True))
 
 
-def _same(root: Root, other: Root) -> bool:
+def _same(root: NumericalRoot, other: NumericalRoot) -> bool:
     """Whether two roots are one: each box has one root only."""
     pairs = ((root, other), (other, root))
     return any(all(lo <= v <= hi for v, (lo, hi) in zip(a.values, b.box, strict=True)) for a, b in pairs)
 
 
-def _halves(box: Box, widths: Sequence[float]) -> list[Box]:
+def _halves(box: RootBox, widths: Sequence[float]) -> list[RootBox]:
     at = max(range(len(box)), key=lambda n: _width(box[n]) / widths[n])
     low, high = _ends(box[at])
     cut = low + CUT * (high - low)
     return [[*box[:at], iv.mpf(ends), *box[at + 1 :]] for ends in ([low, cut], [cut, high])]
 
 
-def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], box: Box) -> bool:
+def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], box: RootBox) -> bool:
     known: dict[sp.Basic, Any] = {}
     places = dict(zip(unknowns, box, strict=True))
     for e in equations:
@@ -194,8 +194,8 @@ def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], bo
 
 
 def _krawczyk(
-    equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: Box
-) -> Box | None:
+    equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: RootBox
+) -> RootBox | None:
     """K(X), which contains every root in X; None where it has no value."""
     size = len(box)
     middle = [iv.mpf((_ends(x)[0] + _ends(x)[1]) / 2) for x in box]
@@ -226,9 +226,9 @@ def _confirmed(
     equations: Sequence[sp.Expr],
     jacobian: Sequence[Sequence[sp.Expr]],
     unknowns: Sequence[sp.Symbol],
-    box: Box,
-    mapped: Box | None,
-) -> Root | None:
+    box: RootBox,
+    mapped: RootBox | None,
+) -> NumericalRoot | None:
     """The root in a box, if Krawczyk's operator proves that there is exactly one."""
     if mapped is None or not all(k.a > x.a and k.b < x.b for k, x in zip(mapped, box, strict=True)):
         return None
@@ -236,16 +236,16 @@ def _confirmed(
     ends = tuple(map(_ends, box))
     if values is None or not all(lo < v < hi for v, (lo, hi) in zip(values, ends, strict=True)):
         return None
-    return Root(values, ends)
+    return NumericalRoot(values, ends)
 
 
-def _common(mapped: Box, box: Box) -> Box | None:
+def _common(mapped: RootBox, box: RootBox) -> RootBox | None:
     """What two boxes have in common; None where that is nothing."""
     both = [(max(_ends(k)[0], _ends(x)[0]), min(_ends(k)[1], _ends(x)[1])) for k, x in zip(mapped, box, strict=True)]
     return None if any(low > high for low, high in both) else [iv.mpf(list(ends)) for ends in both]
 
 
-def _size(box: Box, widths: Sequence[float]) -> float:
+def _size(box: RootBox, widths: Sequence[float]) -> float:
     return math.prod(_width(x) / w for x, w in zip(box, widths, strict=True))
 
 
@@ -255,12 +255,12 @@ def _from_starts(
     unknowns: Sequence[sp.Symbol],
     search: Sequence[tuple[float, float]],
     starts: Sequence[float],
-) -> list[Root]:
+) -> list[NumericalRoot]:
     """Roots to which Newton's iteration leads from a grid, each proved in a small box around it.
 
     With three unknowns and more the boxes of the search are many, and these roots are known whether it ends or not.
     """
-    roots: list[Root] = []
+    roots: list[NumericalRoot] = []
     size = len(unknowns)
     program = _Program([*equations, *(d for row in jacobian for d in row)], unknowns)
     grid = [[low + (high - low) * part for part in starts] for low, high in search]

@@ -7,7 +7,7 @@ import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
 import lagrange
-from lagrange.api.time_functions import Reader, in_functions_of_time
+from lagrange.api.time_functions import SympyReader, in_functions_of_time
 
 t = sp.Symbol("t")
 l, m, g = sp.symbols("l m g")
@@ -33,7 +33,7 @@ def test_functions_of_time_are_those_of_sympy(pendulum: lagrange.Result) -> None
 )
 def test_functions_of_time_are_read_back(name: str) -> None:
     problem = lagrange.load(name)
-    reader = Reader(problem.scope)
+    reader = SympyReader(problem.scope)
     for c in problem.constraints:
         rate = problem.slots.time_derivative(c.function)
         for e in (c.function, rate if c.kinematic else problem.slots.time_derivative(rate)):
@@ -45,9 +45,9 @@ def test_functions_of_time_are_read_back(name: str) -> None:
 def test_a_prescribed_motion_has_the_rates_that_a_text_may_have() -> None:
     scope = lagrange.loads("title: p\ncoordinates: [x]\nfunctions: {u: [t]}\n").scope
     u = dynamicsymbols("u")
-    assert str(Reader(scope).expression(sp.Derivative(u.diff(t, 3), t))) == "u''''"
+    assert str(SympyReader(scope).expression(sp.Derivative(u.diff(t, 3), t))) == "u''''"
     with pytest.raises(lagrange.ProblemError, match="too-many-primes"):
-        Reader(scope).expression(u.diff(t, 5))
+        SympyReader(scope).expression(u.diff(t, 5))
 
 
 theta = dynamicsymbols("theta")

@@ -17,7 +17,7 @@ from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve
 from lagsolve import solve_task
 from lagsolve.output import Destination
-from lagsolve.solve_task import Task
+from lagsolve.solve_task import SolveTask
 from tests.support.paths import PROBLEMS
 from tests.support.processes import PATIENCE, started
 
@@ -52,7 +52,7 @@ def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def watch(*problems: str, editor: Editor, output: str | None = None) -> None:
     destination = Destination.of(None, output, fragment=False, detail="brief")
     with pytest.raises(KeyboardInterrupt):
-        solve_task.watch_for_ever(Task(problems, None, "dalembert", destination), editor)
+        solve_task.watch_for_ever(SolveTask(problems, None, "dalembert", destination), editor)
 
 
 def saved(path: Path, text: str) -> Callable[[], object]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from lagrange.expressions.syntax_tree import Call, Name, Number, Power, Product, Sum, parts
+from lagrange.expressions.syntax_tree import Call, Name, NumberLiteral, Power, Product, Sum, parts
 
 
 def test_children_in_the_order_of_the_text() -> None:
-    x, two = Name("x", 0, 1), Number("2", 2, 3)
+    x, two = Name("x", 0, 1), NumberLiteral("2", 2, 3)
     power = Power(x, two, 0, 3)
     product = Product((("*", power), ("/", x)), 0, 5)
     call = Call("sin", (product,), 0, 9, 3)

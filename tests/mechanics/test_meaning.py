@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
-from lagrange.mechanics.meaning import Meaning, meaning
+from lagrange.mechanics.meaning import ResultMeaning, meaning
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load, read_problem
 from tests.support.shared import SHIPPED
@@ -25,13 +25,13 @@ gravity: -g*j
 
 
 @cache
-def of(name: str) -> Meaning:
+def of(name: str) -> ResultMeaning:
     found = meaning(solve(load(str(SHIPPED[name]))))
     assert found is not None
     return found
 
 
-def symbols(m: Meaning) -> dict[str, sp.Symbol]:
+def symbols(m: ResultMeaning) -> dict[str, sp.Symbol]:
     return {s.name: s for e in m.view.motion.final for s in e.expression.free_symbols}  # type: ignore[union-attr]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagrange.problem.keys import FORMS
-from lagrange.problem.yaml.kinds import AnyOf, Form, Kind, ListOf, Named, Words
+from lagrange.problem.yaml.kinds import AnyOf, Keys, Kind, ListOf, Named, OneOf
 from tests.support.paths import ROOT
 
 PAGE = (ROOT / "docs" / "problem-files.md").read_text(encoding="utf-8")
@@ -15,7 +15,7 @@ def written(kind: Kind) -> str:
     match kind:
         case str():
             return kind
-        case Words(words=words):
+        case OneOf(words=words):
             return " or ".join(", ".join(f"`{word}`" for word in words).rsplit(", ", 1))
         case ListOf(item=item, least=least, most=most):
             number = {(2, 2): "two ", (3, 3): "three "}.get((least, most), "")
@@ -26,7 +26,7 @@ def written(kind: Kind) -> str:
             return f"{written(one)}; or a list of these"
         case AnyOf(kinds=kinds):
             return ", or ".join(written(k) for k in kinds if k != "nothing")
-        case Form(title=title):
+        case Keys(title=title):
             return title
 
 

@@ -11,7 +11,7 @@ import lagrange
 from lagrange.animation.figure import MovingFigure
 from lagrange.animation.moving import moving_figure
 from lagrange.explain.report import report
-from lagrange.programs.integrator import StoppedError, steps
+from lagrange.programs.integrator import IntegrationStoppedError, steps
 from lagrange.programs.prepared import prepared
 from lagrange.programs.simulation import EventKind, Simulation, simulated
 from lagrange.render import html
@@ -118,7 +118,7 @@ def test_an_integration_that_gets_nowhere_ends() -> None:
     def rate(_time: float, y: float) -> list[float]:
         return [-math.copysign(1.0, y)]  # to and fro about zero
 
-    with pytest.raises(StoppedError, match="steps would be needed"):
+    with pytest.raises(IntegrationStoppedError, match="steps would be needed"):
         list(steps(rate, 0.0, (1e-9,), 1.0, 1e-10, 1e-13))
 
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from lagrange.programs.integrator import StoppedError, at, steps
+from lagrange.programs.integrator import IntegrationStoppedError, at, steps
 
 
 def test_a_circle_is_followed_and_interpolated() -> None:
@@ -25,7 +25,7 @@ def test_a_circle_is_followed_and_interpolated() -> None:
 
 
 def test_a_pole_ends_the_integration() -> None:
-    with pytest.raises(StoppedError) as stop:
+    with pytest.raises(IntegrationStoppedError) as stop:
         for _ in steps(lambda _, x: (x * x,), 0.0, (1.0,), 2.0, 1e-9, 1e-9):
             pass
     assert math.isclose(stop.value.time, 1.0, rel_tol=1e-6)

@@ -12,7 +12,7 @@ import sympy as sp
 
 import lagrange
 from lagrange.core.symbols import t
-from lagrange.programs.languages import JAVASCRIPT, LANGUAGES, PYTHON, Function
+from lagrange.programs.languages import JAVASCRIPT, LANGUAGES, PYTHON, GeneratedFunction
 from lagrange.programs.prepared import prepared
 from lagrange.programs.printer import FUNCTIONS, Printer
 from tests.programs.test_languages import RUNS, finished
@@ -44,7 +44,7 @@ def test_every_function_is_what_sympy_says(language: str, tmp_path: Path) -> Non
     if language == "javascript":
         e = made.states.equations
         outputs = [*e.rates, e.force[0] / e.mass[0][0]]
-        function = Function.of("f", (("t", t), ("y", (x, v)), ("p", (m,))), outputs)
+        function = GeneratedFunction.of("f", (("t", t), ("y", (x, v)), ("p", (m,))), outputs)
         code = "\n".join([*JAVASCRIPT.function(function), f"console.log(JSON.stringify(f(0, [{place}, 0.5], [2])))"])
         (tmp_path / "f.js").write_text(code)
         [found] = [json.loads(finished(["node", "f.js"], tmp_path).stdout)]

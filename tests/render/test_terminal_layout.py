@@ -9,7 +9,7 @@ from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Ste
 from lagrange.document.math_writer import Notation
 from lagrange.document.names import BREAK, END, START
 from lagrange.render import terminal
-from lagrange.render.terminal_layout import Words, fill
+from lagrange.render.terminal_layout import StyledWords, fill
 
 
 def one_step(*blocks):
@@ -24,7 +24,7 @@ def body(width, *blocks, notation=None, detail=Detail.STEPS):
 
 def test_prose_holds_short_formulas_together():
     theta = sp.Symbol("theta")
-    words = Words().text("the angle ").formula(["sin θ cos θ"], "=").text(", small")
+    words = StyledWords().text("the angle ").formula(["sin θ cos θ"], "=").text(", small")
     assert [line.plain for line in fill(words, 16)] == ["the angle", "sin θ cos θ,", "small"]
     assert body(30, prose("Let ", math(sp.sin(theta), theta), "."))[0].endswith("Let sin θ = θ.")
 
@@ -41,7 +41,7 @@ def test_a_long_word_is_cut_as_the_last_resort():
 
 
 def test_a_letter_keeps_its_dots_when_a_word_is_cut():
-    words = Words().text("θ̈" * 9)
+    words = StyledWords().text("θ̈" * 9)
     assert [line.plain for line in fill(words, 4)] == ["θ̈" * 4, "θ̈" * 4, "θ̈"]
 
 
@@ -75,13 +75,13 @@ def test_a_table_that_fits_neither_way_is_wrapped_or_stacked():
 
 
 def test_no_short_word_stands_alone_at_the_end_of_a_paragraph() -> None:
-    words = Words().text("This is the principle of virtual work:")
+    words = StyledWords().text("This is the principle of virtual work:")
     assert [line.plain for line in fill(words, 34)] == ["This is the principle of virtual", "work:"]
     assert [line.plain for line in fill(words, 34, prose=True)] == ["This is the principle of", "virtual work:"]
 
 
 def test_a_short_side_stays_with_the_next_one() -> None:
-    words = Words().formula(["y", "a long first side of some formula", "const"], "=")
+    words = StyledWords().formula(["y", "a long first side of some formula", "const"], "=")
     assert [w.plain for w in words.words] == ["y", "= a long first side of some formula", "= const"]
-    words = Words().formula([f"{START}a + b{BREAK} + c cos t{BREAK} + a much longer term{END}", "const"], "=")
+    words = StyledWords().formula([f"{START}a + b{BREAK} + c cos t{BREAK} + a much longer term{END}", "const"], "=")
     assert [w.plain for w in words.words] == ["a + b", "+ c cos t", "+ a much longer term = const"]

@@ -26,7 +26,7 @@ from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
-from lagsolve.grading.worker import CallFailedError, Limits, LostError, SetupError, StoppedError, Worker
+from lagsolve.grading.worker import CallFailedError, CallStoppedError, Limits, LostError, SetupError, Worker
 from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, MOST_PROBLEMS, POLL_SECONDS, TRIES
 
 
@@ -201,7 +201,7 @@ def _graded(future: Future[Graded], last: bool) -> Graded | None:
         return _not_judged(f"it {error}") if last else None
     except CallFailedError as error:
         return _not_judged(f"it could not be graded ({error})")
-    except StoppedError as error:
+    except CallStoppedError as error:
         return _not_judged(f"it {error}")
     except MemoryError:
         return _not_judged("it needs more memory than there is")

@@ -151,7 +151,7 @@ def _executor(run: GradingRun) -> Iterator[tuple[Any, Any, tuple[Any, ...], int]
         pool.shutdown(cancel_futures=True)
 
 
-Key = tuple[str, int]
+SubmissionKey = tuple[str, int]
 """The name of a submission, and the problem it answers."""
 
 
@@ -162,8 +162,8 @@ class Batch:
         self._run, self._asked, self._entries = run, asked, unread
         self._pages = page_names(self._called((e.name, n)) for e in unread for n in range(len(asked)))
         self._version = lagrange.__version__
-        self._keys: dict[Key, str] = {}  # of submissions that are being graded
-        self.rows: dict[Key, TableRow] = {}
+        self._keys: dict[SubmissionKey, str] = {}  # of submissions that are being graded
+        self.rows: dict[SubmissionKey, TableRow] = {}
         self.outcomes: list[Outcome] = []
         try:
             self.journal = Journal(run.journal)
@@ -174,7 +174,7 @@ class Batch:
             help_ = "what it says is not used, and those submissions are graded again"
             write_stderr(str(Diagnostic("journal-ignored", message, help=help_).as_note()))
 
-    def _called(self, key: Key) -> str:
+    def _called(self, key: SubmissionKey) -> str:
         """What a part of a submission is called: by its problem too, where there are several."""
         name, problem = key
         return name if len(self._asked) == 1 else f"{name} {self._asked[problem].label}"
@@ -240,7 +240,7 @@ class Batch:
             row.feedback == self._pages[self._called((row.submission, problem))] and (feedback / row.feedback).is_file()
         )
 
-    def _note(self, part: Key, graded: Graded, under: str | None) -> None:
+    def _note(self, part: SubmissionKey, graded: Graded, under: str | None) -> None:
         feedback, asked, hint = self._run.feedback, self._asked[part[1]], self._run.hint
         page_name = self._pages[self._called(part)]
         if graded.score is None:  # a limit was exceeded: a person has to look at it

@@ -32,23 +32,23 @@ class Limits:
     megabytes: int
 
 
-class StoppedError(Exception):
+class CallStoppedError(Exception):
     """A call without a result. The message completes `it ...`."""
 
 
-class TimeLimitError(StoppedError):
+class TimeLimitError(CallStoppedError):
     """A call was stopped because it took too long."""
 
 
-class MemoryLimitError(StoppedError):
+class MemoryLimitError(CallStoppedError):
     """A call ran out of memory."""
 
 
-class LostError(StoppedError):
+class LostError(CallStoppedError):
     """The process ended during a call: it was killed, or it crashed."""
 
 
-class CallFailedError(StoppedError):
+class CallFailedError(CallStoppedError):
     """A call raised an exception."""
 
 
@@ -95,7 +95,7 @@ class Worker:
             self.call(setup, seconds=seconds)
         except LostError:
             raise
-        except StoppedError as error:
+        except CallStoppedError as error:
             raise SetupError(str(error)) from error
 
     def call(self, function: Callable[..., T], *arguments: Any, seconds: float | None = None) -> T:
@@ -143,7 +143,7 @@ class Worker:
         except (EOFError, OSError, ValueError):  # ValueError: `stop` has closed it
             raise self._lost() from None
 
-    def _lost(self) -> StoppedError:
+    def _lost(self) -> CallStoppedError:
         """The reason why the process does not answer."""
         self.stop()
         status = self._process.returncode

@@ -9,7 +9,7 @@ from lagsolve.grading.examine import problem_of
 from lagsolve.grading.run import GradingRun, Outcome
 from lagsolve.grading.table import TableRow, csv_text
 from lagsolve.platforms import gradescope, marks, prairielearn
-from lagsolve.platforms.parts import Part
+from lagsolve.platforms.parts import ProblemResult
 
 
 def written_as(
@@ -25,7 +25,7 @@ def written_as(
         case "csv":
             return csv_text(rows)
     in_order = sorted(outcomes, key=lambda outcome: outcome[1])
-    parts = [Part(run.problems[n][0], titles[n], graded) for _, n, graded in in_order]
+    parts = [ProblemResult(run.problems[n][0], titles[n], graded) for _, n, graded in in_order]
     if format_ == "gradescope":
         return json_text(gradescope.results(parts, rows, run.roster, run.attempts), indent=1) + "\n"
     late = next((row.late for row in rows if row.late), "")

@@ -16,11 +16,11 @@ from lagrange.api.classroom import feedback_text
 from lagsolve.grading.roster import Roster
 from lagsolve.grading.students import Attempts
 from lagsolve.grading.table import TableRow, number
-from lagsolve.platforms.parts import Part
+from lagsolve.platforms.parts import ProblemResult
 
 
 def results(
-    parts: Sequence[Part], rows: Sequence[TableRow], roster: Roster, attempts: Attempts | None
+    parts: Sequence[ProblemResult], rows: Sequence[TableRow], roster: Roster, attempts: Attempts | None
 ) -> dict[str, Any]:
     """The object of `results.json` for one submission.
 

@@ -7,7 +7,7 @@ from lagrange.core.records import record
 
 
 @record
-class Part:
+class ProblemResult:
     """What came out for one problem."""
 
     label: str

@@ -19,12 +19,12 @@ from typing import Any
 from lagrange.answers.verdicts import Verdict
 from lagrange.api.classroom import feedback_text, grade_source
 from lagrange.core.diagnostics import Source
-from lagsolve.platforms.parts import Part
+from lagsolve.platforms.parts import ProblemResult
 
 NOT_GRADABLE = (Verdict.UNREADABLE, Verdict.UNDECIDED)
 
 
-def results(parts: Sequence[Part], late: str = "") -> dict[str, Any]:
+def results(parts: Sequence[ProblemResult], late: str = "") -> dict[str, Any]:
     """The object of `results.json` for one submission."""
     out_of = sum(p.graded.possible or 1.0 for p in parts)
     unread = [p for p in parts if p.graded.verdict in NOT_GRADABLE]

@@ -38,7 +38,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
 from lagrange.algebra.closed_forms.unit_circle import LetteredAngle, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import is_zero
 
-Box = dict[sp.Symbol, Interval]
+IntervalBox = dict[sp.Symbol, Interval]
 
 
 def have_real_solution(equations: Sequence[sp.Expr], letters: TrigLetters) -> bool | None:
@@ -326,7 +326,7 @@ def _crosses_zero(e: sp.Expr, avoided: Sequence[sp.Expr], letters: TrigLetters) 
 
     def lies(x: sp.Expr, low: float, high: float) -> Interval:
         """An interval of a function, from `low` to `high` in quarter turns of the angle, or of the unknown."""
-        values: Box = {u: (low, high)}
+        values: IntervalBox = {u: (low, high)}
         if angle is not None:
             values = dict(zip(angle.letters, circle(low, high), strict=True))
             share = float(angle.measure.coeff(u))
@@ -421,7 +421,7 @@ def _boxes_left(
     left: int,
 ) -> int:
     """How many boxes are left after all of one chart are excluded; 0 where they are not."""
-    start: Box = dict.fromkeys(turned, (-2.0, 2.0))
+    start: IntervalBox = dict.fromkeys(turned, (-2.0, 2.0))
     start |= {x: (0.0 if s else -1.0, 1.0) for x, s in signs.items()}
     heap = [start]
     while heap:
@@ -445,10 +445,10 @@ def _is_without(
     equations: Sequence[sp.Expr],
     radicands: Sequence[tuple[sp.Symbol, sp.Expr]],
     letters: TrigLetters,
-    box: Box,
+    box: IntervalBox,
     signs: Mapping[sp.Symbol, int],
 ) -> bool:
-    values: Box = {u: box[u] for u in signs}
+    values: IntervalBox = {u: box[u] for u in signs}
     for u, (low, high) in box.items():
         if u not in signs:
             angle = letters.angles[u]

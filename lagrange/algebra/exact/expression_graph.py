@@ -77,7 +77,7 @@ class Op(IntEnum):
     SIGN = 18  # (argument,)
 
 
-Term = tuple[int, int, int]
+GraphTerm = tuple[int, int, int]
 
 
 class Nodes:
@@ -271,7 +271,7 @@ class Graph(Nodes):
         if len(self.squares) > MOST_WANTED_SQUARES:
             raise UnsupportedError("roots of too many primes")
 
-    def _listed(self, terms: Mapping[sp.Expr, sp.Rational]) -> tuple[Term, ...]:
+    def _listed(self, terms: Mapping[sp.Expr, sp.Rational]) -> tuple[GraphTerm, ...]:
         return tuple(sorted((self.visit(m), int(c.p), int(c.q)) for m, c in terms.items()))
 
 

@@ -16,7 +16,7 @@ from typing import Any, Self, cast
 
 import sympy as sp
 
-from lagrange.algebra.exact.expression_graph import Graph, Term
+from lagrange.algebra.exact.expression_graph import Graph, GraphTerm
 from lagrange.algebra.exact.limits import LARGEST_ANGLE_RATIO, MOST_COMPARED_ANGLES
 from lagrange.algebra.exact.points import Operation, Point
 from lagrange.algebra.exact.prime_field import Circle, PrimeField, ZeroDivisorError, reconstructed
@@ -69,7 +69,7 @@ class FieldPoint(Point):
         name, needs = self.graph.data[node]
         return name, tuple([self.at(n) for n in needs])
 
-    def turned(self, terms: tuple[Term, ...], n: int, d: int) -> Circle:
+    def turned(self, terms: tuple[GraphTerm, ...], n: int, d: int) -> Circle:
         """e^{i(Σ terms + π n/d)}."""
         result: Circle | None = None
         for term in terms:
@@ -92,7 +92,7 @@ class FieldPoint(Point):
         sign = self.field.sign(argument)
         return sign * self.function_value(name, (sign * argument % self.p,)) % self.p if sign else 0
 
-    def exponential(self, terms: tuple[Term, ...], base: int = 0) -> int:
+    def exponential(self, terms: tuple[GraphTerm, ...], base: int = 0) -> int:
         """e^{Σ terms}, or base^{Σ terms}: for each monomial a random square, to a rational power."""
         result = 1
         for m, n, d in terms:

@@ -16,7 +16,7 @@ from typing import Any, Self, cast
 import sympy as sp
 
 from lagrange.algebra.exact import linear_algebra
-from lagrange.algebra.exact.expression_graph import Graph, Op, Term
+from lagrange.algebra.exact.expression_graph import Graph, GraphTerm, Op
 from lagrange.algebra.exact.limits import NODES_PER_UNIT
 from lagrange.algebra.exact.linear_algebra import NumberRow
 from lagrange.algebra.exact.prime_field import InadmissibleError
@@ -211,7 +211,7 @@ class Point:
         """A solution of A x = b or None, see `linear_algebra.solution`."""
         return linear_algebra.solution(self.arithmetic, rows, right, free)
 
-    def turned(self, terms: tuple[Term, ...], n: int, d: int) -> tuple[Any, Any]:
+    def turned(self, terms: tuple[GraphTerm, ...], n: int, d: int) -> tuple[Any, Any]:
         """Cosine and sine of Σ terms + π n/d."""
         raise NotImplementedError
 

@@ -25,7 +25,7 @@ from typing import Any, Self
 import sympy as sp
 from mpmath.ctx_mp import MPContext
 
-from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, Term, UnsupportedError
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, GraphTerm, UnsupportedError
 from lagrange.algebra.exact.limits import (
     FEWEST_ROUGH_STEPS,
     HIGHEST_REAL_POWER,
@@ -138,14 +138,14 @@ class RealPoint(Point):
         name, needs = self.graph.data[node]
         return name, tuple([_rounded(self.at(n)) for n in needs])
 
-    def turned(self, terms: tuple[Term, ...], n: int, d: int) -> tuple[Any, Any]:
+    def turned(self, terms: tuple[GraphTerm, ...], n: int, d: int) -> tuple[Any, Any]:
         """Cosine and sine of Σ terms + π n/d."""
         value = self.total(terms) + _mp.pi * n / d
         if abs(value) > LARGEST_REAL_ANGLE:
             raise InadmissibleError
         return _mp.cos(value), _mp.sin(value)
 
-    def total(self, terms: tuple[Term, ...]) -> Any:
+    def total(self, terms: tuple[GraphTerm, ...]) -> Any:
         """Σ terms."""
         return sum((self.at(m) * n / d for m, n, d in terms), _mp.mpf(0))
 

@@ -43,7 +43,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
-Exponents = dict[int, sp.Expr]
+FactorExponents = dict[int, sp.Expr]
 
 
 @record
@@ -89,7 +89,7 @@ class _Layout:
         return rows
 
 
-def rational_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> Iterator[Exponents]:
+def rational_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> Iterator[FactorExponents]:
     """Exponents by the places of their candidates, the simplest first."""
     layout = _Layout(omega, trials)
     values = SampledValues(layout.expressions())
@@ -99,7 +99,7 @@ def rational_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> Ite
     yield from _simplest(values, values.reduced(rows), 0, trials)
 
 
-def exponents_beside(omega: OneForm, trials: Sequence[FactorCandidate], direction: int) -> Iterator[Exponents]:
+def exponents_beside(omega: OneForm, trials: Sequence[FactorCandidate], direction: int) -> Iterator[FactorExponents]:
     """The same, beside a function of the variable number `direction`; {} where that function alone suffices."""
     v = omega.variables[direction]
     layout = _Layout(omega, trials)
@@ -123,7 +123,7 @@ def exponents_beside(omega: OneForm, trials: Sequence[FactorCandidate], directio
     yield from _simplest(values, values.reduced(rows), groups, trials)
 
 
-def parametric_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> Iterator[Exponents]:
+def parametric_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> Iterator[FactorExponents]:
     """Exponents Σ c r with ratios r of parameters and rational c."""
     ratios = _ratios(omega)
     layout = _Layout(omega, trials)
@@ -142,7 +142,7 @@ def parametric_exponents(omega: OneForm, trials: Sequence[FactorCandidate]) -> I
     while len(rows) < len(trials) * count + SPARE_EXPONENT_ROWS:
         rows += values.drawn(use)[0]
     for multiples in _simplest(values, values.reduced(rows), 0, [c for c in trials for _ in ratios]):
-        exponents: Exponents = {}
+        exponents: FactorExponents = {}
         for k, c in multiples.items():
             exponents[k // count] = exponents.get(k // count, sp.S.Zero) + c * ratios[k % count]
         yield exponents
@@ -165,7 +165,7 @@ def _ratios(omega: OneForm) -> list[sp.Expr]:
 
 def _simplest(
     values: SampledValues, reduced: tuple[list[NumberRow], list[int]], groups: int, trials: Sequence[FactorCandidate]
-) -> Iterator[Exponents]:
+) -> Iterator[FactorExponents]:
     """Solutions of the reduced rows beyond the first `groups` columns: of no, one, two unknowns, then any."""
     rows = [row[groups:] for row, pivot in zip(*reduced, strict=True) if pivot >= groups]
     width = len(rows[0]) - 1 if rows else 0
@@ -177,7 +177,7 @@ def _simplest(
         return
     p = values.point.arithmetic
     columns = [[row[k] for row in rows] for k in range(width)]
-    solutions: list[Exponents] = []
+    solutions: list[FactorExponents] = []
     for k, column in enumerate(columns):
         solution = _one(p, column, right)
         if solution is not None:
@@ -190,7 +190,7 @@ def _simplest(
     pivots = [next(k for k, x in enumerate(row) if x) for row in rows]
     solutions.append(_rational(values, {k: row[-1] for k, row in zip(pivots, rows, strict=True) if row[-1]}))
     ranked = sorted((e for e in solutions if e), key=lambda e: _complexity(e, trials))
-    seen: list[Exponents] = []
+    seen: list[FactorExponents] = []
     for e in ranked:
         if e not in seen and len(seen) < MOST_EXPONENT_SETS:
             seen.append(e)
@@ -223,9 +223,9 @@ def _two(p: Any, first: NumberRow, second: NumberRow, right: NumberRow) -> tuple
     return (e, f) if holds else None
 
 
-def _rational(values: SampledValues, residues: dict[int, Any]) -> Exponents:
+def _rational(values: SampledValues, residues: dict[int, Any]) -> FactorExponents:
     """The exponents as fractions; {} where one is not a small fraction."""
-    exponents: Exponents = {}
+    exponents: FactorExponents = {}
     for k, residue in residues.items():
         number = values.number(residue)
         if number is None:
@@ -234,7 +234,7 @@ def _rational(values: SampledValues, residues: dict[int, Any]) -> Exponents:
     return exponents
 
 
-def _complexity(exponents: Exponents, trials: Sequence[FactorCandidate]) -> tuple[Any, ...]:
+def _complexity(exponents: FactorExponents, trials: Sequence[FactorCandidate]) -> tuple[Any, ...]:
     """Whole exponents first, then few factors, then short ones; e^t has no zero, and costs less than 1/x."""
     weight = sp.S.Zero
     for k, e in exponents.items():

@@ -183,7 +183,7 @@ def _weight(e: sp.Expr) -> tuple[int, str]:
     return count_operations(e), str(e)
 
 
-Values = dict[int, int]
+ResidueValues = dict[int, int]
 
 
 class NoTrialError(Exception):
@@ -228,7 +228,7 @@ class SampledForms:
         """The places and values of what is not written as 0 in a gradient."""
         return [(i, point.at(n)) for i, n in self._gradients[function]]
 
-    def is_new(self, point: FieldPoint, values: Values) -> bool:
+    def is_new(self, point: FieldPoint, values: ResidueValues) -> bool:
         """Whether the gradient of a combination is independent of those of the known relations, at a point."""
         total = [0] * (len(self.slots.coordinates) + 1)
         for k, c in values.items():
@@ -277,7 +277,7 @@ class Trial:
                 raise NoTrialError
             yield point
 
-    def is_new(self, values: Values) -> bool:
+    def is_new(self, values: ResidueValues) -> bool:
         """Whether a combination is no function of the known relations. Raises NoTrialError."""
         points = self.points()
         for _ in range(MOST_FAILED_POINTS):
@@ -287,7 +287,7 @@ class Trial:
                 continue
         raise NoTrialError
 
-    def combinations(self, functions: Sequence[int]) -> list[Values]:
+    def combinations(self, functions: Sequence[int]) -> list[ResidueValues]:
         """The combinations that stay constant: the last function of each has the coefficient 1.
 
         Raises NoTrialError.
@@ -330,7 +330,7 @@ class Trial:
         return [[reduce(sum(x[i] * d for i, d in gradient)) for gradient in gradients] for x in directions]
 
 
-def coefficients(space: SampledForms, trial: Trial, values: Values) -> dict[int, sp.Expr] | None:
+def coefficients(space: SampledForms, trial: Trial, values: ResidueValues) -> dict[int, sp.Expr] | None:
     """The constants c_k of a combination whose values in one trial are known, up to a common factor; None: not found.
 
     Raises NoTrialError.
@@ -385,7 +385,7 @@ def _polynomials(
 
 
 def _written_out(
-    space: SampledForms, trial: Trial, solution: Values, support: list[int], powers: Sequence[tuple[int, ...]]
+    space: SampledForms, trial: Trial, solution: ResidueValues, support: list[int], powers: Sequence[tuple[int, ...]]
 ) -> dict[int, sp.Expr] | None:
     coefficients = dict.fromkeys(support, sp.S.Zero)
     for place, residue in solution.items():
@@ -397,12 +397,12 @@ def _written_out(
     return coefficients
 
 
-def _rational(values: Values, trial: Trial) -> dict[int, sp.Expr] | None:
+def _rational(values: ResidueValues, trial: Trial) -> dict[int, sp.Expr] | None:
     numbers = {k: trial.base.reconstructed(v) for k, v in values.items()}
     return None if None in numbers.values() else {k: n for k, n in numbers.items() if n is not None}
 
 
-def _values(trial: Trial, support: Sequence[int]) -> Values | None:
+def _values(trial: Trial, support: Sequence[int]) -> ResidueValues | None:
     """The values of the c_k in another trial, None where the functions do not have just one such combination."""
     combinations = trial.combinations(support)
     return combinations[0] if len(combinations) == 1 else None

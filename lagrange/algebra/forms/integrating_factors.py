@@ -34,7 +34,7 @@ from lagrange.algebra.forms.factor_candidates import (
     factored,
 )
 from lagrange.algebra.forms.factor_methods import (
-    Exponents,
+    FactorExponents,
     exponents_beside,
     factor_beside,
     factors_of_combinations,
@@ -311,7 +311,7 @@ def _with_parameters(omega: OneForm) -> Iterator[sp.Expr]:
         yield from (_product(e, trials) for e in parametric_exponents(omega, trials))
 
 
-def _product(exponents: Exponents, trials: Sequence[FactorCandidate]) -> sp.Expr:
+def _product(exponents: FactorExponents, trials: Sequence[FactorCandidate]) -> sp.Expr:
     return sp.Mul(*(trials[k].power(e) for k, e in exponents.items()))
 
 

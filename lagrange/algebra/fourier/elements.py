@@ -25,8 +25,8 @@ from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
 
-Key = tuple[int, int]
-Terms = dict[Key, tuple[int, int]]
+WaveKey = tuple[int, int]
+Terms = dict[WaveKey, tuple[int, int]]
 Number = int | Fraction
 
 
@@ -209,7 +209,7 @@ def _product(left: Terms, right: Terms) -> Terms:
             m = m1 + m2
             cc, ss, cs, sc = a1 * a2, b1 * b2, a1 * b2, b1 * a2
             # cos w1 cos w2 = [cos(w1 + w2) + cos(w1 − w2)]/2, doubled; with w1 = 0 or w2 = 0 both terms are the same.
-            contributions: tuple[tuple[Key, int, int], ...]
+            contributions: tuple[tuple[WaveKey, int, int], ...]
             if not w1 or not w2:
                 contributions = (((m, w1 + w2), 2 * cc, 2 * (cs + sc)),)
             else:

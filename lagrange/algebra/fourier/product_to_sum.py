@@ -30,7 +30,7 @@ from lagrange.algebra.fourier.polynomials import WIDTH, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
 
-Part = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
+WavePart = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
 Powers = tuple[tuple[int, int], ...]  # (exponent of cos, exponent of sin) of each angle
 
 
@@ -176,7 +176,7 @@ class Factoring:
         halves = {self._basis.half(w, fine) for w in sums if w}
         return sorted((w for w in halves if w), key=lambda w: (self._weight(w), self._name(w)))
 
-    def _joined(self, element: Element, parts: list[Part]) -> Iterator[tuple[TrigProduct, ...]]:
+    def _joined(self, element: Element, parts: list[WavePart]) -> Iterator[tuple[TrigProduct, ...]]:
         """The element as a joined pair of terms and the rest; if long, one pair of equal coefficient."""
         # All pairs in all orders would take exponential time: a long sum is joined pair by pair, as they come.
         searched = len(parts) <= LONGEST_SEARCHED
@@ -192,10 +192,10 @@ class Factoring:
                     if not searched:
                         return
 
-    def _apart(self, parts: list[Part]) -> Iterator[tuple[TrigProduct, ...]]:
+    def _apart(self, parts: list[WavePart]) -> Iterator[tuple[TrigProduct, ...]]:
         """The terms of equal coefficient each for themselves, or those of the same angles."""
         for kind in (_size, _support):
-            classes: dict[object, list[Part]] = {}
+            classes: dict[object, list[WavePart]] = {}
             for part in parts:
                 classes.setdefault(kind(part), []).append(part)
             if len(classes) > 1:
@@ -205,7 +205,7 @@ class Factoring:
     def _wave(self, frequency: int, number: Fraction, sine: bool) -> Element:
         return self._basis.circle(frequency, sine) * number
 
-    def _pairs(self, one: Part, two: Part) -> Iterator[Element]:
+    def _pairs(self, one: WavePart, two: WavePart) -> Iterator[Element]:
         """c (cos w1 ± cos w2), or of sines, with c one of the coefficients, if the halves are whole."""
         (w1, a, sine), (w2, b, _) = one, two
         basis = self._basis
@@ -260,11 +260,11 @@ class Factoring:
         return 2 if len(places) == 1 else 4
 
 
-def _size(part: Part) -> Fraction:
+def _size(part: WavePart) -> Fraction:
     return abs(part[1])
 
 
-def _support(part: Part) -> tuple[int, ...]:
+def _support(part: WavePart) -> tuple[int, ...]:
     return tuple(i for i, _ in unpack(part[0]))
 
 
@@ -276,7 +276,7 @@ def gathered(form: Iterable[TrigProduct]) -> tuple[TrigProduct, ...]:
     return tuple(TrigProduct(number, powers) for powers, number in numbers.items() if number)
 
 
-def _parts(element: Element) -> Iterator[Part]:
+def _parts(element: Element) -> Iterator[WavePart]:
     """The terms one by one: frequency, coefficient, whether it is a sine."""
     for _, w, a, b in element.items():
         if a:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.models.kinetic import carriers
-from lagrange.answers.models.mechanics import Force, Kind, Mechanics, weight_shares
+from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Mechanics, weight_shares
 from lagrange.answers.models.variation import Variation, called, written
 from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
@@ -21,20 +21,20 @@ from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import share_of_damper, share_of_load, share_of_spring
 
 _NAMES = {
-    Kind.WEIGHT: "the weight of",
-    Kind.FORCE: "the force",
-    Kind.MOMENT: "the moment",
-    Kind.POTENTIAL: "the force of the potential",
-    Kind.SPRING: "the spring",
-    Kind.DAMPER: "the damper",
-    Kind.FRICTION: "the friction",
-    Kind.REACTIVE: "the reactive force on",
+    AppliedForceKind.WEIGHT: "the weight of",
+    AppliedForceKind.FORCE: "the force",
+    AppliedForceKind.MOMENT: "the moment",
+    AppliedForceKind.POTENTIAL: "the force of the potential",
+    AppliedForceKind.SPRING: "the spring",
+    AppliedForceKind.DAMPER: "the damper",
+    AppliedForceKind.FRICTION: "the friction",
+    AppliedForceKind.REACTIVE: "the reactive force on",
 }
 
 
-def name_of(force: Force) -> str:
+def name_of(force: ForceShare) -> str:
     """A force in a sentence: the spring `middle`."""
-    by_place = force.kind in (Kind.WEIGHT, Kind.REACTIVE)
+    by_place = force.kind in (AppliedForceKind.WEIGHT, AppliedForceKind.REACTIVE)
     return f"{_NAMES[force.kind]} {called(force.on[0] if by_place else force.name)}"
 
 
@@ -64,13 +64,13 @@ def exchanged_momentum(m: Mechanics) -> Iterator[Variation]:
 
 
 def _with_reactive(m: Mechanics, name: str, shares: Sequence[sp.Expr]) -> Mechanics:
-    others = tuple(f for f in m.forces if not (f.kind is Kind.REACTIVE and f.on == (name,)))
-    return replace(m, forces=(*others, Force(Kind.REACTIVE, REACTIVE, tuple(shares), False, (name,))))
+    others = tuple(f for f in m.forces if not (f.kind is AppliedForceKind.REACTIVE and f.on == (name,)))
+    return replace(m, forces=(*others, ForceShare(AppliedForceKind.REACTIVE, REACTIVE, tuple(shares), False, (name,))))
 
 
 def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
     """Gravity acts the other way: the sign of V, or a height counted downwards."""
-    weights = m.of_kind(Kind.WEIGHT)
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
     if weights:
         reversed_ = m.scaled(weights, sp.S.NegativeOne)
         yield Variation(
@@ -82,7 +82,7 @@ def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
 
 def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
     """Gravity is left out."""
-    weights = m.of_kind(Kind.WEIGHT)
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
     if weights:
         yield Variation("without gravity", "the forces: there is a weight", m.scaled(weights, sp.S.Zero))
 
@@ -90,13 +90,15 @@ def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
 def friction_reversed(m: Mechanics) -> Iterator[Variation]:
     """Friction acts the other way: with the motion."""
     yield from _all_and_each(
-        m, m.of_kind(Kind.FRICTION), sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"
+        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"
     )
 
 
 def friction_left_out(m: Mechanics) -> Iterator[Variation]:
     """Friction is left out."""
-    yield from _all_and_each(m, m.of_kind(Kind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there")
+    yield from _all_and_each(
+        m, m.of_kind(AppliedForceKind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there"
+    )
 
 
 def potential_reversed(m: Mechanics) -> Iterator[Variation]:
@@ -114,14 +116,14 @@ def force_left_out(m: Mechanics) -> Iterator[Variation]:
 def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
     """A weight acts on the coordinates of its own body alone, and not on those of what carries it."""
     bound = {p.name: carriers(p, m) for p in m.particles}
-    weights = {f.on[0]: f for f in m.of_kind(Kind.WEIGHT) if bound.get(f.on[0])}
+    weights = {f.on[0]: f for f in m.of_kind(AppliedForceKind.WEIGHT) if bound.get(f.on[0])}
     for names in (*([n] for n in weights), *([list(weights)] if len(weights) > 1 else ())):
         shares = {n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names}
         if any(shares[n] != weights[n].shares for n in names):
             changed = m.force(
                 lambda f, s=shares: (
                     replace(f, shares=s[f.on[0]])  # type: ignore[misc]
-                    if f.kind is Kind.WEIGHT and f.on[0] in s
+                    if f.kind is AppliedForceKind.WEIGHT and f.on[0] in s
                     else f
                 )
             )
@@ -138,7 +140,7 @@ def force_reversed(m: Mechanics) -> Iterator[Variation]:
 
 def energy_doubled(m: Mechanics) -> Iterator[Variation]:
     """The energy of a spring or another potential without its ½."""
-    for kind in (Kind.SPRING, Kind.POTENTIAL):
+    for kind in (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL):
         clause, place = "for {} twice as large, as from an energy without its 1/2", "the factor of {}"
         yield from _all_and_each(m, m.of_kind(kind), sp.Integer(2), clause, place)
 
@@ -150,13 +152,13 @@ def force_doubled(m: Mechanics) -> Iterator[Variation]:
 
 
 def _each_kind(m: Mechanics, factor: sp.Expr, clause: str, place: str) -> Iterator[Variation]:
-    for kind in Kind:
-        if kind not in (Kind.QUASI, Kind.FRICTION):
+    for kind in AppliedForceKind:
+        if kind not in (AppliedForceKind.QUASI, AppliedForceKind.FRICTION):
             yield from _all_and_each(m, m.of_kind(kind), factor, clause, place)
 
 
 def _all_and_each(
-    m: Mechanics, forces: Sequence[Force], factor: sp.Expr, clause: str, place: str
+    m: Mechanics, forces: Sequence[ForceShare], factor: sp.Expr, clause: str, place: str
 ) -> Iterator[Variation]:
     for f in forces:
         name = name_of(f)
@@ -174,13 +176,15 @@ def spring_by_length(m: Mechanics) -> Iterator[Variation]:
         listed = ", ".join(map(called, names))
         clause = f"for a force of the spring {listed} proportional to its length and not to its extension"
         shares = {s.name: _spring_shares(replace(s, length=sp.S.Zero), m) for s in group}
-        yield Variation(clause, f"the extension of the spring {listed}", _with_shares(m, Kind.SPRING, shares))
+        yield Variation(
+            clause, f"the extension of the spring {listed}", _with_shares(m, AppliedForceKind.SPRING, shares)
+        )
     yield from _potential_by_length(m)
 
 
 def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
     """The same of a spring given by its energy, k (x − a)²/2: k x²/2."""
-    for f in m.of_kind(Kind.POTENTIAL):
+    for f in m.of_kind(AppliedForceKind.POTENTIAL):
         pulls = [s for s in f.shares if s != 0]
         letters = sorted({s for p in pulls for s in p.free_symbols} - {*m.slots.coordinates}, key=str)
         for a in letters:
@@ -191,7 +195,9 @@ def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
                     f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
                 )
                 yield Variation(
-                    clause, f"the extension in {called(f.name)}", _with_shares(m, Kind.POTENTIAL, {f.name: without})
+                    clause,
+                    f"the extension in {called(f.name)}",
+                    _with_shares(m, AppliedForceKind.POTENTIAL, {f.name: without}),
                 )
 
 
@@ -218,19 +224,21 @@ def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
                 moved = replace(f, vector=vector)
                 shares[f.on] = weight_shares(moved, points[f.on].xreplace(rule), m.slots)
             clause = f"for a weight whose potential has {q} measured {how}"
-            changed = m.force(lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT else f)  # type: ignore[misc]
+            changed = m.force(
+                lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is AppliedForceKind.WEIGHT else f  # type: ignore[misc]
+            )
             yield Variation(clause, f"how {q} enters the potential energy", changed)
 
 
 def components_exchanged(m: Mechanics) -> Iterator[Variation]:
     """Sine and cosine exchanged where forces are resolved into components."""
-    for kind in (Kind.WEIGHT, Kind.FORCE):
+    for kind in (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE):
         forces = m.of_kind(kind)
         for group in (forces, *([f] for f in forces if len(forces) > 1)):
             changed = {f: tuple(_with_waves_exchanged(s) for s in f.shares) for f in group}
             if all(shares == f.shares for f, shares in changed.items()):
                 continue
-            what = "weight" if kind is Kind.WEIGHT else "force"
+            what = "weight" if kind is AppliedForceKind.WEIGHT else "force"
             of = ", ".join(name_of(f) for f in group) if len(forces) > 1 and len(group) == 1 else f"the {what}"
             clause = f"with sine and cosine exchanged in the components of {of}"
             system = m.force(lambda f, c=changed: replace(f, shares=c[f]) if f in c else f)  # type: ignore[misc]
@@ -244,7 +252,7 @@ def _with_waves_exchanged(share: sp.Expr) -> sp.Expr:
 
 def support_at_rest(m: Mechanics) -> Iterator[Variation]:
     """A force of a spring or damper with one end on a support that is shaken, as if the support were fixed."""
-    for f in (f for f in m.forces if f.kind is not Kind.QUASI):
+    for f in (f for f in m.forces if f.kind is not AppliedForceKind.QUASI):
         moving = {w: sp.S.Zero for s in f.shares for w in s.atoms(sp.sin, sp.cos) if t in w.args[0].free_symbols}
         shares = tuple(s.xreplace(moving) for s in f.shares)
         if moving and any(s != 0 for s in shares) and m.slots.coordinates:
@@ -259,7 +267,7 @@ def support_at_rest(m: Mechanics) -> Iterator[Variation]:
 def in_the_wrong_equation(m: Mechanics) -> Iterator[Variation]:
     """Generalized forces in one another's equations."""
     n = len(m.slots.coordinates)
-    given = [f for f in m.forces if not f.conservative and f.kind is not Kind.QUASI]
+    given = [f for f in m.forces if not f.conservative and f.kind is not AppliedForceKind.QUASI]
     if not given or n > 4:
         return
     for order in permutations(range(n)):
@@ -282,7 +290,7 @@ def on_one_end(m: Mechanics) -> Iterator[Variation]:
         ends = [e for e in link.ends if isinstance(e, str)]
         if len(ends) < 2:
             continue
-        kind = Kind.SPRING if isinstance(link, StretchedSpring) else Kind.DAMPER
+        kind = AppliedForceKind.SPRING if isinstance(link, StretchedSpring) else AppliedForceKind.DAMPER
         apart = link.apart.fixed()
         for n, end in enumerate(ends):
             sign = 1 if n == 0 else -1
@@ -309,7 +317,7 @@ def against_the_ground(m: Mechanics) -> Iterator[Variation]:
     points = {p.name: p.position.fixed() for p in m.configuration.points}
     for link in m.configuration.links:
         ends = [e for e in link.ends if isinstance(e, str)]
-        kind = Kind.SPRING if isinstance(link, StretchedSpring) else Kind.DAMPER
+        kind = AppliedForceKind.SPRING if isinstance(link, StretchedSpring) else AppliedForceKind.DAMPER
         name = f"{_NAMES[kind]} {called(link.name)}"
         place = f"{name}: it depends on the motion of one end relative to the other"
         alone = [_grounded(link, points[e], m) for e in ends]
@@ -342,12 +350,12 @@ def other_normal_force(m: Mechanics) -> Iterator[Variation]:
                 own = [share_of_load(load, v, m.configuration) for v in m.slots.velocities]
                 shares = [a + b for a, b in zip(shares, own, strict=True)]
             clause = f"for friction with the normal force {written(normal, m.slots)}{why}"
-            others = [g for g in m.of_kind(Kind.FRICTION) if g.name != f.friction.name]
-            ons = [g.on for g in m.of_kind(Kind.FRICTION) if g.name == f.friction.name]
+            others = [g for g in m.of_kind(AppliedForceKind.FRICTION) if g.name != f.friction.name]
+            ons = [g.on for g in m.of_kind(AppliedForceKind.FRICTION) if g.name == f.friction.name]
             if not ons:
                 continue
-            own_force = Force(Kind.FRICTION, f.friction.name, tuple(shares), False, ons[0])
-            rest = tuple(g for g in m.forces if g.kind is not Kind.FRICTION)
+            own_force = ForceShare(AppliedForceKind.FRICTION, f.friction.name, tuple(shares), False, ons[0])
+            rest = tuple(g for g in m.forces if g.kind is not AppliedForceKind.FRICTION)
             place = "the normal force in the friction"
             yield Variation(clause, place, replace(m, forces=(*rest, *others, own_force)))
     if len(m.frictions) > 1:
@@ -356,13 +364,13 @@ def other_normal_force(m: Mechanics) -> Iterator[Variation]:
 
 def _all_normal_forces(m: Mechanics) -> Iterator[Variation]:
     """The same for all friction forces together."""
-    rest = tuple(g for g in m.forces if g.kind is not Kind.FRICTION)
+    rest = tuple(g for g in m.forces if g.kind is not AppliedForceKind.FRICTION)
     for kinds in zip(*(list(_normal_forces(f, m)) for f in m.frictions), strict=False):
         forces = []
         for f, (normal, _) in zip(m.frictions, kinds, strict=True):
             for load in f.loads(normal):
                 own = tuple(share_of_load(load, v, m.configuration) for v in m.slots.velocities)
-                forces.append(Force(Kind.FRICTION, load.name, own, False, (load.on,)))
+                forces.append(ForceShare(AppliedForceKind.FRICTION, load.name, own, False, (load.on,)))
         clause = f"for friction with the normal force {written(kinds[0][0], m.slots)}{kinds[0][1]}"
         yield Variation(clause, "the normal force in the friction", replace(m, forces=(*rest, *forces)))
 
@@ -388,5 +396,5 @@ def _spring_shares(spring: StretchedSpring, m: Mechanics) -> tuple[sp.Expr, ...]
     return tuple(share_of_spring(spring, q) for q in m.slots.coordinates)
 
 
-def _with_shares(m: Mechanics, kind: Kind, shares: dict[str, tuple[sp.Expr, ...]]) -> Mechanics:
+def _with_shares(m: Mechanics, kind: AppliedForceKind, shares: dict[str, tuple[sp.Expr, ...]]) -> Mechanics:
     return m.force(lambda f: replace(f, shares=shares[f.name]) if f.kind is kind and f.name in shares else f)

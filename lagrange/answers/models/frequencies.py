@@ -15,7 +15,7 @@ from random import Random
 import sympy as sp
 
 from lagrange.answers.limits import MOST_FREQUENCIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
-from lagrange.answers.models.mechanics import Force, Inertia, Mechanics
+from lagrange.answers.models.mechanics import ForceShare, Inertia, Mechanics
 from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
 from lagrange.core.symbols import base, partial, t
@@ -45,7 +45,7 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     letters = {s for e in squares for s in e.free_symbols}
     if any(base(s) in m.slots.coordinates or s == t for s in letters):
         return ""
-    draws = [Numbers(m, at, seed) for seed in (1, 2)]
+    draws = [RandomMatrices(m, at, seed) for seed in (1, 2)]
     if any(c != 0 for i in m.inertias for c in i.columns[-1]):  # what a moving frame adds to K is not among the parts
         fixed = all(d.satisfied(squares, m) for d in draws)
         return "these are the frequencies for a frame or support that does not move" if fixed else ""
@@ -59,7 +59,7 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     return ""
 
 
-class Numbers:
+class RandomMatrices:
     """M and K of changed problems at random values of the parameters."""
 
     def __init__(self, m: Mechanics, at: Callable[[sp.Expr], sp.Expr], seed: int) -> None:
@@ -137,7 +137,7 @@ class Numbers:
             for i in range(n)
         ]
 
-    def of_force(self, force: Force) -> Matrix:
+    def of_force(self, force: ForceShare) -> Matrix:
         """−∂Q_k/∂q_j."""
         k = self.known.get(force.shares)
         if k is None:

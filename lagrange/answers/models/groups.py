@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import NumberRow
 from lagrange.answers.models.forces import name_of
-from lagrange.answers.models.mechanics import Inertia, Kind, Mechanics
+from lagrange.answers.models.mechanics import AppliedForceKind, Inertia, Mechanics
 from lagrange.answers.models.states import ModelState
 from lagrange.answers.models.variation import called
 from lagrange.core.records import record
@@ -55,17 +55,21 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
         return lambda at: _sum(at, parts)
 
     for f in m.forces:
-        if f.kind is not Kind.QUASI:
+        if f.kind is not AppliedForceKind.QUASI:
             yield TermGroup("force in one equation", name_of(f), share(f))
     for j, row in enumerate(m.configuration.rows):
         yield TermGroup("reaction in one equation", f"the reaction of {called(row.name)}", _reaction(j))
-    weights = m.of_kind(Kind.WEIGHT)
+    weights = m.of_kind(AppliedForceKind.WEIGHT)
     if len(weights) > 1:
         yield TermGroup("weight in one equation", "the weight", share(*weights))
-    for kind in (Kind.SPRING, Kind.DAMPER, Kind.FRICTION):
+    for kind in (AppliedForceKind.SPRING, AppliedForceKind.DAMPER, AppliedForceKind.FRICTION):
         several = m.of_kind(kind)
         if len(several) > 1:
-            word = {Kind.SPRING: "springs", Kind.DAMPER: "dampers", Kind.FRICTION: "friction forces"}[kind]
+            word = {
+                AppliedForceKind.SPRING: "springs",
+                AppliedForceKind.DAMPER: "dampers",
+                AppliedForceKind.FRICTION: "friction forces",
+            }[kind]
             yield TermGroup("forces in one equation", f"the force of the {word}", share(*several))
     n = len(m.slots.coordinates)
     frame = [_with_velocity(i, n) for i in m.inertias if n in i.moving]

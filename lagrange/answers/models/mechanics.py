@@ -9,7 +9,8 @@ is 1, and J = ∂r/∂t. So T is a sum of products g_ij q_i' q_j', and each of t
     g_kj q_j''  (inertia) ,    ġ_kj q_j'  (the rest of d/dt ∂T/∂q_k') ,    −½ ∂g_ij/∂q_k q_i' q_j'  (−∂T/∂q_k) .
 
 People lose any of these: a velocity (all products with one i), a product, one of the three ways. `Inertia` has a factor
-for each. The forces are Q_k, one `Force` for each weight, force, spring, damper, potential, moment and friction force.
+for each. The forces are Q_k, one `ForceShare` for each weight, force, spring, damper, potential, moment and friction
+force.
 """
 
 from __future__ import annotations
@@ -96,7 +97,7 @@ class Inertia:
         return ((i, j) for i in self.moving for j in self.moving if i <= j)
 
 
-class Kind(Enum):
+class AppliedForceKind(Enum):
     """The kind of an applied force."""
 
     WEIGHT = auto()
@@ -110,11 +111,11 @@ class Kind(Enum):
     QUASI = auto()  # the term that quasi-coordinates add to Lagrange's expression
 
 
-_KINDS = {"weight": Kind.WEIGHT, REACTIVE: Kind.REACTIVE}
+_KINDS = {"weight": AppliedForceKind.WEIGHT, REACTIVE: AppliedForceKind.REACTIVE}
 
 
 @record
-class Force:
+class ForceShare:
     """An applied force: its share of each Q_k.
 
     shares        shape (n,)
@@ -122,7 +123,7 @@ class Force:
     on            the particle or body it acts on; for a spring or damper its ends
     """
 
-    kind: Kind
+    kind: AppliedForceKind
     name: str
     shares: tuple[sp.Expr, ...]
     conservative: bool
@@ -142,7 +143,7 @@ class Mechanics:
 
     configuration: Configuration
     inertias: tuple[Inertia, ...]
-    forces: tuple[Force, ...]
+    forces: tuple[ForceShare, ...]
     frictions: tuple[FrictionForce, ...] = ()
     kept: tuple[int, ...] = ()
     units: tuple[tuple[sp.Symbol, str], ...] = ()
@@ -168,7 +169,7 @@ class Mechanics:
         """The kinetic energies of rotations."""
         return tuple(i for i in self.inertias if i.turning)
 
-    def of_kind(self, *kinds: Kind) -> tuple[Force, ...]:
+    def of_kind(self, *kinds: AppliedForceKind) -> tuple[ForceShare, ...]:
         """The forces of some kinds."""
         return tuple(f for f in self.forces if f.kind in kinds)
 
@@ -177,12 +178,12 @@ class Mechanics:
         changed = (change(i) for i in self.inertias)
         return replace(self, inertias=tuple(i for i in changed if i is not None))
 
-    def force(self, change: Callable[[Force], Force | None]) -> Mechanics:
+    def force(self, change: Callable[[ForceShare], ForceShare | None]) -> Mechanics:
         """The system with every applied force changed; None leaves it out."""
         changed = (change(f) for f in self.forces)
         return replace(self, forces=tuple(f for f in changed if f is not None))
 
-    def scaled(self, wanted: Sequence[Force], factor: sp.Expr) -> Mechanics:
+    def scaled(self, wanted: Sequence[ForceShare], factor: sp.Expr) -> Mechanics:
         """The system with some forces multiplied by a number."""
         names = {(f.kind, f.name, f.on) for f in wanted}
         return self.force(lambda f: replace(f, factor=f.factor * factor) if (f.kind, f.name, f.on) in names else f)
@@ -201,7 +202,7 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
         rotations.append(_turning(r, columns))
         if r.given:
             terms = tuple(quasi_term(r, q, prime(q), slots) for q in slots.coordinates)
-            quasi.append(Force(Kind.QUASI, r.name, terms, False))
+            quasi.append(ForceShare(AppliedForceKind.QUASI, r.name, terms, False))
     forces = (*_forces(configuration, problem, frictions), *quasi)
     inertias = tuple(i for i in (*particles, *rotations) if i.moving and any(w != 0 for w in i.weights))
     everything = tuple(range(len(slots.coordinates)))
@@ -233,30 +234,38 @@ def weight_shares(load: Load, position: Vector, slots: Slots) -> tuple[sp.Expr, 
     return tuple(vector.dot(fixed.map(lambda c, q=q: partial(c, q))) for q in slots.coordinates)  # type: ignore[misc]
 
 
-def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[FrictionForce]) -> Iterator[Force]:
+def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[FrictionForce]) -> Iterator[ForceShare]:
     slots = configuration.slots
     rough = {f.friction.name for f in frictions}
 
     pairs = [*zip(slots.coordinates, slots.velocities, strict=True)]
     for load in configuration.loads:
-        kind = Kind.FRICTION if load.name in rough else _KINDS.get(load.name, Kind.FORCE)
+        kind = AppliedForceKind.FRICTION if load.name in rough else _KINDS.get(load.name, AppliedForceKind.FORCE)
         shares = tuple(share_of_load(load, v, configuration) for _, v in pairs)
-        conservative = kind is not Kind.REACTIVE and is_constant(load, configuration)
-        yield Force(kind, load.name, shares, conservative, (load.on,))
+        conservative = kind is not AppliedForceKind.REACTIVE and is_constant(load, configuration)
+        yield ForceShare(kind, load.name, shares, conservative, (load.on,))
     for f in problem.forces:
         if isinstance(f, Potential):
             static, _ = with_velocities_apart([f.energy], problem.slots)
             energy = configuration.rewritten(static)
-            yield Force(Kind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
+            yield ForceShare(AppliedForceKind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
     if others := given_forces(configuration):
-        yield Force(Kind.FORCE, "generalized", others, False)
+        yield ForceShare(AppliedForceKind.FORCE, "generalized", others, False)
     for s in configuration.springs:
-        yield Force(Kind.SPRING, s.name, tuple(share_of_spring(s, q) for q, _ in pairs), True, _names(s.ends))
+        yield ForceShare(
+            AppliedForceKind.SPRING, s.name, tuple(share_of_spring(s, q) for q, _ in pairs), True, _names(s.ends)
+        )
     for d in configuration.dampers:
-        yield Force(Kind.DAMPER, d.name, tuple(share_of_damper(d, v, slots) for _, v in pairs), False, _names(d.ends))
+        yield ForceShare(
+            AppliedForceKind.DAMPER,
+            d.name,
+            tuple(share_of_damper(d, v, slots) for _, v in pairs),
+            False,
+            _names(d.ends),
+        )
     for m in configuration.torques:
         shares = tuple(share_of_torque(m, v, configuration) for _, v in pairs)
-        yield Force(Kind.MOMENT, m.name, shares, False, (m.on,))
+        yield ForceShare(AppliedForceKind.MOMENT, m.name, shares, False, (m.on,))
 
 
 def _names(ends: Sequence[str | Vector]) -> tuple[str, ...]:

@@ -15,8 +15,8 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.answers.models.mechanics import Inertia, Kind, Mechanics
-from lagrange.answers.models.variation import QuasiEquations, Variation
+from lagrange.answers.models.mechanics import AppliedForceKind, Inertia, Mechanics
+from lagrange.answers.models.variation import Variation, VariedQuasiEquations
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import partial, prime
 from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_velocities
@@ -24,7 +24,7 @@ from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_
 
 def products_left_out(m: Mechanics) -> Iterator[Variation]:
     """The terms with products of quasi-velocities are left out, or have the wrong sign or factor."""
-    if not m.speeds or m.of_kind(Kind.QUASI):
+    if not m.speeds or m.of_kind(AppliedForceKind.QUASI):
         return
     try:
         speeds = quasi_velocities(m.speeds, m.configuration)
@@ -44,7 +44,7 @@ def products_left_out(m: Mechanics) -> Iterator[Variation]:
             clause = f"{how} the terms with products of {names}{where}"
             if factor == 0:
                 clause += ": Lagrange's equations do not hold in quasi-velocities as they do in velocities"
-            yield Variation(clause, place, m, quasi=QuasiEquations(parts, kinetic, speeds.partials, factor))
+            yield Variation(clause, place, m, quasi=VariedQuasiEquations(parts, kinetic, speeds.partials, factor))
 
 
 _FACTORS = (

@@ -24,7 +24,7 @@ from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
 
-Rule = dict[sp.Basic, sp.Basic]
+Substitution = dict[sp.Basic, sp.Basic]
 
 
 @record
@@ -140,7 +140,7 @@ class _Setting:
             for z in zeros
             if z.free_symbols & {base(v)} and v not in z.free_symbols and reaction not in z.free_symbols
         ]
-        place: Rule = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
+        place: Substitution = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
         force = reactions[0].value if reactions else sp.S.Zero
         return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
 
@@ -169,7 +169,7 @@ class _Setting:
         force = sp.expand(self.force)
         resting = force.xreplace({v: sp.S.Zero})
         force = change.resting * resting + change.moving * (force - resting)
-        stated: Rule = {quantity: claim} if self.is_place(quantity) else {}
+        stated: Substitution = {quantity: claim} if self.is_place(quantity) else {}
         known = self.place if not quantity.has(base(v)) else {}
         residuals = [z for z in self.zeros if not (z.free_symbols & {base(v)} and known)]
         if change.still:  # the condition on the reaction is replaced by v = 0
@@ -182,7 +182,7 @@ class _Setting:
         if not residuals:
             return False
         of_function = bool(stated) and not quantity.is_Symbol
-        rule: Rule = {} if self.reaction is None else {self.reaction: force}
+        rule: Substitution = {} if self.reaction is None else {self.reaction: force}
         tested = not stated
         for residual in residuals:
             whole = sp.expand(residual.xreplace(rule))

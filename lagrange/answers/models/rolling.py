@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.answers.models.mechanics import Inertia, Kind, Mechanics
+from lagrange.answers.models.mechanics import AppliedForceKind, Inertia, Mechanics
 from lagrange.answers.models.variation import Variation, called
 from lagrange.core.vectors import Components
 
@@ -64,11 +64,13 @@ def _turning(m: Mechanics, old: Inertia, new: Inertia) -> Mechanics:
     changed = m.inertia(lambda i: new if i == old else i)
     own = next(a for a in range(3) if any(c[a] != 0 for c in old.columns))
     moved = {}
-    for f in m.of_kind(Kind.MOMENT):
+    for f in m.of_kind(AppliedForceKind.MOMENT):
         if f.on != (old.name,):
             continue
         k = next((k for k, c in enumerate(old.columns[:-1]) if c[own] != 0 and f.shares[k] != 0), None)
         if k is not None:
             moment = f.shares[k] / old.columns[k][own]
             moved[f.name] = tuple(moment * c[own] for c in new.columns[:-1])
-    return changed.force(lambda f: replace(f, shares=moved[f.name]) if f.kind is Kind.MOMENT and f.name in moved else f)
+    return changed.force(
+        lambda f: replace(f, shares=moved[f.name]) if f.kind is AppliedForceKind.MOMENT and f.name in moved else f
+    )

@@ -18,8 +18,8 @@ import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, Point
-from lagrange.answers.models.mechanics import Force, Inertia, Mechanics
-from lagrange.answers.models.variation import QuasiEquations
+from lagrange.answers.models.mechanics import ForceShare, Inertia, Mechanics
+from lagrange.answers.models.variation import VariedQuasiEquations
 from lagrange.core.symbols import Slots, partial
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
 
@@ -41,7 +41,7 @@ class ModelState:
         self.constraints = affine_rows(point, system.accelerated_constraints, self.unknowns)
         self.derived = affine_rows(point, system.equations, self.unknowns)
         self._numbers: dict[tuple[object, ...], tuple[Matrix, list[Matrix]]] = {}
-        self._shares: dict[Inertia | Force, list[NumberRow]] = {}
+        self._shares: dict[Inertia | ForceShare, list[NumberRow]] = {}
 
     @cached_property
     def rates(self) -> list[Any]:
@@ -69,13 +69,13 @@ class ModelState:
         """The rows of E_k of a system, one for each coordinate that it keeps."""
         reduce = self.point.arithmetic.reduce
         total = self._reactions(mechanics)
-        parts: tuple[Inertia | Force, ...] = (*mechanics.inertias, *mechanics.forces)
+        parts: tuple[Inertia | ForceShare, ...] = (*mechanics.inertias, *mechanics.forces)
         for part in parts:
             for k, row in enumerate(self.share(part)):
                 total[k] = [reduce(a + b) for a, b in zip(total[k], row, strict=True)]
         return [total[k] for k in mechanics.kept]
 
-    def quasi_rows(self, mechanics: Mechanics, quasi: QuasiEquations) -> list[NumberRow]:
+    def quasi_rows(self, mechanics: Mechanics, quasi: VariedQuasiEquations) -> list[NumberRow]:
         """The rows of the equations in quasi-velocities; their reactions do no work, and are not in them."""
         reduce, less = self.point.arithmetic.reduce, self._number(quasi.factor - 1)
         partials = [self.point.values(row) for row in quasi.partials]
@@ -95,7 +95,7 @@ class ModelState:
         """Σ_k f_k row_k."""
         return self._sum([[f * x for x in row] for f, row in zip(factors, rows, strict=True)])
 
-    def share(self, part: Inertia | Force) -> list[NumberRow]:
+    def share(self, part: Inertia | ForceShare) -> list[NumberRow]:
         """What a part adds to each E_k, shape (n, len(unknowns) + 1)."""
         known = self._shares.get(part)
         if known is None:
@@ -113,7 +113,7 @@ class ModelState:
                     rows[k][j] = self.point.arithmetic.reduce(-self.point.value(row.coefficients[k]))
         return rows
 
-    def _force(self, force: Force) -> list[NumberRow]:
+    def _force(self, force: ForceShare) -> list[NumberRow]:
         factor = self._number(-force.factor)
         unknown = any(not s.free_symbols.isdisjoint(self.unknowns) for s in force.shares)
         if unknown:

@@ -15,7 +15,7 @@ from lagrange.document.notation import Notation
 
 
 @record
-class QuasiEquations:
+class VariedQuasiEquations:
     """Equations in quasi-velocities, with a factor of the terms with products of these.
 
     parts     the kinetic energies whose terms have the factor
@@ -46,7 +46,7 @@ class Variation:
     mechanics: Mechanics | None = None
     rule: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
-    quasi: QuasiEquations | None = None
+    quasi: VariedQuasiEquations | None = None
 
     @property
     def is_reduced(self) -> bool:

@@ -17,7 +17,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
-from lagrange.answers.force_names import Meaning, meanings
+from lagrange.answers.force_names import ForceMeaning, meanings
 from lagrange.answers.limits import ROUNDING_DIGITS
 from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.questions.numbers_with_units import in_si
@@ -64,7 +64,7 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     reference = reference_of_solution(solution)
     asked = {a.question.name: _with_values(a, reference.values) for a in solution.asked}
 
-    taken: dict[sp.Expr, Meaning] = {}
+    taken: dict[sp.Expr, ForceMeaning] = {}
 
     def judged(name: str, fragment: Fragment) -> Judged:
         if name not in asked:
@@ -82,10 +82,10 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     return check_each("ask", stated, judged)
 
 
-def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[Claim]:
+def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[AskedClaim]:
     """What a text states about a question; with `±` two of them. Raises ProblemError."""
     stated, fits = in_si(fragment, asked, reference)
-    return [Claim(f, asked, solution, reference, fits) for f in with_both_signs(stated)]
+    return [AskedClaim(f, asked, solution, reference, fits) for f in with_both_signs(stated)]
 
 
 def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
@@ -97,7 +97,7 @@ def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
 _ONE_SIGN = "it is right with one of the two signs only"
 
 
-class Claim:
+class AskedClaim:
     """A stated answer to one question."""
 
     def __init__(
@@ -113,7 +113,7 @@ class Claim:
         self.quantity = asked.question.quantity
         law = solution.law
         self.reaction = next((r for r in law.newton.reactions if r.given == self.quantity), None) if law else None
-        self.meaning: Meaning | None = None  # of the reaction's name, where the answer is right
+        self.meaning: ForceMeaning | None = None  # of the reaction's name, where the answer is right
         if self.equation is not None and self.reaction is not None and self.reaction.single is not None:
             in_force = self.reaction.force / self.reaction.single.factor
             self.equation = self.equation.xreplace({self.reaction.multiplier: self._rewritten(in_force)})
@@ -291,7 +291,7 @@ class Claim:
         }
         return bool(velocities) and sp.expand(self.quantity.xreplace(velocities) + self.quantity) == 0
 
-    def _values_for(self, meaning: Meaning) -> Iterator[sp.Expr]:
+    def _values_for(self, meaning: ForceMeaning) -> Iterator[sp.Expr]:
         """The values in another meaning of a reaction's name; that of a multiplier may depend on the position."""
         ratio = self._rewritten(meaning.ratio)
         for b in self.asked.branches:

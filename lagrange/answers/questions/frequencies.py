@@ -55,7 +55,7 @@ _SEVERAL = "no equilibrium has all of them"
 
 
 @record
-class Place:
+class EquilibriumPoint:
     """A point of an equilibrium and its linear equations.
 
     resting  all equilibria of the configuration
@@ -204,7 +204,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
 
 
 def _asked_by_the_file(
-    solution: Solution, places: Sequence[Place], values: dict[sp.Symbol, sp.Rational], reference: Reference
+    solution: Solution, places: Sequence[EquilibriumPoint], values: dict[sp.Symbol, sp.Rational], reference: Reference
 ) -> bool:
     """Whether the file states frequencies of its own, and all of them are those of known equilibria.
 
@@ -220,7 +220,7 @@ def _asked_by_the_file(
 
 def _explained(
     lists: Sequence[Sequence[sp.Expr]],
-    places: Sequence[Place],
+    places: Sequence[EquilibriumPoint],
     values: dict[sp.Symbol, sp.Rational],
     reference: Reference,
 ) -> Iterator[str]:
@@ -304,7 +304,7 @@ def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
     return [sp.sqrt(root) for root in sp.roots(sp.expand(equation), square)]
 
 
-def _of_models(claims: Sequence[sp.Expr], places: Sequence[Place], reference: Reference) -> str:
+def _of_models(claims: Sequence[sp.Expr], places: Sequence[EquilibriumPoint], reference: Reference) -> str:
     """Of which changed problem these are the frequencies at one of the equilibria, in a sentence."""
     from lagrange.answers.models.frequencies import explained_by_models
 
@@ -324,11 +324,11 @@ def _of_models(claims: Sequence[sp.Expr], places: Sequence[Place], reference: Re
 _NAME = "frequencies"
 
 
-def _places(f: Linearization, rates: Values) -> Iterator[Place]:
+def _places(f: Linearization, rates: Values) -> Iterator[EquilibriumPoint]:
     """The points at which the characteristic equation is one for ω."""
     for branch, s in zip(f.branches, f.at, strict=True):
         if s is not None and s.oscillates and s.characteristic is not None:
-            yield from (Place(s, f.equilibrium, branch, p, rates) for p in branch.points)
+            yield from (EquilibriumPoint(s, f.equilibrium, branch, p, rates) for p in branch.points)
 
 
 def _is_complete(f: Linearization) -> bool:
@@ -363,7 +363,7 @@ def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
 def _of_list(
     claims: Sequence[sp.Expr],
     texts: Sequence[str],
-    places: Sequence[Place],
+    places: Sequence[EquilibriumPoint],
     values: dict[sp.Symbol, sp.Rational],
     *,
     complete: bool,
@@ -381,7 +381,10 @@ def _of_list(
 
 
 def _at_one(
-    claims: Sequence[sp.Expr], right: Sequence[bool | None], place: Place, values: dict[sp.Symbol, sp.Rational]
+    claims: Sequence[sp.Expr],
+    right: Sequence[bool | None],
+    place: EquilibriumPoint,
+    values: dict[sp.Symbol, sp.Rational],
 ) -> Verdict:
     """The verdict on one list at one equilibrium; `right`: whether each is a root there."""
     if None in right or False in right:
@@ -394,7 +397,7 @@ def _at_one(
     return Verdict.EQUIVALENT if len(nonzero) - repeated == sum(_degrees(place)) else Verdict.INCOMPLETE
 
 
-def _degrees(place: Place) -> Iterator[int]:
+def _degrees(place: EquilibriumPoint) -> Iterator[int]:
     """The number of different frequencies of each factor, without zero and roots ω² known to be negative."""
     frequencies = place.oscillations.frequencies
     factors = {f.factor: f for f in frequencies}

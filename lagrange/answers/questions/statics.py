@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.answers.equilibria import alternatives_of, check_equilibria
 from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
-from lagrange.answers.reactions import AtRest
+from lagrange.answers.reactions import StatedReactionsAtRest
 from lagrange.answers.readings import Reading, read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import FIRST, AnswerVerdict, EquationVerdict, Verdict
@@ -92,9 +92,9 @@ def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
     return next((v for v in (*FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
 
 
-def reactions_at_rest(solution: Solution) -> AtRest | None:
+def reactions_at_rest(solution: Solution) -> StatedReactionsAtRest | None:
     """The reactions at the equilibria; None if there are no constraints."""
     if solution.law is None or solution.own.reactions_at_rest is None:
         return None
     reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
-    return AtRest(solution.law.newton, reactions, reference_of_solution(solution))
+    return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution))

@@ -24,10 +24,10 @@ from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Assumption, Parameter, Problem
 
-Rule = Mapping[sp.Symbol, sp.Expr]
+Substitution = Mapping[sp.Symbol, sp.Expr]
 
 
-def other_bodies(solution: Solution) -> tuple[Solution, list[tuple[str, Rule]]] | None:
+def other_bodies(solution: Solution) -> tuple[Solution, list[tuple[str, Substitution]]] | None:
     """The problem solved with letters for its moments of inertia, and what these are in changed problems, each with
     the end of a sentence; None if there are none with numbers in them, or it cannot be solved so."""
     solved = _with_letters(Identical(solution))
@@ -55,7 +55,7 @@ def _with_letters(same: Identical) -> tuple[Solution, dict[str, tuple[sp.Symbol,
         return None
 
 
-def _changes(letters: Mapping[str, tuple[sp.Symbol, sp.Expr]]) -> Iterator[tuple[str, Rule]]:
+def _changes(letters: Mapping[str, tuple[sp.Symbol, sp.Expr]]) -> Iterator[tuple[str, Substitution]]:
     own: dict[sp.Symbol, sp.Expr] = dict(letters.values())
     for name, (j, _) in letters.items():
         yield f"without the rotation of `{name}`", {**own, j: sp.S.Zero}

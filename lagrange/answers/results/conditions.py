@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import CLOSE_LIMIT, LIMIT_SAMPLES, MOST_CONDITION_TERMS
 from lagrange.answers.results.approximate import approximate, root_near
-from lagrange.answers.results.meanings import Meaning, other_meanings, with_waves_exchanged
+from lagrange.answers.results.meanings import LetterMeaning, other_meanings, with_waves_exchanged
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
@@ -83,7 +83,7 @@ def _of_all(
     return None
 
 
-def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
+def _scaled_limit(meaning: LetterMeaning, slack: sp.Expr) -> str:
     """P <= 2 W for P <= W: with P/2 in place of P; empty for other changes."""
     [(letter, value), *others] = meaning.rule.items()
     factor = value / letter
@@ -97,7 +97,7 @@ def _scaled_limit(meaning: Meaning, slack: sp.Expr) -> str:
 
 def _meanings(
     stated: Sequence[StatedCondition], derived: Sequence[sp.Expr], coefficients: Collection[sp.Expr]
-) -> list[Meaning]:
+) -> list[LetterMeaning]:
     letters, used = (set().union(*map(_symbols, es)) for es in (derived, [s.slack for s in stated]))
     return [*with_waves_exchanged(derived), *other_meanings(letters, used, coefficients)]
 

@@ -12,7 +12,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.limits import MOST_STRUCK, RANDOM_ZERO_DIGITS
-from lagrange.answers.models.frequencies import Numbers
+from lagrange.answers.models.frequencies import RandomMatrices
 from lagrange.answers.models.mechanics import Mechanics, mechanics_of
 from lagrange.answers.models.questions import explained_value
 from lagrange.answers.models.table import MODELS
@@ -149,7 +149,7 @@ class _Draw:
     """The impact at random values of the letters."""
 
     def __init__(self, m: Mechanics, motion: ImpulsiveMotion, seed: int) -> None:
-        self.numbers = Numbers(m, lambda e: motion.at(e), seed)
+        self.numbers = RandomMatrices(m, lambda e: motion.at(e), seed)
         still = dict(zip(motion.slots.velocities, motion.before, strict=True))
         self.before = [self.numbers.number(v) for v in motion.before]
         self.blows = [-self.numbers.number(e.xreplace(still)) for e in motion.balance]

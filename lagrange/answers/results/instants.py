@@ -17,7 +17,7 @@ from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked
 
-Motion = Mapping[sp.Symbol, sp.Expr]
+StateAndRates = Mapping[sp.Symbol, sp.Expr]
 
 
 def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
@@ -51,7 +51,7 @@ def _beginnings(claim: sp.Expr, quantity: sp.Symbol, initial: Mapping[sp.Basic, 
                 yield f"at t = 0 this gives {symbol} = {_written(begins)} and not {_written(initial[symbol])}"
 
 
-def _events(time: sp.Expr, motion: Motion, initial: Mapping[sp.Basic, sp.Expr], when: str) -> Iterator[str]:
+def _events(time: sp.Expr, motion: StateAndRates, initial: Mapping[sp.Basic, sp.Expr], when: str) -> Iterator[str]:
     """What happens at a time."""
     if is_zero(time) is not False:
         return
@@ -69,7 +69,7 @@ def _events(time: sp.Expr, motion: Motion, initial: Mapping[sp.Basic, sp.Expr], 
 
 
 def _at_place(
-    claim: sp.Expr, q: sp.Symbol, own: sp.Expr, motion: Motion, initial: Mapping[sp.Basic, sp.Expr]
+    claim: sp.Expr, q: sp.Symbol, own: sp.Expr, motion: StateAndRates, initial: Mapping[sp.Basic, sp.Expr]
 ) -> Iterator[str]:
     """What happens where a coordinate has a value."""
     rate = sp.diff(own, t)

@@ -32,7 +32,7 @@ from lagrange.core.symbols import Slots, partial, t
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
 
-Rule = Mapping[sp.Basic, sp.Basic]
+Substitution = Mapping[sp.Basic, sp.Basic]
 _LESS_LIKELY = ("force with another factor", "force in the wrong equation")
 """At rest an arm is taken wrongly more often than a weight."""
 
@@ -40,7 +40,7 @@ _LESS_LIKELY = ("force with another factor", "force in the wrong equation")
 class Resting:
     """Changes of a problem, tried on wrong equations of its equilibrium."""
 
-    def __init__(self, equilibrium: Equilibrium, values: Rule) -> None:
+    def __init__(self, equilibrium: Equilibrium, values: Substitution) -> None:
         self.equilibrium = equilibrium
         self.configuration = equilibrium.configuration
         self.slots: Slots = self.configuration.slots
@@ -82,7 +82,7 @@ class Resting:
                 return None
         return rule
 
-    def balanced(self, forces: Sequence[sp.Expr], rule: Rule) -> bool:
+    def balanced(self, forces: Sequence[sp.Expr], rule: Substitution) -> bool:
         """Whether forces E_k are balanced, by reactions alone, where a rule holds."""
         put = [f.xreplace(self.values).xreplace(dict(rule)) for f in forces]
         rows = [[a.xreplace(self.values).xreplace(dict(rule)) for a in row] for row in self.rows]
@@ -156,7 +156,7 @@ def _has_roots(e: sp.Expr) -> bool:
 class WrongEquilibria:
     """Wrong alternatives of an answer about equilibria, each with all its equations, and what explains them."""
 
-    def __init__(self, wrong: Sequence[Sequence[sp.Expr]], equilibrium: Equilibrium, values: Rule) -> None:
+    def __init__(self, wrong: Sequence[Sequence[sp.Expr]], equilibrium: Equilibrium, values: Substitution) -> None:
         self.wrong = wrong
         self.resting = Resting(equilibrium, values)
         self.rules = [self.resting.solved(a) for a in wrong] if self.resting.usable else [None]

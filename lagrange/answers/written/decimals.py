@@ -47,7 +47,7 @@ from lagrange.answers.readings import decimals_in
 from lagrange.core.symbols import Decimal
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
 
-Values = Mapping[Decimal, sp.Float]
+DecimalValues = Mapping[Decimal, sp.Float]
 
 
 def as_written(e: sp.Expr) -> sp.Expr:
@@ -55,7 +55,7 @@ def as_written(e: sp.Expr) -> sp.Expr:
     return e.xreplace({d: d.written for d in decimals_in([e])})
 
 
-def rounded_in_motion(equations: Sequence[sp.Expr], system: System) -> Values | None:
+def rounded_in_motion(equations: Sequence[sp.Expr], system: System) -> DecimalValues | None:
     """Numbers that round to the decimals, with which equations follow from a system; None if none are found."""
     configuration = system.configuration
     known = (*system.accelerated_constraints, *system.equations)
@@ -69,7 +69,7 @@ def rounded_in_motion(equations: Sequence[sp.Expr], system: System) -> Values | 
     return _rounded(equations, unknowns, configuration.states, prepared)
 
 
-def rounded(expressions: Sequence[sp.Expr], surface: Surface | None = None) -> Values | None:
+def rounded(expressions: Sequence[sp.Expr], surface: Surface | None = None) -> DecimalValues | None:
     """Numbers that round to the decimals, with which expressions vanish on a surface; None if none are found."""
     space = surface or Surface()
     for choice in product(*(_factors(e) for e in expressions)):
@@ -84,7 +84,7 @@ def _factors(e: sp.Expr) -> list[sp.Expr]:
     return [f for f in sp.Mul.make_args(e) if decimals_in([f])] or [e]
 
 
-def remark_on(values: Values) -> str:
+def remark_on(values: DecimalValues) -> str:
     """What the decimals of a right equation are taken for."""
     changed = [d for d, v in values.items() if abs(v - d.written) > d.half_width / 10**6]
     shown = dict.fromkeys(f"{d.text} is taken as {sp.Float(values[d], _digits(d)):.{_digits(d)}g}" for d in changed)
@@ -100,7 +100,7 @@ def _rounded(
     unknowns: Sequence[sp.Symbol],
     surface: Surface,
     prepared: Callable[[Point], tuple[Point, RowSpace]],
-) -> Values | None:
+) -> DecimalValues | None:
     decimals = decimals_in(expressions)
     if not decimals or len(decimals) > MAX_DECIMALS:
         return None
@@ -160,10 +160,10 @@ class _Residues:
         return pairs
 
 
-State = tuple[Point, RowSpace]
+DecimalState = tuple[Point, RowSpace]
 
 
-def _solved(system: _Residues, states: Sequence[State]) -> list[Any] | None:
+def _solved(system: _Residues, states: Sequence[DecimalState]) -> list[Any] | None:
     """Shifts −1 ≤ s_i ≤ 1 with F(s) = 0 at the states; None if none are found."""
     shifts = [states[0][0].number(0)] * len(system.decimals)
     least, stalled = None, 0
@@ -182,7 +182,7 @@ def _solved(system: _Residues, states: Sequence[State]) -> list[Any] | None:
     return None
 
 
-def _vanish(system: _Residues, states: Sequence[State], shifts: Sequence[Any]) -> bool:
+def _vanish(system: _Residues, states: Sequence[DecimalState], shifts: Sequence[Any]) -> bool:
     return all(abs(f) < TINY_RESIDUAL for moving, space in states for _, f in system.at(moving, space, shifts))
 
 

@@ -24,11 +24,11 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.comparison import Standing, compare
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 
-Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
+AnswerCheck = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
 
 
-def verdict_on(working: Working, reference: Reference, check: Check, *, moving: bool = True) -> AnswerVerdict:
+def verdict_on(working: Working, reference: Reference, check: AnswerCheck, *, moving: bool = True) -> AnswerVerdict:
     """The verdict on an answer that has been sorted; `moving`: on equations of motion.
 
     Raises ProblemError if it has too many equations.
@@ -65,7 +65,7 @@ def _wrong(verdict: AnswerVerdict) -> list[int]:
 
 
 def _otherwise(
-    equations: list[Fragment], verdict: AnswerVerdict, check: Check
+    equations: list[Fragment], verdict: AnswerVerdict, check: AnswerCheck
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
     """Wrong equations in their other reading, where that makes them right."""
     notes: list[Diagnostic] = []
@@ -87,7 +87,7 @@ def _otherwise(
 
 
 def _without_asides(
-    equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: Check
+    equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: AnswerCheck
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
     """The equations without approximations, and without wrong statements that are no equations of motion."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])

@@ -20,7 +20,7 @@ from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
-from lagrange.mechanics.meaning import Limit, Meaning, held_values, where_held
+from lagrange.mechanics.meaning import LimitingCase, ResultMeaning, held_values, where_held
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
 from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 def explain_meaning(
-    meaning: Meaning,
+    meaning: ResultMeaning,
     conserved: Step | None,
     stated: StatedEquations = (),
     labels: Collection[str | None] | None = None,
@@ -70,7 +70,7 @@ def operations(stated: StatedEquations) -> int:
     return sum(count_operations(left - right) for left, *_, right in stated)
 
 
-def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
+def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion, form = meaning.view.motion, meaning.view.in_speeds
     if motion is None or not stated or are_same_equations(stated, [e.expression for e in motion.final]):
@@ -88,7 +88,7 @@ def _in_short(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
-def _freed(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
+def _freed(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations without the coordinates that roll along: `Without ψ: ψ'' = −[(R − r)/r] φ'' leaves ...`"""
     freed = meaning.freed
     if freed is None or meaning.constant:
@@ -102,7 +102,7 @@ def _freed(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
     yield display(*(Equation((e.expression, sp.S.Zero)) for e in freed.equations), boxed=True)
 
 
-def _with_held(meaning: Meaning, stated: StatedEquations) -> Iterator[Block]:
+def _with_held(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block]:
     """The equations with what is constant put in: `With r = R: R θ'' − g sin θ = 0.`"""
     motion, held = meaning.view.motion, held_values(meaning.view.configuration)
     if motion is None or meaning.constant or not held:
@@ -236,7 +236,7 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
     return iter(blocks)
 
 
-def _accelerations(meaning: Meaning) -> Iterator[Block]:
+def _accelerations(meaning: ResultMeaning) -> Iterator[Block]:
     """The accelerations, where they are constant."""
     if not meaning.constant:
         return
@@ -257,7 +257,7 @@ _COURSES = {
 }
 
 
-def _one_way(meaning: Meaning) -> Iterator[Block]:
+def _one_way(meaning: ResultMeaning) -> Iterator[Block]:
     """The quasi-velocities whose rate has one sign: `u' = a ω², which is never negative: u only grows`."""
     form = meaning.view.in_speeds
     if form is None:
@@ -271,7 +271,7 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
         yield prose(Emphasis("One way"), ": ", *changes, *only, ".")
 
 
-def _turning(meaning: Meaning) -> Iterator[Block]:
+def _turning(meaning: ResultMeaning) -> Iterator[Block]:
     """`Circles: ...: the velocity turns at the rate c`, or the axes in which an oscillation keeps its plane."""
     turning = meaning.turning
     if turning is None:
@@ -296,14 +296,14 @@ def _turning(meaning: Meaning) -> Iterator[Block]:
     )
 
 
-def _unused(meaning: Meaning, names: Sequence[str]) -> list[str]:
+def _unused(meaning: ResultMeaning, names: Sequence[str]) -> list[str]:
     """Two names for coordinates that the problem does not use."""
     motion = meaning.view.motion
     taken = set() if motion is None else {s.name for e in motion.final for s in e.expression.free_symbols}
     return [name for name in names if name not in taken][:2]
 
 
-def _rest(meaning: Meaning) -> Iterator[Block]:
+def _rest(meaning: ResultMeaning) -> Iterator[Block]:
     """`At rest: θ = 0, stable; θ = π, unstable. Small motion about the first: period 2π √(l/g).`"""
     if meaning.small is None:
         return
@@ -338,7 +338,7 @@ def _joined(items: Sequence[tuple[Part, ...]]) -> tuple[Part, ...]:
     return tuple(parts)
 
 
-def _coordinate(meaning: Meaning) -> sp.Symbol:
+def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
     [q] = meaning.view.configuration.slots.coordinates
     return q
 
@@ -369,7 +369,7 @@ def _period(at: SmallOscillations) -> sp.Expr | None:
     return sp.Mul(2 * sp.pi, root, evaluate=False)
 
 
-def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
+def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
     """`g → 0: l θ'' = 0, and T = m l θ'².` Of several equations those that change."""
     changed = [e for e in limit.equations if not any(is_same(e, f) for f in final)]
     same = len(limit.equations) - len(changed)
@@ -383,7 +383,7 @@ def _limit(limit: Limit, final: Sequence[sp.Expr]) -> Block:
     return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".")
 
 
-def _units(meaning: Meaning) -> Iterator[Block]:
+def _units(meaning: ResultMeaning) -> Iterator[Block]:
     if meaning.terms is None:
         return
     first, other, unit = meaning.terms
@@ -391,7 +391,7 @@ def _units(meaning: Meaning) -> Iterator[Block]:
                 " like ", math(first), ".")  # fmt: skip
 
 
-def _caution(meaning: Meaning) -> Iterator[Block]:
+def _caution(meaning: ResultMeaning) -> Iterator[Block]:
     """The slip of taking a reaction at rest for the reaction."""
     if not meaning.parts:
         return

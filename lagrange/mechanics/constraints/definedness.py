@@ -35,7 +35,7 @@ from lagrange.problem.model import (
 _MAY_DIVIDE = (sp.tan, sp.cot, sp.sec, sp.csc, sp.log, sp.atan2)
 _HELP = "correct the divisor, or describe the system with other coordinates or constraints"
 
-Statement = tuple[str, Span | None, tuple[sp.Expr, ...]]
+CheckedStatement = tuple[str, Span | None, tuple[sp.Expr, ...]]
 """What a file states: in words, its place, and the expressions that must exist."""
 
 
@@ -94,7 +94,7 @@ def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Basic]:
     return {s for e in expressions for s in e.free_symbols}
 
 
-def _statements(problem: Problem) -> Iterator[Statement]:
+def _statements(problem: Problem) -> Iterator[CheckedStatement]:
     """The statements of a file that contain coordinates; constraints are tested when they are read."""
     for p in problem.masses:
         yield f"the position of `{p.name}`", p.span, _components(p.position)
@@ -111,7 +111,7 @@ def _statements(problem: Problem) -> Iterator[Statement]:
         yield f"the quasi-velocity `{u.symbol}`", u.span, (u.definition,)
 
 
-def _substitutions(problem: Problem) -> Iterator[Statement]:
+def _substitutions(problem: Problem) -> Iterator[CheckedStatement]:
     for c in problem.choices:
         for q, value in (c.substitute or {}).items():
             yield f"the substitution for `{q}` in the choice `{c.name}`", c.span, (value,)

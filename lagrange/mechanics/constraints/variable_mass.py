@@ -110,7 +110,7 @@ def mass_terms(variables: Sequence[VariableMass], positions: dict[str, Vector], 
 
 
 @record
-class Validity:
+class PositiveMassRange:
     """Where a mass is positive: `symbol` < `bound`, or > where `above`; `symbol` is None if it is not solved for."""
 
     name: str
@@ -120,17 +120,17 @@ class Validity:
     above: bool = False
 
 
-def validities(variables: Sequence[VariableMass], slots: Slots) -> tuple[Validity, ...]:
+def validities(variables: Sequence[VariableMass], slots: Slots) -> tuple[PositiveMassRange, ...]:
     """Where the masses are positive, of those that may vanish."""
     return tuple(_validity(m, slots) for m in variables if not m.mass.is_positive)
 
 
-def _validity(m: VariableMass, slots: Slots) -> Validity:
+def _validity(m: VariableMass, slots: Slots) -> PositiveMassRange:
     moving = sorted(m.mass.free_symbols & {*slots.coordinates, *slots.prescribed, t}, key=str)
     if len(moving) == 1:
         [s] = moving
         slope = sp.diff(m.mass, s)
         if s not in slope.free_symbols and (slope.is_positive or slope.is_negative):
             bound = sp.factor_terms(-m.mass.xreplace({s: sp.S.Zero}) / slope)
-            return Validity(m.name, m.mass, s, bound, bool(slope.is_positive))
-    return Validity(m.name, m.mass)
+            return PositiveMassRange(m.name, m.mass, s, bound, bool(slope.is_positive))
+    return PositiveMassRange(m.name, m.mass)

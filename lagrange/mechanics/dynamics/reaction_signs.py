@@ -441,7 +441,7 @@ def _held_up(point: MassPoint, along: Vector, configuration: Configuration) -> i
 
 
 @record
-class Between:
+class VectorToPoint:
     """The vector d to a point of `on` from a fixed point, or from a point of `opposite`."""
 
     span: Vector
@@ -467,7 +467,7 @@ def _of_square(row: Row, placed: Placed, configuration: Configuration) -> Single
 
 def _squared_distance(
     function: sp.Expr, placed: Placed, configuration: Configuration
-) -> tuple[Between, sp.Expr] | None:
+) -> tuple[VectorToPoint, sp.Expr] | None:
     """d and c, if a function is c d·d up to a constant, and |d| is the distance of two points."""
     coordinates = configuration.slots.coordinates
     row = Row("", tuple(function.diff(q) for q in coordinates), sp.S.Zero)
@@ -502,4 +502,4 @@ def _squared_distance(
         return None
     others = [name for name in (*acts.moments,) if name not in acts.forces]
     span = (gradient / (2 * scale)).map(textbook_form)
-    return Between(span, first, *(second or others)), scale
+    return VectorToPoint(span, first, *(second or others)), scale

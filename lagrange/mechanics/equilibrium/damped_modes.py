@@ -188,7 +188,7 @@ def all_exponents_hold(damped: DampedModes, matrices: tuple[Matrix, Matrix, Matr
 
 
 @record
-class Exponent:
+class NumericalMode:
     """A mode in numbers: σ, ω (0: no oscillation), amplitudes and phases; those of the largest part are 1 and 0."""
 
     rate: mpmath.mpf
@@ -197,7 +197,7 @@ class Exponent:
     phases: tuple[mpmath.mpf, ...]
 
 
-def exponents_in_numbers(mass: mpmath.matrix, damping: mpmath.matrix, stiffness: mpmath.matrix) -> list[Exponent]:
+def exponents_in_numbers(mass: mpmath.matrix, damping: mpmath.matrix, stiffness: mpmath.matrix) -> list[NumericalMode]:
     """The modes of a system in numbers, slow decays first: the eigenvalues p and eigenvectors (a, p a) of
 
         (0, 1; −M⁻¹ K, −M⁻¹ D) ,
@@ -225,5 +225,5 @@ def exponents_in_numbers(mass: mpmath.matrix, damping: mpmath.matrix, stiffness:
         tidy = tuple(mpmath.mpf(0) if abs(x) < small else x for x in phases)
         frequency = p.imag if p.imag > small else mpmath.mpf(0)
         rate = -p.real if abs(p.real) > small else mpmath.mpf(0)
-        exponents.append(Exponent(rate, frequency, tuple(abs(a) for a in ratios), tidy))
+        exponents.append(NumericalMode(rate, frequency, tuple(abs(a) for a in ratios), tidy))
     return sorted(exponents, key=lambda e: (e.rate, e.frequency))

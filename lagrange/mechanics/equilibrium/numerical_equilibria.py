@@ -26,7 +26,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_CHARTS, MOST_UNKNOWNS, RO
 from lagrange.mechanics.equilibrium.searched.reach_of_links import angles_of_links, reach_of_links
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.values.limits import WORKING_DIGITS
-from lagrange.values.numerical_roots import Root, real_roots, sign_at, signs_of_minors
+from lagrange.values.numerical_roots import NumericalRoot, real_roots, sign_at, signs_of_minors
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 ROUND_A_CIRCLE = tuple((2 * n + 1) / 26 for n in range(13))  # parts of it from which positions of rods are sought
@@ -111,7 +111,7 @@ def _by_angles(
     for root in _distinct(roots.roots, angles, round_):
         turned = dict(zip(angles, root.values, strict=True))
         places = tuple(links[u].xreplace(turned).evalf(WORKING_DIGITS) for u in unknowns)
-        there = Root(places, tuple((float(p), float(p)) for p in places))
+        there = NumericalRoot(places, tuple((float(p), float(p)) for p in places))
         if all(_is_finite(f.xreplace(dict(zip(unknowns, places, strict=True)))) for f in forces):
             positions.append(NumericalEquilibrium(_quantities(there, unknowns, searched, e, values),
                                                   _verdict(matrix, unknowns, there)))  # fmt: skip
@@ -212,11 +212,11 @@ def _outward(s: Searched) -> tuple[float, float]:
 
 
 def _distinct(
-    roots: Sequence[Root], unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched]
-) -> Iterator[Root]:
+    roots: Sequence[NumericalRoot], unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched]
+) -> Iterator[NumericalRoot]:
     """The roots in the search, with angles in (−π, π], each once."""
     circles = [searched[u].is_circle for u in unknowns]
-    seen: list[Root] = []
+    seen: list[NumericalRoot] = []
     for root in roots:
         if not all(_is_within(v, searched[u]) for v, u in zip(root.values, unknowns, strict=True)):
             continue
@@ -229,7 +229,7 @@ def _is_within(value: sp.Float, s: Searched) -> bool:
     return s.is_circle or bool(s.low.evalf(30) <= value <= s.high.evalf(30))
 
 
-def _is_same(root: Root, other: Root, circles: Sequence[bool]) -> bool:
+def _is_same(root: NumericalRoot, other: NumericalRoot, circles: Sequence[bool]) -> bool:
     """Whether a root lies, up to full turns, in the box in which another one is the only root."""
     turns = product(*((-1, 0, 1) if circle else (0,) for circle in circles))
     return any(
@@ -242,7 +242,11 @@ def _is_same(root: Root, other: Root, circles: Sequence[bool]) -> bool:
 
 
 def _quantities(
-    root: Root, unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched], e: Equilibrium, values: Values
+    root: NumericalRoot,
+    unknowns: Sequence[sp.Symbol],
+    searched: dict[sp.Symbol, Searched],
+    e: Equilibrium,
+    values: Values,
 ) -> dict[sp.Symbol, Quantity]:
     quantities = {}
     for u, value in zip(unknowns, root.values, strict=True):
@@ -268,7 +272,9 @@ def _is_finite(value: sp.Expr) -> bool:
     return True
 
 
-def _verdict(matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: Root) -> StabilityVerdict | None:
+def _verdict(
+    matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: NumericalRoot
+) -> StabilityVerdict | None:
     """From the principal minors of the second variation; None where there is none."""
     if not matrix:
         return None

@@ -49,7 +49,7 @@ ZERO = sp.S.Zero
 
 
 @record
-class Square:
+class KineticSquare:
     """u²/(2 d), a term of the kinetic energy in terms of the momenta."""
 
     root: sp.Expr
@@ -90,7 +90,7 @@ class Hamiltonian:
     energies: Energies
     momenta: tuple[sp.Symbol, ...]
     velocities: tuple[sp.Expr, ...]
-    squares: tuple[Square, ...]
+    squares: tuple[KineticSquare, ...]
     rest: sp.Expr
     applied: tuple[sp.Expr, ...]
     is_energy: bool | None
@@ -222,7 +222,7 @@ def _of_nonlinear_momenta(
 
 def completed_squares(
     mass: Sequence[Sequence[sp.Expr]], roots: Sequence[sp.Expr], surface: Surface
-) -> tuple[Square, ...] | None:
+) -> tuple[KineticSquare, ...] | None:
     """The quadratic form ½ uᵀ M⁻¹ u as a sum of squares, for a symmetric M; None if M is singular, or undecided.
 
     roots  shape (n,): u
@@ -239,7 +239,7 @@ def completed_squares(
         if not m[k][k].is_positive and surface.is_zero(m[k][k]) is not False:
             return None
         left.remove(k)
-        squares.append((k, Square(u[k], _factored(m[k][k]))))
+        squares.append((k, KineticSquare(u[k], _factored(m[k][k]))))
         for i in left:
             if m[i][k] != 0:
                 share = tidy_quotient(m[i][k] / m[k][k])

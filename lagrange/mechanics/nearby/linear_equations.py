@@ -26,27 +26,27 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.nearby.expansions import Expansions
 
-Table = list[list[Any]]
+CoefficientTable = list[list[Any]]
 
 
 @record
-class FirstOrder:
+class FirstOrderTerms:
     """M, D, K and E_0 without the reactions, and the rows of the constraints with their changes.
 
     slope   (n, n) tables for each row: ∂a_k/∂q_l
     """
 
-    mass: Table
-    damping: Table
-    stiffness: Table
+    mass: CoefficientTable
+    damping: CoefficientTable
+    stiffness: CoefficientTable
     balance: list[Any]
-    rows: Table
-    changes: Table
-    slope: list[Table]
+    rows: CoefficientTable
+    changes: CoefficientTable
+    slope: list[CoefficientTable]
     misfit: list[Any]
 
 
-def first_order(configuration: Configuration, about: Expansions, velocities: Sequence[Any]) -> FirstOrder:
+def first_order(configuration: Configuration, about: Expansions, velocities: Sequence[Any]) -> FirstOrderTerms:
     """The equations without reactions, and the constraints, to first order about a state. Raises NotCoveredError."""
     if configuration.is_outright or configuration.velocity_part != 0 or configuration.slots.prescribed:
         raise NotCoveredError(
@@ -80,7 +80,7 @@ def first_order(configuration: Configuration, about: Expansions, velocities: Seq
             rate = about.ring.add(rate, about.ring.scale(a, v))
         changes.append(about.gradient(rate))
         misfit.append(about.at_state(about.along(rate, velocities)))
-    return FirstOrder(
+    return FirstOrderTerms(
         total.mass,
         total.damping,
         total.stiffness,
@@ -96,9 +96,9 @@ def first_order(configuration: Configuration, about: Expansions, velocities: Seq
 class _Sum:
     """M, D, K, E_0 as they are added up."""
 
-    mass: Table
-    damping: Table
-    stiffness: Table
+    mass: CoefficientTable
+    damping: CoefficientTable
+    stiffness: CoefficientTable
     balance: list[Any]
 
 

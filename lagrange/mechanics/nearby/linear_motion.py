@@ -43,12 +43,12 @@ from lagrange.mechanics.nearby.limits import (
     SHOWN_DIGITS,
     SPARE_VALUES,
 )
-from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
+from lagrange.mechanics.nearby.linear_equations import FirstOrderTerms, first_order
 from lagrange.mechanics.nearby.reference import ReferenceState, reference
 from lagrange.mechanics.nearby.stable_range import Entries, StableRange, stable_ranges
 from lagrange.problem.model import Problem
 
-Table = list[list[Any]]
+CoefficientTable = list[list[Any]]
 
 
 @record
@@ -119,9 +119,9 @@ class Reduced:
     """Sᵀ M S and so on at one set of numbers; the state, and the columns of the stiffness."""
 
     about: ReferenceState
-    mass: Table
-    damping: Table
-    stiffness: Table
+    mass: CoefficientTable
+    damping: CoefficientTable
+    stiffness: CoefficientTable
     state: list[Any]
 
 
@@ -206,13 +206,13 @@ def not_steady() -> ProblemError:
     )
 
 
-def _check_steady(linear: FirstOrder, state: ReferenceState) -> None:
+def _check_steady(linear: FirstOrderTerms, state: ReferenceState) -> None:
     """The constraints must hold with velocities that stay as they are."""
     if any(abs(linear.misfit[r]) > CLEARLY_ZERO for r in state.used):
         raise not_steady()
 
 
-def _solved(about: Expansions, rows: Table, right: Sequence[Any]) -> list[Any] | None:
+def _solved(about: Expansions, rows: CoefficientTable, right: Sequence[Any]) -> list[Any] | None:
     """x with rows x = right; None if there is none."""
     if not rows or not rows[0]:
         return [] if all(abs(b) < CLEARLY_ZERO for b in right) else None
@@ -220,8 +220,12 @@ def _solved(about: Expansions, rows: Table, right: Sequence[Any]) -> list[Any] |
 
 
 def _carried(
-    about: Expansions, square: Table, dependent: Sequence[int], rights: Table, independent: Sequence[int]
-) -> Table:
+    about: Expansions,
+    square: CoefficientTable,
+    dependent: Sequence[int],
+    rights: CoefficientTable,
+    independent: Sequence[int],
+) -> CoefficientTable:
     """Columns of all coordinates: the dependent ones solved for each right side, unit ones for the independent."""
     zero, one = about.reals.number(0), about.reals.number(1)
     columns = []
@@ -237,7 +241,7 @@ def _carried(
     return _transposed(columns)
 
 
-def _placement(about: Expansions, configuration: Configuration, placed: Sequence[int]) -> Table:
+def _placement(about: Expansions, configuration: Configuration, placed: Sequence[int]) -> CoefficientTable:
     """N: ξ = N ξ_P on the finite relations."""
     gradients = [about.gradient(about.jet(f, 1)) for f in configuration.finite_constraints]
     bound = [k for k in range(about.size) if k not in placed]
@@ -246,16 +250,16 @@ def _placement(about: Expansions, configuration: Configuration, placed: Sequence
     )
 
 
-def _times(a: Table, b: Table) -> Table:
+def _times(a: CoefficientTable, b: CoefficientTable) -> CoefficientTable:
     columns = _transposed(b)
     return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in columns] for row in a]
 
 
-def _plus(a: Table, b: Table) -> Table:
+def _plus(a: CoefficientTable, b: CoefficientTable) -> CoefficientTable:
     return [[x + y for x, y in zip(r, s, strict=True)] for r, s in zip(a, b, strict=True)]
 
 
-def _transposed(a: Table) -> Table:
+def _transposed(a: CoefficientTable) -> CoefficientTable:
     return [list(column) for column in zip(*a, strict=True)]
 
 
@@ -315,7 +319,7 @@ def _in_blocks(
     fit = _Fit(letters)
     independent, placed = samples[0].about.independent, samples[0].about.placed
 
-    def polynomials(tables: Sequence[Table]) -> list[list[sp.Expr]]:
+    def polynomials(tables: Sequence[CoefficientTable]) -> list[list[sp.Expr]]:
         return [
             [fit.polynomial([t[i][j] for t in tables]) for j in range(len(tables[0][0]))] for i in range(len(tables[0]))
         ]

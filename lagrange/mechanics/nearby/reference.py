@@ -19,7 +19,7 @@ from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.nearby.expansions import Expansions, Numbers
 
-Table = Sequence[Sequence[Any]]
+CoefficientTable = Sequence[Sequence[Any]]
 
 
 @record
@@ -90,7 +90,7 @@ def reference(
     return ReferenceState(values, independent, tuple(k for k in range(size) if k not in bound), used)
 
 
-def _columns(about: Expansions, rows: Table, order: Sequence[int]) -> tuple[int, ...]:
+def _columns(about: Expansions, rows: CoefficientTable, order: Sequence[int]) -> tuple[int, ...]:
     """Independent columns, the first ones in an order preferred."""
     return tuple(order[k] for k in row_reduced(about.reals, [[row[k] for k in order] for row in rows])[1])
 

@@ -30,7 +30,7 @@ from lagrange.mechanics.nearby.accelerations import NOT_POSSIBLE, has_numbers
 from lagrange.mechanics.nearby.checks import lagrange_in_numbers
 from lagrange.mechanics.nearby.expansions import Expansions
 from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, REST_STEPS, SHOWN_DIGITS
-from lagrange.mechanics.nearby.linear_equations import FirstOrder, first_order
+from lagrange.mechanics.nearby.linear_equations import FirstOrderTerms, first_order
 from lagrange.mechanics.nearby.reference import reference
 from lagrange.problem.model import Problem
 
@@ -126,7 +126,7 @@ def _reached(
     return None
 
 
-def _stiffness(linear: FirstOrder, used: Sequence[int], pulls: Sequence[Any]) -> list[list[Any]]:
+def _stiffness(linear: FirstOrderTerms, used: Sequence[int], pulls: Sequence[Any]) -> list[list[Any]]:
     """K − Σ λ ∂a, shape (n, n)."""
     n = len(linear.balance)
     return [
@@ -142,7 +142,7 @@ def _at_rest(
     configuration: Configuration,
     values: Mapping[sp.Symbol, sp.Expr],
     about: Expansions,
-    linear: FirstOrder,
+    linear: FirstOrderTerms,
     used: Sequence[int],
     pulls: Sequence[Any],
 ) -> RestInNumbers:

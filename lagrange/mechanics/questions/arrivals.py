@@ -15,11 +15,11 @@ from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, s
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
-from lagrange.mechanics.questions.branches import Beginning
+from lagrange.mechanics.questions.branches import InitialMotion
 from lagrange.mechanics.questions.reach import Path, Reach, Reached
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
-from lagrange.mechanics.questions.states import Values
+from lagrange.mechanics.questions.states import SymbolValues
 from lagrange.mechanics.questions.times import times
 
 
@@ -34,7 +34,7 @@ class Arrivals:
     """
 
     setting: Setting
-    beginning: Beginning
+    beginning: InitialMotion
     rule: Mapping[sp.Symbol, sp.Expr]
     when: tuple[sp.Expr, ...]
     parameter: sp.Symbol | None
@@ -61,7 +61,7 @@ class Arrivals:
             kept.append(replace(b, conditions=(*b.conditions, *conditions), provided=is_open, limit=limit))
         return kept
 
-    def _reach_of(self, state: Values, b: AnswerBranch) -> Reach:
+    def _reach_of(self, state: SymbolValues, b: AnswerBranch) -> Reach:
         """Whether the motion gets to a state: along the one coordinate that moves, or that the conditions are about."""
         beginning, fixed = self.beginning, {*self.setting.fixed}
         reached = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
@@ -90,7 +90,7 @@ class Arrivals:
         )
         return path.to(state[q])
 
-    def _is_where_it_starts(self, state: Values, initial: Values, reached: Values) -> bool:
+    def _is_where_it_starts(self, state: SymbolValues, initial: SymbolValues, reached: SymbolValues) -> bool:
         """Whether the conditions hold at t = 0, and the state is that one as far as both are known."""
         moving = {*self.setting.place.moving}
         at_start = [e.xreplace(reached).xreplace({t: sp.S.Zero, **initial}) for e in self.when]
@@ -107,7 +107,7 @@ class Arrivals:
         values = [e.xreplace(start) for e in (self.quantity - b.values[0], *self.when)]
         return all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in values)
 
-    def _is_equilibrium(self, state: Values) -> bool:
+    def _is_equilibrium(self, state: SymbolValues) -> bool:
         """Whether the motion only approaches a state: velocities and accelerations vanish there."""
         known, slots = self.setting.known, self.setting.place.configuration.slots
         left_out = {*self.setting.fixed, *self.rule}
@@ -147,21 +147,21 @@ def while_slipping(
             conditions.append(more_than_zero(start))
         ends = times(speed)
         if ends is None:
-            raise UndecidedError
+            raise SlipEndUndecidedError
         for end in ends:
             lasts = None if until == t else sign(end.value - until)
             if lasts == -1 and not end.conditions:
                 return None
             if lasts not in (0, 1):
                 if end.conditions and len(ends) > 1:
-                    raise UndecidedError
+                    raise SlipEndUndecidedError
                 before = SignCondition(t, "≤", end.value) if until == t else _not_below(end.value - until)
                 conditions.append(before)
     return tuple(dict.fromkeys(conditions))
 
 
 def while_it_begins(
-    setting: Setting, rule: Values, sign: Callable[[sp.Expr], int | None]
+    setting: Setting, rule: SymbolValues, sign: Callable[[sp.Expr], int | None]
 ) -> list[SignCondition] | None:
     """The conditions under which slip that is zero at t = 0 begins in the sense of the file; None where it does not."""
     initial, slots = setting.initial, setting.place.configuration.slots
@@ -196,5 +196,5 @@ def _not_below(e: sp.Expr) -> SignCondition:
     return replace(condition, relation=condition.relation.replace(">", "≥").replace("<", "≤"))
 
 
-class UndecidedError(Exception):
+class SlipEndUndecidedError(Exception):
     """It is not known when slip ends."""

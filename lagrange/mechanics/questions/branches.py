@@ -27,7 +27,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Slots, base, prime, t
 from lagrange.mechanics.questions.limits import MOST_SIGNS
-from lagrange.mechanics.questions.results import AnswerBranch, Because
+from lagrange.mechanics.questions.results import AnswerBranch, Reason
 from lagrange.problem.model import Problem
 
 State = Mapping[sp.Symbol, sp.Expr]
@@ -38,12 +38,12 @@ class Chosen:
     """The branches that are left, those that were dropped, and what decided."""
 
     branches: tuple[AnswerBranch, ...]
-    dropped: tuple[tuple[AnswerBranch, Because], ...] = ()
+    dropped: tuple[tuple[AnswerBranch, Reason], ...] = ()
     mirrored: bool = False
 
 
 @record
-class Beginning:
+class InitialMotion:
     """The initial state, and what is known of the motion from it.
 
     accelerations  as functions of the state
@@ -105,7 +105,7 @@ def bounds(problem: Problem) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
 
 def first_branches(
     branches: Sequence[AnswerBranch],
-    beginning: Beginning,
+    beginning: InitialMotion,
     reached: Collection[sp.Symbol],
     by: sp.Symbol | None,
     quantity: sp.Expr,
@@ -115,16 +115,16 @@ def first_branches(
     reached  coordinates whose value the conditions give
     by       the coordinate as a function of which the quantity is wanted
     """
-    dropped: list[tuple[AnswerBranch, Because]] = []
+    dropped: list[tuple[AnswerBranch, Reason]] = []
     left = [_with_sign(b, quantity) for b in branches if not _has_wrong_sign(b, quantity)]
     left = [_with_radius(b, beginning) for b in (_without_negative_radii(b, beginning) for b in left) if b is not None]
     if by is not None:
         left, gone = _beginning_right(left, beginning, by, quantity)
         either = _are_mirrored(left) and beginning.direction(by) not in (1, -1)
-        return Chosen(tuple(left), tuple((b, Because.START) for b in gone), either)
+        return Chosen(tuple(left), tuple((b, Reason.START) for b in gone), either)
     one = beginning.free == 1
     arriving = beginning.slots.coordinates if one else tuple(reached)
-    for reason in (Because.INITIAL, Because.ARRIVAL, Because.TURNING):
+    for reason in (Reason.INITIAL, Reason.ARRIVAL, Reason.TURNING):
         parted = [_parted(b, reason, beginning, arriving, one) for b in left]
         kept = [b for b, _ in parted if b is not None]
         gone = [b for _, b in parted if b is not None]
@@ -134,7 +134,7 @@ def first_branches(
     if one:
         for choose in (_nearest, _reached_first):
             left, later = choose(left, beginning)
-            dropped += [(b, Because.LATER) for b in later]
+            dropped += [(b, Reason.LATER) for b in later]
     if one:
         left = [_with_direction(b, beginning) for b in left]
     still = all(beginning.direction(q) == 0 for q in beginning.slots.coordinates)
@@ -158,7 +158,7 @@ def _with_sign(b: AnswerBranch, quantity: sp.Expr) -> AnswerBranch:
 
 
 def _beginning_right(
-    branches: Sequence[AnswerBranch], beginning: Beginning, by: sp.Symbol, quantity: sp.Expr
+    branches: Sequence[AnswerBranch], beginning: InitialMotion, by: sp.Symbol, quantity: sp.Expr
 ) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """The branches that have the initial value of the quantity at the initial place, and the others."""
     way = beginning.direction(by)
@@ -196,7 +196,7 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int, start: sp.Expr | None) -> t
     return tuple(s for s in b.states if prime(q) not in s or not is_against(s[prime(q)]))
 
 
-def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:
+def _without_negative_radii(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch | None:
     """The part of a branch with no negative radius and each coordinate in its range; None where there is none."""
     kept = tuple(
         s
@@ -207,7 +207,7 @@ def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBran
     return b.at(kept) if kept or not b.states else None
 
 
-def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
+def _with_radius(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch:
     """A branch with the condition that a radius is positive, where that is open."""
     conditions = list(b.conditions)
     for q in beginning.radii:
@@ -217,7 +217,7 @@ def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
 
 
 def _parted(
-    b: AnswerBranch, reason: Because, beginning: Beginning, arriving: Collection[sp.Symbol], one: bool
+    b: AnswerBranch, reason: Reason, beginning: InitialMotion, arriving: Collection[sp.Symbol], one: bool
 ) -> tuple[AnswerBranch | None, AnswerBranch | None]:
     """The part of a branch that may come first, and the branch if no part of it may."""
     kept = tuple(s for s in b.states if not _is_ruled_out(s, reason, beginning, arriving, one, b.conditions))
@@ -228,20 +228,22 @@ def _parted(
 
 def _is_ruled_out(
     state: State,
-    reason: Because,
-    beginning: Beginning,
+    reason: Reason,
+    beginning: InitialMotion,
     arriving: Collection[sp.Symbol],
     one: bool,
     conditions: Sequence[SignCondition],
 ) -> bool:
-    if reason is Because.INITIAL:
+    if reason is Reason.INITIAL:
         return beginning.is_initial(state)
-    if reason is Because.ARRIVAL:
+    if reason is Reason.ARRIVAL:
         return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
     return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.slots.coordinates)
 
 
-def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
+def _comes_from_beyond(
+    state: State, q: sp.Symbol, beginning: InitialMotion, conditions: Sequence[SignCondition]
+) -> bool:
     """Whether q has the wrong sense for its first arrival: q' (q_1 − q_0) is negative, whichever is the larger."""
     way, speed = _way(state, q, beginning, conditions), state.get(prime(q))
     if speed is None or q not in state or q not in beginning.initial:
@@ -255,13 +257,13 @@ def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditi
     return sign == -way
 
 
-def _is_behind(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
+def _is_behind(state: State, q: sp.Symbol, beginning: InitialMotion, conditions: Sequence[SignCondition]) -> bool:
     """Whether a state is a turning point on the other side than that to which q starts."""
     start = beginning.direction(q)
     return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning, conditions) == -(start or 0)
 
 
-def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition] = ()) -> int | None:
+def _way(state: State, q: sp.Symbol, beginning: InitialMotion, conditions: Sequence[SignCondition] = ()) -> int | None:
     """The sign of q_1 − q_0; 0 where they are equal, and ±1 where the conditions exclude the other sign."""
     if q not in state or q not in beginning.initial:
         return None
@@ -342,7 +344,7 @@ def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
     return sign
 
 
-def _with_direction(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
+def _with_direction(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch:
     """A turning point, with the condition that it lies in the direction of the start, where that is not certain."""
     conditions: list[SignCondition] = []
     for q in beginning.slots.coordinates:
@@ -356,7 +358,9 @@ def _with_direction(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
     return replace(b, conditions=(*kept, *(c for c in conditions if c not in kept)))
 
 
-def _nearest(branches: Sequence[AnswerBranch], beginning: Beginning) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+def _nearest(
+    branches: Sequence[AnswerBranch], beginning: InitialMotion
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """Of several turning points in the direction of the start the nearest, and the others."""
     branches = list(branches)
     if len(branches) < 2 or not all(len(b.states) == 1 for b in branches):
@@ -375,7 +379,7 @@ def _nearest(branches: Sequence[AnswerBranch], beginning: Beginning) -> tuple[li
 
 
 def _reached_first(
-    branches: Sequence[AnswerBranch], beginning: Beginning
+    branches: Sequence[AnswerBranch], beginning: InitialMotion
 ) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """The part of the branches that the motion reaches first, where it is certain that no turning point lies before it.
 
@@ -404,7 +408,7 @@ def _reached_first(
 
 
 def _nearest_on_each_side(
-    branches: Sequence[AnswerBranch], q: sp.Symbol, beginning: Beginning
+    branches: Sequence[AnswerBranch], q: sp.Symbol, beginning: InitialMotion
 ) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """From an equilibrium the motion starts in either direction: what comes first in each of them, and the others."""
     places = [s[q] for b in branches for s in b.states if q in s]
@@ -422,7 +426,7 @@ def _nearest_on_each_side(
     return kept, [b for b in branches if b not in kept]
 
 
-def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bool:
+def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: InitialMotion) -> bool:
     """Whether no turning point lies between the start and a place."""
     turning = beginning.turning()
     if turning is None:
@@ -435,7 +439,7 @@ def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bo
     return True
 
 
-def _is_mirror_image(q: sp.Symbol, states: Sequence[State], beginning: Beginning) -> bool:
+def _is_mirror_image(q: sp.Symbol, states: Sequence[State], beginning: InitialMotion) -> bool:
     """Whether two places lie opposite each other about the start, and motions to either side are mirror images.
 
     Then the one ahead comes first: a motion that turns before it swings no farther to the other side.

@@ -19,7 +19,7 @@ from lagrange.mechanics.dynamics.checks import Check, multiplier_system
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy, lagrange_equations
 from lagrange.mechanics.questions.limits import DIGITS, MOST_SAMPLED_STATES, SAMPLES, SAMPLES_TRIED
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How
-from lagrange.mechanics.questions.states import Place
+from lagrange.mechanics.questions.states import MotionView
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY
 
 Numbers = Mapping[sp.Symbol, sp.Expr]
@@ -27,7 +27,7 @@ _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
 _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31)
 
 
-def check_questions(asked: Sequence[Asked], places: Sequence[Place]) -> list[Check]:
+def check_questions(asked: Sequence[Asked], places: Sequence[MotionView]) -> list[Check]:
     """That the answers satisfy their equations, and the conditions by another route."""
     exact = [a for a in asked if a.answered and a.how is How.EXACT]
     if not exact:
@@ -57,7 +57,7 @@ class _System:
 class _SecondRoute:
     """Lagrange's equations with multipliers in the file's coordinates, solved in numbers at states of answers."""
 
-    def __init__(self, own: Place) -> None:
+    def __init__(self, own: MotionView) -> None:
         self.own = own
         configuration = own.configuration
         by_name = own.law.newton.multipliers_by_name

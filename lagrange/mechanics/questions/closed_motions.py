@@ -33,7 +33,7 @@ from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
 from lagrange.mechanics.questions.forms import with_whole_logarithms, without_roots_in_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
-from lagrange.mechanics.questions.states import Values
+from lagrange.mechanics.questions.states import SymbolValues
 
 
 @record
@@ -65,7 +65,7 @@ class ClosedMotion:
         return e.xreplace(rule)
 
 
-def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol]) -> list[ClosedMotion]:
+def closed_motions(accelerations: SymbolValues, initial: SymbolValues, wanted: set[sp.Symbol]) -> list[ClosedMotion]:
     """The wanted coordinates as functions of time, in each case; empty where one of them is not found."""
     cases: list[list[ClosedMotion]] = []
     waiting = sorted(wanted, key=str)
@@ -109,7 +109,7 @@ def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[Cl
     return verified if len(verified) == len(motions) else []
 
 
-def _of_several(group: Sequence[sp.Symbol], accelerations: Values, initial: Values) -> list[ClosedMotion]:
+def _of_several(group: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues) -> list[ClosedMotion]:
     """The solution of coupled linear equations, verified."""
     solutions = coupled_solutions(group, accelerations, initial)
     if not solutions:

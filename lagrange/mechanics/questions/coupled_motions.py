@@ -20,13 +20,13 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, sq
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.core.symbols import prime, t
 from lagrange.mechanics.questions.limits import MOST_COUPLED
-from lagrange.mechanics.questions.states import Values
+from lagrange.mechanics.questions.states import SymbolValues
 
 _S = sp.Dummy("s", real=True)
 Original = tuple[sp.Expr, tuple[SignCondition, ...]]
 
 
-def coupled_with(q: sp.Symbol, accelerations: Values) -> list[sp.Symbol]:
+def coupled_with(q: sp.Symbol, accelerations: SymbolValues) -> list[sp.Symbol]:
     """The coordinates whose equations of motion depend on each other, starting from one."""
     coordinates = {s for a in accelerations for s in [sp.Symbol(a.name.rstrip("'"), real=True)]}
     group, waiting = [q], [q]
@@ -38,7 +38,9 @@ def coupled_with(q: sp.Symbol, accelerations: Values) -> list[sp.Symbol]:
     return sorted(group, key=str)
 
 
-def coupled_solutions(group: Sequence[sp.Symbol], accelerations: Values, initial: Values) -> dict[sp.Symbol, Original]:
+def coupled_solutions(
+    group: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues
+) -> dict[sp.Symbol, Original]:
     """The coordinates of a group as functions of time, each with its conditions; empty where they are not found."""
     system = _system(group, accelerations)
     needed = [s for q in group for s in (q, prime(q))]
@@ -65,7 +67,9 @@ def coupled_solutions(group: Sequence[sp.Symbol], accelerations: Values, initial
     return solutions
 
 
-def _system(group: Sequence[sp.Symbol], accelerations: Values) -> tuple[sp.Matrix, sp.Matrix, list[sp.Expr]] | None:
+def _system(
+    group: Sequence[sp.Symbol], accelerations: SymbolValues
+) -> tuple[sp.Matrix, sp.Matrix, list[sp.Expr]] | None:
     """C, K and the transform of the forcing; None where the equations are not linear with constant coefficients."""
     rows = [accelerations.get(prime(q, 2)) for q in group]
     state = {s for q in group for s in (q, prime(q))}

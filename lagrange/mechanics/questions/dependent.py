@@ -15,7 +15,7 @@ from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.operations import count_operations
 from lagrange.mechanics.constraints.kinematics import Configuration
 
-Rule = Mapping[sp.Symbol, sp.Expr]
+Substitution = Mapping[sp.Symbol, sp.Expr]
 
 
 def dependent(
@@ -54,7 +54,7 @@ def _express(
             break
 
 
-def held_at(rule: Rule, held: Rule) -> dict[sp.Symbol, sp.Expr]:
+def held_at(rule: Substitution, held: Substitution) -> dict[sp.Symbol, sp.Expr]:
     """What is dependent where some symbols keep their values, and these symbols."""
     values = dict(held)
     return {**{s: e.xreplace(values) for s, e in rule.items()}, **values}
@@ -64,13 +64,13 @@ def _has_sign(slope: sp.Expr) -> bool:
     return slope != 0 and count_operations(slope) < 20 and sign_of(slope) in (1, -1)
 
 
-def reduced(equations: Sequence[sp.Expr], rule: Rule) -> list[sp.Expr]:
+def reduced(equations: Sequence[sp.Expr], rule: Substitution) -> list[sp.Expr]:
     """The equations with what is dependent expressed, without those that hold by themselves."""
     changed = [e.xreplace(dict(rule)) for e in equations]
     return [e for e, old in zip(changed, equations, strict=True) if e is old or e == old or not vanishes(e)]
 
 
-def completed(state: Rule, rule: Rule, moving: Collection[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def completed(state: Substitution, rule: Substitution, moving: Collection[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """A state with the dependent symbols that it determines; `moving` are all coordinates and velocities."""
     values = {s: e.xreplace(dict(state)) for s, e in rule.items() if s not in state}
     return {**state, **{s: v for s, v in values.items() if v.free_symbols.isdisjoint(moving)}}

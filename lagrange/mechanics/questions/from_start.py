@@ -16,7 +16,7 @@ from lagrange.mechanics.questions.dependent import dependent
 from lagrange.mechanics.questions.forms import given_state
 from lagrange.mechanics.questions.results import Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting
-from lagrange.mechanics.questions.states import Place, initial_state
+from lagrange.mechanics.questions.states import MotionView, initial_state
 from lagrange.problem.model import Problem
 
 
@@ -37,7 +37,7 @@ class FromStart:
 
 
 def motion_from_start(
-    problem: Problem, places: Sequence[Place], configurations: Sequence[Configuration]
+    problem: Problem, places: Sequence[MotionView], configurations: Sequence[Configuration]
 ) -> FromStart | None:
     """The motion in the first place in which it is found in closed form, or the integrals in the first place of all.
 

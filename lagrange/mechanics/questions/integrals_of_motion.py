@@ -29,10 +29,10 @@ from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, LONGEST_INTEGRATED
 from lagrange.mechanics.questions.results import AnswerBranch, IntegralKind, UsedIntegral
-from lagrange.mechanics.questions.states import Meanings, Place, Values
+from lagrange.mechanics.questions.states import Meanings, MotionView, SymbolValues
 
 
-def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[UsedIntegral], set[sp.Symbol]]:
+def integrals(place: MotionView, known: Meanings, initial: SymbolValues) -> tuple[list[UsedIntegral], set[sp.Symbol]]:
     """The integrals whose value is known, and the initial values that others would need."""
     used: list[UsedIntegral] = []
     missing: set[sp.Symbol] = set()
@@ -54,7 +54,7 @@ def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[Used
     return used, missing
 
 
-def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
+def _single(place: MotionView, known: Meanings) -> Iterator[UsedIntegral]:
     """The integrals of equations q'' = a(q, q') of one coordinate."""
     slots = place.configuration.slots
     for q in slots.coordinates:
@@ -123,7 +123,7 @@ def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
     return [int(n) for (n,), _ in terms], [c for _, c in terms]
 
 
-def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: Place) -> bool:
+def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: MotionView) -> bool:
     """Whether an integral tells more about the velocities than those that are known."""
     if not used:
         return True

@@ -26,8 +26,8 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import numerical
-from lagrange.mechanics.questions.arrivals import Arrivals, UndecidedError, while_it_begins, while_slipping
-from lagrange.mechanics.questions.branches import Beginning, bounds, first_branches, outright, sign_of_value
+from lagrange.mechanics.questions.arrivals import Arrivals, SlipEndUndecidedError, while_it_begins, while_slipping
+from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
@@ -37,12 +37,12 @@ from lagrange.mechanics.questions.quadrature import number_between, speed_stated
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
-from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
+from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, mentioned
 from lagrange.mechanics.questions.states import (
     Meanings,
-    Place,
-    Values,
+    MotionView,
+    SymbolValues,
     initial_state,
     meanings_at,
     without,
@@ -52,7 +52,7 @@ from lagrange.problem.model import Condition, Problem, Question
 
 
 def answers_to_questions(
-    problem: Problem, places: Sequence[Place], configurations: Sequence[Configuration]
+    problem: Problem, places: Sequence[MotionView], configurations: Sequence[Configuration]
 ) -> tuple[Asked, ...]:
     """The answers to all questions.
 
@@ -301,7 +301,7 @@ class _Search:
             branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
         if len(branches) == 1 and branches[0].provided:
             branches = [self._confirmed_in_time(branches[0])]
-        dropped = (*((b, Because.SENSE) for b in against), *chosen.dropped)
+        dropped = (*((b, Reason.SENSE) for b in against), *chosen.dropped)
         return replace(
             self._asked(route, How.EXACT, used),
             branches=tuple(shown(b) for b in branches),
@@ -345,7 +345,7 @@ class _Search:
         speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
         return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
 
-    def _slips_backwards(self, state: Values, b: AnswerBranch) -> bool:
+    def _slips_backwards(self, state: SymbolValues, b: AnswerBranch) -> bool:
         speeds = [e.xreplace(dict(state)) for e in self.setting.slips]
         moving = {*self.place.moving}
         return any(e.free_symbols.isdisjoint(moving) and sign_of_value(e, b.conditions) == -1 for e in speeds)
@@ -378,7 +378,7 @@ class _Search:
         return replace(asked, branches=later, turning=Substituted(base(v), b.values[0]))
 
     @property
-    def _beginning(self) -> Beginning:
+    def _beginning(self) -> InitialMotion:
         known = self.setting.known
         free = len(self.slots.coordinates) - len(self.configuration.rows)
         frame = self.setting.problem.frame
@@ -393,7 +393,7 @@ class _Search:
         initial = self.setting.initial
         values = self.setting.values
         ranges = bounds(self.setting.problem)
-        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
+        return InitialMotion(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
 
     def _turning(self) -> Sequence[sp.Expr] | None:
         """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
@@ -470,7 +470,7 @@ class _Search:
             },
         )
 
-    def _places_of_no_matter(self, accelerations: Values) -> dict[sp.Symbol, sp.Symbol]:
+    def _places_of_no_matter(self, accelerations: SymbolValues) -> dict[sp.Symbol, sp.Symbol]:
         """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
         initial = self.setting.initial
         occurring = set().union(*(e.free_symbols for e in accelerations.values()))
@@ -493,7 +493,7 @@ class _Search:
             return b
         try:
             conditions = while_slipping(speeds, until, lambda e: self._beginning.sign(e, b.conditions))
-        except UndecidedError:
+        except SlipEndUndecidedError:
             return replace(b, provided=True)
         if conditions is None:
             return None

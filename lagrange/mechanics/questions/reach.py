@@ -25,7 +25,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, n
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
-from lagrange.mechanics.questions.branches import Beginning, outright, sign_of_value
+from lagrange.mechanics.questions.branches import InitialMotion, outright, sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
 from lagrange.mechanics.questions.setting import Setting
@@ -245,7 +245,7 @@ def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondit
     return tuple((v, b.conditions) for b in elimination.branches for v in b.values)
 
 
-def place_stated(when: sp.Expr, setting: Setting, beginning: Beginning) -> tuple[sp.Symbol, sp.Expr] | None:
+def place_stated(when: sp.Expr, setting: Setting, beginning: InitialMotion) -> tuple[sp.Symbol, sp.Expr] | None:
     """The coordinate of which a condition states the place, and that place; of q' = 0 the turning point ahead."""
     coordinates = setting.place.configuration.slots.coordinates
     reached = outright([when], coordinates)

@@ -42,7 +42,7 @@ class Route(StrEnum):
     REST = "rest"  # the balance of forces and the constraints, in a position of equilibrium
 
 
-class Because(StrEnum):
+class Reason(StrEnum):
     """Why a branch was left out, or comes first."""
 
     INITIAL = "initial"  # it is the state at t = 0 itself
@@ -166,7 +166,7 @@ class Asked:
     conditions: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
     quantity: sp.Expr = sp.S.Zero
     branches: tuple[AnswerBranch, ...] = ()
-    dropped: tuple[tuple[AnswerBranch, Because], ...] = ()
+    dropped: tuple[tuple[AnswerBranch, Reason], ...] = ()
     mirrored: bool = False
     solutions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     missing: tuple[sp.Symbol, ...] = ()

@@ -15,14 +15,14 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
-from lagrange.mechanics.questions.dependent import Rule, dependent, held_at, reduced
+from lagrange.mechanics.questions.dependent import Substitution, dependent, held_at, reduced
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.states import (
     Meanings,
-    Place,
+    MotionView,
     Senses,
-    Values,
+    SymbolValues,
     fixed_coordinates,
     held_in_place,
     meanings,
@@ -39,18 +39,20 @@ class Setting:
     turnings  how often the motion has come to rest before that
     """
 
-    def __init__(self, place: Place, problem: Problem, initial: Values, senses: Senses | None = None) -> None:
+    def __init__(
+        self, place: MotionView, problem: Problem, initial: SymbolValues, senses: Senses | None = None
+    ) -> None:
         self.turnings = 0 if senses is None else 1
         self._squares: dict[sp.Symbol, sp.Expr | None] = {}
         self.place = place
         self.problem = problem
-        self.initial: Values = initial
+        self.initial: SymbolValues = initial
         known = held_in_place(meanings(place), self.fixed)
         self.known: Meanings = with_senses(known, initial, senses, self.values, place.law.frictions)
         self.integrals, self.missing = integrals(place, self.known, initial)
 
     @cached_property
-    def values(self) -> Values:
+    def values(self) -> SymbolValues:
         """Numbers for the parameters."""
         return {p.symbol: p.value for p in self.problem.parameters if p.value is not None}
 
@@ -107,16 +109,16 @@ class Setting:
         return value if value.free_symbols.isdisjoint(moving) else None
 
     @cached_property
-    def fixed(self) -> Values:
+    def fixed(self) -> SymbolValues:
         """The coordinates that the constraints hold where they are at t = 0, and their velocities."""
         return fixed_coordinates(self.place, self.initial)
 
-    def dependent(self, rather_not: Collection[sp.Symbol] = (), never: sp.Symbol | None = None) -> Rule:
+    def dependent(self, rather_not: Collection[sp.Symbol] = (), never: sp.Symbol | None = None) -> Substitution:
         """The symbols that the constraints give outright, those that they hold where they are at t = 0 among them."""
         held = {s: e for s, e in self.fixed.items() if s != never}
         return held_at(dependent(self.place.configuration, rather_not, never), held)
 
-    def turned(self, state: Values, senses: Senses) -> Setting:
+    def turned(self, state: SymbolValues, senses: Senses) -> Setting:
         """The motion after a state of rest, with these senses."""
         return Setting(self.place, self.problem, state, senses)
 

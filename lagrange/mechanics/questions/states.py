@@ -34,12 +34,12 @@ from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem
 
-Values = Mapping[sp.Symbol, sp.Expr]
+SymbolValues = Mapping[sp.Symbol, sp.Expr]
 Senses = Mapping[sp.Expr, int]
 
 
 @record
-class Place:
+class MotionView:
     """The motion in one set of coordinates.
 
     dynamics   with the reactions
@@ -82,9 +82,9 @@ class Meanings:
     held      whether friction holds it at rest
     """
 
-    accelerations: Values
+    accelerations: SymbolValues
     reactions: Mapping[sp.Symbol, sp.Expr | None]
-    energies: Values = field(default_factory=dict)
+    energies: SymbolValues = field(default_factory=dict)
     senses: Senses = field(default_factory=dict)
     sides: Mapping[sp.Symbol, int] = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
@@ -100,7 +100,7 @@ class Meanings:
         return e.xreplace({**self.energies, **known}).xreplace(dict(self.accelerations))
 
 
-def meanings(place: Place) -> Meanings:
+def meanings(place: MotionView) -> Meanings:
     """The meanings of all symbols that questions may use, in the coordinates of a place."""
     meant: dict[sp.Symbol, sp.Expr | None] = {}
     reactions = place.dynamics.reactions
@@ -121,7 +121,7 @@ def meanings(place: Place) -> Meanings:
     return Meanings(_accelerations(place), meant, energy)
 
 
-def _accelerations(place: Place) -> Values:
+def _accelerations(place: MotionView) -> SymbolValues:
     """q'' of the coordinates; those that cannot be solved for are missing."""
     configuration = place.configuration
     wanted = configuration.slots.accelerations
@@ -138,7 +138,7 @@ def _accelerations(place: Place) -> Values:
     return {a: v for a, v in pairs if v is not None and count_operations(v) <= LONGEST_EQUATION}
 
 
-def meanings_at(place: Place, known: Meanings, state: Values) -> Meanings:
+def meanings_at(place: MotionView, known: Meanings, state: SymbolValues) -> Meanings:
     """The meanings where some coordinates and velocities have given values, for what is too large in general.
 
     state  with expressions in parameters; what is left out stays
@@ -175,7 +175,7 @@ def meanings_at(place: Place, known: Meanings, state: Values) -> Meanings:
     return replace(known, accelerations={**accelerations, **known.accelerations}, reactions=reactions)
 
 
-def fixed_coordinates(place: Place, initial: Values) -> dict[sp.Symbol, sp.Expr]:
+def fixed_coordinates(place: MotionView, initial: SymbolValues) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates whose velocity the constraints keep zero, with their initial values, and these velocities."""
     configuration = place.configuration
     slots = configuration.slots
@@ -194,7 +194,7 @@ def fixed_coordinates(place: Place, initial: Values) -> dict[sp.Symbol, sp.Expr]
     return fixed
 
 
-def held_in_place(known: Meanings, fixed: Values) -> Meanings:
+def held_in_place(known: Meanings, fixed: SymbolValues) -> Meanings:
     """The meanings where the constraints hold some coordinates where they are at t = 0: the tilt of a crate, 0."""
     if not fixed:
         return known
@@ -211,7 +211,11 @@ def held_in_place(known: Meanings, fixed: Values) -> Meanings:
 
 
 def with_senses(
-    known: Meanings, initial: Values, given: Senses | None, values: Values, frictions: Sequence[Friction] = ()
+    known: Meanings,
+    initial: SymbolValues,
+    given: Senses | None,
+    values: SymbolValues,
+    frictions: Sequence[Friction] = (),
 ) -> Meanings:
     """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2.
 
@@ -275,7 +279,7 @@ def with_senses(
 # The initial state
 
 
-def initial_state(place: Place, problem: Problem, others: Sequence[Configuration]) -> dict[sp.Symbol, sp.Expr]:
+def initial_state(place: MotionView, problem: Problem, others: Sequence[Configuration]) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates and velocities at t = 0, as far as they are determined.
 
     others  the other sets of coordinates
@@ -305,7 +309,7 @@ def initial_state(place: Place, problem: Problem, others: Sequence[Configuration
     return known
 
 
-def _check_radii(known: Values, problem: Problem) -> None:
+def _check_radii(known: SymbolValues, problem: Problem) -> None:
     """Raises ProblemError where the radius of the frame begins negative."""
     frame = problem.frame
     first = frame.names[0] if frame is not None and frame.turning else ""
@@ -337,7 +341,7 @@ def _from_choices(
 
 
 def _positions(
-    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: Values
+    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: SymbolValues
 ) -> dict[sp.Symbol, sp.Expr]:
     """The coordinates that the equations determine beside those that are known."""
     open_ = [e for e in (f.xreplace(dict(known)) for f in equations) if e.free_symbols & {*coordinates}]
@@ -355,7 +359,7 @@ def _positions(
 
 
 def _velocities(
-    equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol], known: Values
+    equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol], known: SymbolValues
 ) -> dict[sp.Symbol, sp.Expr]:
     """The velocities that equations linear in them determine beside those that are known."""
     rates: dict[sp.Symbol, sp.Expr] = {}
@@ -397,7 +401,9 @@ def _together(equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol]) -> 
     }
 
 
-def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]) -> None:
+def _check(
+    place: MotionView, known: SymbolValues, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]
+) -> None:
     """Raises ProblemError where the initial state contradicts a constraint."""
     configuration = place.configuration
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
@@ -426,7 +432,7 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
             raise ProblemError(Diagnostic("initial-contradicts", message, v.span, label, help_))
 
 
-def without(state: Values, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def without(state: SymbolValues, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """A state without what contains one of some letters."""
     unknown = {*letters}
     return {s: e for s, e in state.items() if not e.free_symbols & unknown}

@@ -23,7 +23,7 @@ from lagrange.values.limits import LARGEST_COEFFICIENT
 
 Known = Mapping[sp.Symbol, Dimension]
 Note = Callable[[Diagnostic], None]
-Term = tuple[sp.Expr | str, Dimension]
+TermWithUnit = tuple[sp.Expr | str, Dimension]
 
 
 def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
@@ -94,7 +94,7 @@ class _Reader:
         self.errors.append(_two_readings(measured))
         return right
 
-    def _report(self, terms: list[Term], span: Span, what: str) -> None:
+    def _report(self, terms: list[TermWithUnit], span: Span, what: str) -> None:
         if terms and (other := next((term for term in terms if term[1] != terms[0][1]), None)) is not None:
             message = f"{what} has the wrong dimension"
             (first, own), (second, differing) = ((_called(e), d) for e, d in (terms[0], other))
@@ -102,7 +102,7 @@ class _Reader:
             self.errors.append(Diagnostic("unit-mismatch", message, span, help=help_))
 
 
-def _terms(e: sp.Expr, known: Known) -> Iterator[Term]:
+def _terms(e: sp.Expr, known: Known) -> Iterator[TermWithUnit]:
     """The terms of a sum whose dimension is known, and what they are called."""
     from lagrange.values.dimensions import dimension
 
@@ -121,7 +121,7 @@ def _called(term: sp.Expr | str) -> str:
     return term if isinstance(term, str) else text(term)
 
 
-def _term(measured: Measured) -> Term:
+def _term(measured: Measured) -> TermWithUnit:
     return measured.fragment.text, measured.dimension
 
 

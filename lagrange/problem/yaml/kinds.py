@@ -14,7 +14,7 @@ PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "de
 
 
 @record
-class Words:
+class OneOf:
     """One of several words."""
 
     words: tuple[str, ...]
@@ -61,7 +61,7 @@ class Key:
 
 
 @record
-class Form:
+class Keys:
     """A mapping with known keys; `title` is what it is called in editors and in the documentation."""
 
     title: str
@@ -82,7 +82,7 @@ class Form:
         return tuple(key.name for key in self.keys if key.required)
 
 
-Kind = str | Words | ListOf | Named | AnyOf | Form
+Kind = str | OneOf | ListOf | Named | AnyOf | Keys
 
 
 def or_nothing(*kinds: Kind) -> AnyOf:

@@ -19,17 +19,17 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.results import Solution
-from lagrange.programs.first_order import FirstOrder
+from lagrange.programs.first_order import FirstOrderEquations
 
 
-def long_first_order(solution: Solution) -> FirstOrder:
+def long_first_order(solution: Solution) -> FirstOrderEquations:
     """The equations of `long_equations`, with the multipliers of the constraints that are independent."""
     assert solution.long_equations is not None
     slots, whole = solution.own.configuration.slots, solution.long_equations.whole
     rows = _independent_rows(solution)
     parts = _Affine(slots.accelerations)
     forms = tuple(row.velocity_form(slots) for row in rows)
-    return FirstOrder(
+    return FirstOrderEquations(
         slots=slots,
         speeds=slots.velocities,
         rates=slots.velocities,

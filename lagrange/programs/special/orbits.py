@@ -23,13 +23,13 @@ from lagrange.core.symbols import partial, t
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.programs.compiled import compiled
 from lagrange.programs.limits import NEARLY_CIRCULAR, ORBIT_STEP, ROUNDED_SPEED
-from lagrange.programs.numerical_system import NumericalSystem, Values
+from lagrange.programs.numerical_system import FloatValues, NumericalSystem
 from lagrange.programs.state_equations import StateEquations
 
 _AXES = ((0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0))
 
 
-def orbit(states: StateEquations, values: Values, state: Sequence[float]) -> list[float] | None:
+def orbit(states: StateEquations, values: FloatValues, state: Sequence[float]) -> list[float] | None:
     """The state with the velocities of a nearly circular orbit; None where nothing attracts or nothing can turn."""
     e = states.equations
     if e.kept or e.speeds != e.slots.velocities or not e.speeds:
@@ -49,7 +49,7 @@ class _Distance:
 
 
 class _Orbits:
-    def __init__(self, states: StateEquations, values: Values, state: tuple[float, ...]) -> None:
+    def __init__(self, states: StateEquations, values: FloatValues, state: tuple[float, ...]) -> None:
         import numpy
 
         self.states, self.values, self.state = states, values, state

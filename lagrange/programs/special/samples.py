@@ -16,7 +16,7 @@ from lagrange.core.symbols import Unspecified, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.results import Solution
 
-Samples = dict[str, sp.Expr]
+SampleFunctions = dict[str, sp.Expr]
 """By name of a function: what is taken for it, in the names of its arguments."""
 UNDECLARED_GRAVITY = sp.Symbol("g", positive=True)
 """In samples of a problem that has no `g` of its own."""
@@ -24,12 +24,12 @@ AMPLITUDE, FREQUENCY = 0.3, 2.0
 """Of a prescribed motion, in SI units."""
 
 
-def samples(solution: Solution) -> Samples:
+def samples(solution: Solution) -> SampleFunctions:
     """What is taken for each function of the problem that has no value."""
     configuration = solution.own.configuration
     relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
     bound = {f.name for r in relations for f in r.atoms(Unspecified)}
-    out: Samples = {}
+    out: SampleFunctions = {}
     gravity = UNDECLARED_GRAVITY if "g" not in solution.problem.scope.names() else sp.Integer(10)
     for declared in solution.problem.functions:
         names = tuple(sp.Symbol(a, real=True) for a in declared.arguments)

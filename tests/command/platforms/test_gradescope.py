@@ -22,7 +22,7 @@ from lagsolve.grading.roster import Roster
 from lagsolve.grading.students import Attempts
 from lagsolve.grading.table import TableRow
 from lagsolve.platforms import gradescope
-from lagsolve.platforms.parts import Part
+from lagsolve.platforms.parts import ProblemResult
 from lagsolve.platforms.prairielearn import grade_element
 from tests.command.test_main import run
 from tests.support.paths import PROBLEMS
@@ -67,10 +67,10 @@ def test_gradescope_gets_a_test_for_each_problem(submission: Path) -> None:
     assert "2" not in found["tests"][1]["output"]  # at hint level 1 nothing of the answer is told
 
 
-def part(answer: str | None) -> Part:
+def part(answer: str | None) -> ProblemResult:
     """What comes out for an answer to the pendulum."""
     files = () if answer is None else (("answer.txt", answer.encode()),)
-    return Part("ex11", "Ideal pendulum", grader(SOURCE).grade(Submission("s", files)))
+    return ProblemResult("ex11", "Ideal pendulum", grader(SOURCE).grade(Submission("s", files)))
 
 
 def test_gradescope_is_told_what_is_late_and_what_counts() -> None:

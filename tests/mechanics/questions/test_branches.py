@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.explain.report import report
-from lagrange.mechanics.questions.results import Because
+from lagrange.mechanics.questions.results import Reason
 from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.mechanics.questions.test_arrivals import BOAT
@@ -20,7 +20,7 @@ def test_of_two_turning_points_that_of_the_start_is_left_out(problem: Read) -> N
     text = PENDULUM + 'initial: {x: 3/5*l, y: 4/5*l, y\': 0}\nask: {it: {quantity: x, when: ["x\' = 0", "y\' = 0"]}}\n'
     answer = asked(problem, text)
     dropped = [why for _, why in answer.dropped]
-    assert Because.INITIAL in dropped or len(answer.branches) == 1
+    assert Reason.INITIAL in dropped or len(answer.branches) == 1
 
 
 def test_a_branch_that_the_values_exclude_has_no_number(problem: Read) -> None:

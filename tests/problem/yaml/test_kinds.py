@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from lagrange.problem.yaml.kinds import AnyOf, Form, Key, ListOf, one_or_list, or_nothing, three
+from lagrange.problem.yaml.kinds import AnyOf, Key, Keys, ListOf, one_or_list, or_nothing, three
 
-FORM = Form(
+FORM = Keys(
     "a particle", (Key("mass", "expression", "Its mass.", required=True), Key("at", "text", "Where.", example="here"))
 )
 

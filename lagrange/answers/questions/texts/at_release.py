@@ -21,7 +21,7 @@ from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import base, prime, t
-from lagrange.mechanics.questions.states import Place, initial_state
+from lagrange.mechanics.questions.states import MotionView, initial_state
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
 
@@ -74,7 +74,7 @@ def _start(candidate: ReferenceCandidate, solution: Solution) -> Mapping[sp.Symb
     view = next((v for v in solution.views if v.name == candidate.choice), None)
     if view is None or view.dynamics is None or view.conserved is None or solution.law is None:
         return None
-    place = Place(view.dynamics, view.conserved, solution.law)
+    place = MotionView(view.dynamics, view.conserved, solution.law)
     try:
         state = {t: sp.S.Zero, **initial_state(place, solution.problem, [v.configuration for v in solution.views])}
     except ProblemError:

@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.limits import MOST_LINEARIZED
-from lagrange.answers.questions.frequencies import Place
+from lagrange.answers.questions.frequencies import EquilibriumPoint
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
@@ -84,14 +84,14 @@ def _verdict(
     return AnswerVerdict(verdict, tuple(parts), missing, notes=(*working.notes, note), name="linear_equations")
 
 
-def _places(linearization: Linearization) -> Iterator[Place]:
+def _places(linearization: Linearization) -> Iterator[EquilibriumPoint]:
     """The equilibria with their linear equations."""
     for branch, s in zip(linearization.branches, linearization.at, strict=True):
         if s is not None:
-            yield from (Place(s, linearization.equilibrium, branch, point) for point in branch.points)
+            yield from (EquilibriumPoint(s, linearization.equilibrium, branch, point) for point in branch.points)
 
 
-def _position(place: Place) -> str:
+def _position(place: EquilibriumPoint) -> str:
     """Where the equilibrium is: `theta1 = 0, theta2 = 0`."""
     return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations) or "the equilibrium"
 
@@ -100,7 +100,7 @@ _Coefficients = tuple[list[sp.Expr], list[sp.Expr], list[sp.Expr]]
 """Of the accelerations, the velocities, and the positions."""
 
 
-def _coefficients(e: sp.Expr, slots: Sequence[sp.Symbol], place: Place) -> _Coefficients | None:
+def _coefficients(e: sp.Expr, slots: Sequence[sp.Symbol], place: EquilibriumPoint) -> _Coefficients | None:
     """The coefficients of an equation in the independent small changes; None if it is not linear in these alone."""
     every = [prime(q, order) if order else q for order in (2, 1, 0) for q in slots]
     e = sp.expand(e)
@@ -120,7 +120,9 @@ def _coefficients(e: sp.Expr, slots: Sequence[sp.Symbol], place: Place) -> _Coef
     return second, first, none
 
 
-def _judged(text_: str, claim: _Coefficients, slots: Sequence[sp.Symbol], place: Place, at: str) -> EquationVerdict:
+def _judged(
+    text_: str, claim: _Coefficients, slots: Sequence[sp.Symbol], place: EquilibriumPoint, at: str
+) -> EquationVerdict:
     try:
         wrong = next(_differing(claim, place), None)
     except (DivisionByZeroError, NotAlgebraicError):
@@ -133,7 +135,7 @@ def _judged(text_: str, claim: _Coefficients, slots: Sequence[sp.Symbol], place:
     return EquationVerdict.of(text_, Verdict.WRONG, _OTHER.format(slot, at))
 
 
-def _differing(claim: _Coefficients, place: Place) -> Iterator[tuple[int, int]]:
+def _differing(claim: _Coefficients, place: EquilibriumPoint) -> Iterator[tuple[int, int]]:
     """The slots, by order and number, whose coefficients do not follow from those of the accelerations."""
     system = place.oscillations.system
     mass, damping, stiffness = (

@@ -55,7 +55,7 @@ _OF_WORD = re.compile(r"\s*■\s*")
 _BETWEEN = "*·⋅∙@ "
 _CELLS_OF_MATLAB = re.compile(r"(?<![-+*/^(\s])\s+(?![-+*/^)\s](?:\s|\Z)|[*/^)])")
 
-Matrix = list[list[str]]
+WrittenMatrix = list[list[str]]
 
 
 @record
@@ -64,7 +64,7 @@ class _Written:
 
     start: int
     end: int
-    rows: Matrix
+    rows: WrittenMatrix
 
 
 def with_bracketed_arrays(text: str) -> str:
@@ -110,7 +110,7 @@ def in_latex(name: str) -> str:
     return f"{letter}_{{{digits}}}" if digits else letter
 
 
-def _rows(value: str) -> Matrix:
+def _rows(value: str) -> WrittenMatrix:
     match = _MATRIX.search(value)
     return [r.split("&") for r in _ROW.split(match["inside"]) if r.strip()] if match else []
 
@@ -238,7 +238,7 @@ def _lists(text: str) -> list[_Written]:
     return lists
 
 
-def _rows_of_word(inside: str) -> Matrix | None:
+def _rows_of_word(inside: str) -> WrittenMatrix | None:
     """The rows of Word's `■(a&b@c&d)`."""
     opening = inside.index("(") if "(" in inside else -1
     end = closings(inside).get(opening)
@@ -253,7 +253,7 @@ def _rows_of_word(inside: str) -> Matrix | None:
     return rows if all(all(row) for row in rows) else None
 
 
-def _rows_of_list(inside: str) -> Matrix | None:
+def _rows_of_list(inside: str) -> WrittenMatrix | None:
     """The rows of `[a, b], [c, d]`, of `a, b; c, d` and of a column `a, b` or `a; b`; None if it is no list."""
     ends = closings(inside)
     pieces = [inside[a:b].strip() for a, b in cuts(inside, re.compile("[,;]"))]
@@ -303,7 +303,7 @@ def _side(text: str, start: int, end: int, matrices: Sequence[_Written]) -> list
     inside = [m for m in matrices if start <= m.start < end]
     if not inside:
         return [] if re.sub(r"[\\{}\s$.,;]|vec|mathbf|mathbb", "", text[start:end]) == "0" else None
-    terms: list[tuple[str, list[Matrix]]] = []
+    terms: list[tuple[str, list[WrittenMatrix]]] = []
     at = start
     for m in inside:
         before = _SPACE.sub(" ", text[at : m.start]).strip(" $&")
@@ -324,7 +324,7 @@ def _side(text: str, start: int, end: int, matrices: Sequence[_Written]) -> list
     return [" ".join(parts).removeprefix("+ ") for parts in zip(*known, strict=True)]
 
 
-def _column(factor: str, product: list[Matrix]) -> list[str] | None:
+def _column(factor: str, product: list[WrittenMatrix]) -> list[str] | None:
     sign = "-" if factor.startswith("-") else "+"
     factor = factor.lstrip("+- ")
     *first, column = product

@@ -36,7 +36,7 @@ ZERO = sp.S.Zero
 
 
 @record
-class Link:
+class RodLink:
     """Two particles and the rod between them.
 
     masses, forces  of the two; the forces are those that are applied
@@ -93,7 +93,7 @@ class Link:
         return Equation((self.reaction.force, m * n / ((m + n) * self.length) * bracket), label="link-tension")
 
 
-def linked(solution: Solution) -> Link | None:
+def linked(solution: Solution) -> RodLink | None:
     """The particles and their rod; None of any other system."""
     own, law = solution.own, solution.law
     configuration = own.configuration
@@ -115,11 +115,13 @@ def linked(solution: Solution) -> Link | None:
     forces = [
         sum((f.vector for f in configuration.loads if f.on == p.name), Vector.zero()).fixed() for p in (first, second)
     ]
-    made = Link(solution, r, (first.name, second.name), (first.mass, second.mass), (forces[0], forces[1]), r.rod.length)
+    made = RodLink(
+        solution, r, (first.name, second.name), (first.mass, second.mass), (forces[0], forces[1]), r.rod.length
+    )
     return made if _agrees(made) else None
 
 
-def _agrees(link: Link) -> bool:
+def _agrees(link: RodLink) -> bool:
     """Whether the tension in vectors is the one that was derived."""
     configuration, dynamics = link.solution.own.configuration, link.solution.own.dynamics
     value = None if dynamics is None or dynamics.reactions is None else dynamics.reactions.sizes.get(link.reaction.name)
@@ -128,16 +130,16 @@ def _agrees(link: Link) -> bool:
     return is_tension_of_link(value, configuration, link.forces, link.length)
 
 
-def work_of_link(link: Link) -> list[Equation]:
+def work_of_link(link: RodLink) -> list[Equation]:
     """Σ R·δr = 0."""
     return [Equation((_work(link), ZERO))]
 
 
-def _work(link: Link) -> sp.Expr:
+def _work(link: RodLink) -> sp.Expr:
     return sp.Add(*(DotProduct(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in link.names))
 
 
-def in_vectors(link: Link, steps: Iterable[Step]) -> Iterator[Step]:
+def in_vectors(link: RodLink, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps of the page in vectors; components stand in the complete derivation only."""
     has_motion = False
     for step in steps:
@@ -160,7 +162,7 @@ def _first_line(block: Block) -> Block:
     return display(block.equations[0]) if isinstance(block, Display) else block
 
 
-def _without_components(link: Link, step: Step) -> Iterator[Block]:
+def _without_components(link: RodLink, step: Step) -> Iterator[Block]:
     """The laws and the forces, without the components."""
     kept = {f"{kind}-{n}" for kind in ("law", "reaction") for n in link.names}
     for block in step.body:
@@ -169,7 +171,7 @@ def _without_components(link: Link, step: Step) -> Iterator[Block]:
         yield block
 
 
-def _motion(link: Link) -> Iterator[Block]:
+def _motion(link: RodLink) -> Iterator[Block]:
     """From the principle to the equations of motion."""
     first, second = (VectorSymbol(f"delta(r_{n})") for n in link.names)
     by = Ref(f"virtual-{link.reaction.name}")
@@ -196,7 +198,7 @@ def _motion(link: Link) -> Iterator[Block]:
     yield display(*lines, Equation((constraint.lhs, constraint.rhs), label="motion-link"), boxed=True)
 
 
-def _reaction(link: Link, step: Step) -> Step:
+def _reaction(link: RodLink, step: Step) -> Step:
     """T from Newton's laws and the constraint differentiated twice."""
     u, v, a = (link.between(rate) for rate in ("", "'", "''"))
     twice = Equation((DotProduct(u, a) + sp.Abs(v) ** 2, ZERO), label="link-twice")
@@ -215,7 +217,7 @@ def _reaction(link: Link, step: Step) -> Step:
     return replace(step, body=(*body, *bounds))
 
 
-def meaning_of_link(link: Link, step: Step) -> Step:
+def meaning_of_link(link: RodLink, step: Step) -> Step:
     """What it says: the mass centre, the rod about it, the energy."""
     if not link.falls_as_one:
         return step

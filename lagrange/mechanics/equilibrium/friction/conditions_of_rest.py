@@ -37,7 +37,7 @@ def bounded_by(
     size = friction[0] if len(friction) == 1 else sp.sqrt(shortest(sp.Add(*(f**2 for f in friction))))
     sense = signs.of(size)
     if sense == 0:
-        return not_negative(pressed, Wanted(), signs) if signed else []
+        return not_negative(pressed, SolvedFor(), signs) if signed else []
     size = size * sense if sense is not None else sp.Abs(size)
     if sign in (1, -1):
         return [RestCondition(_ratio(size, pressed * sign, signs), coefficient)]
@@ -72,7 +72,7 @@ def _without_moduli(e: sp.Expr) -> sp.Expr:
 
 
 @record
-class Wanted:
+class SolvedFor:
     """What conditions are solved for: unknown forces first, then coefficients of friction, then loads."""
 
     forces: tuple[sp.Expr, ...] = ()
@@ -80,7 +80,7 @@ class Wanted:
     loads: tuple[sp.Expr, ...] = ()
 
 
-def not_negative(slack: sp.Expr, wanted: Wanted, signs: Signs) -> list[RestCondition]:
+def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondition]:
     """slack ≥ 0, as it is written; nothing if it always holds."""
     reduced = _without_signed_factors(shortest(_without_moduli(slack)), signs)
     if reduced is None or signs.of(reduced) in (0, 1):

@@ -43,7 +43,7 @@ from lagrange.mechanics.equilibrium.friction.balance import Balance, RoughContac
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws, sought_forces, tensions_between
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
-    Wanted,
+    SolvedFor,
     bounded_by,
     joined_cases,
     not_negative,
@@ -241,7 +241,7 @@ def _at_rest(
     contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
     system = Balance(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
-    wanted = Wanted(sought, tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
+    wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
 
@@ -275,8 +275,8 @@ def _at_rest(
         limits = _limits_of(solved, contacts, problem, system.sought[0], signs)
         regimes = [
             (
-                tuple(c for e in one.where for c in not_negative(e, Wanted(), signs)),
-                tuple(c for slack in one.slacks for c in not_negative(slack, Wanted(sought), signs)),
+                tuple(c for e in one.where for c in not_negative(e, SolvedFor(), signs)),
+                tuple(c for slack in one.slacks for c in not_negative(slack, SolvedFor(sought), signs)),
             )
             for one in limits
         ]
@@ -345,7 +345,7 @@ def _cases(
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
     newton: Newton,
-    wanted: Wanted,
+    wanted: SolvedFor,
     signs: Signs,
     most: int,
 ) -> tuple[tuple[RestCondition, ...], ...]:
@@ -423,7 +423,7 @@ def _determined(
     contacts: Sequence[RoughContact],
     belts: Sequence[BeltLaw],
     newton: Newton,
-    wanted: Wanted,
+    wanted: SolvedFor,
     signs: Signs,
 ) -> tuple[RestCondition, ...] | None:
     """The bounds themselves; None if one of them never holds."""

@@ -41,7 +41,7 @@ from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
-    Wanted,
+    SolvedFor,
     not_negative,
     solved_for_exponent,
 )
@@ -250,13 +250,13 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
         if not (b.special and any(signs.of(r.residual) in (1, -1) for r in b.relations))
         and not any(r.lhs.is_positive and signs.of(r.rhs) in (0, -1) for r in b.relations)
     ]
-    known = Wanted(coefficients=tuple(c.coefficient for c in contacts))
+    known = SolvedFor(coefficients=tuple(c.coefficient for c in contacts))
     branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
     idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
     return replace(resting, branches=branches, idle=idle)
 
 
-def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs) -> Branch:
+def _limits_solved(b: Branch, resting: Equilibrium, wanted: SolvedFor, signs: Signs) -> Branch:
     """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
     b = _coefficients_solved(b, resting)
     if not b.special:

@@ -28,11 +28,11 @@ from lagrange.mechanics.equilibrium.limits import (
 )
 
 Number = Any
-Functions = Callable[[Sequence[Number]], list[Number]]
+NumericalFunctions = Callable[[Sequence[Number]], list[Number]]
 """f(x); raises ValueError or ArithmeticError where it has no value."""
 
 
-def zero_near(f: Functions, start: Sequence[float], largest: float) -> list[float] | None:
+def zero_near(f: NumericalFunctions, start: Sequence[float], largest: float) -> list[float] | None:
     """A zero to about ten digits; None if the iteration does not converge, or leaves |x| < largest."""
     x, damping = list(start), 1e-2
     try:
@@ -65,7 +65,7 @@ def zero_near(f: Functions, start: Sequence[float], largest: float) -> list[floa
     return x if size < STILL**2 else None
 
 
-def with_best(f: Functions, start: Sequence[float], first: int) -> list[float]:
+def with_best(f: NumericalFunctions, start: Sequence[float], first: int) -> list[float]:
     """The start with the unknowns from `first` on, in which f is linear, such that |f| is least."""
     x = list(start)
     try:
@@ -79,7 +79,7 @@ def with_best(f: Functions, start: Sequence[float], first: int) -> list[float]:
     return x if step is None else [*x[:first], *(a + b for a, b in zip(x[first:], step, strict=True))]
 
 
-def confirmed(f: Functions, guess: Sequence[float]) -> list[Number] | None:
+def confirmed(f: NumericalFunctions, guess: Sequence[float]) -> list[Number] | None:
     """The zero near a guess to many digits; None where it does not converge fast."""
     with mpmath.workdps(SEARCH_DIGITS):
         x = [mpmath.mpf(a) for a in guess]
@@ -103,7 +103,7 @@ def rank(rows: Sequence[Sequence[Number]]) -> int:
     return len(_pivots([list(r) for r in rows]))
 
 
-def _slopes(f: Functions, x: Sequence[Number], value: Sequence[Number], width: Number) -> list[list[Number]]:
+def _slopes(f: NumericalFunctions, x: Sequence[Number], value: Sequence[Number], width: Number) -> list[list[Number]]:
     """The columns of J, by differences."""
     columns = []
     for k, a in enumerate(x):

@@ -12,17 +12,17 @@ from lagrange.mechanics.equilibrium.within_ranges import distances
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.results import AnswerBranch
 
-Values = Mapping[sp.Symbol, sp.Expr]
+SymbolValues = Mapping[sp.Symbol, sp.Expr]
 _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
 
 
-def in_ranges(b: AnswerBranch, configuration: Configuration, values: Values) -> AnswerBranch | None:
+def in_ranges(b: AnswerBranch, configuration: Configuration, values: SymbolValues) -> AnswerBranch | None:
     """The part of a branch in the ranges of the coordinates; None where there is none."""
     kept = [s for s in b.states if not any(_is_outside(q, s, configuration, values) for q in configuration.ranges)]
     return b.at(kept) if kept or not b.states else None
 
 
-def _is_outside(q: sp.Symbol, state: Values, configuration: Configuration, values: Values) -> bool:
+def _is_outside(q: sp.Symbol, state: SymbolValues, configuration: Configuration, values: SymbolValues) -> bool:
     if q not in state:
         return False
     expressions = (
