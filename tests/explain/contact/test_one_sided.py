@@ -98,8 +98,8 @@ def test_a_string_over_a_pulley(problem: Read) -> None:
 
 
 def test_what_is_written(problem: Read) -> None:
-    told = report(problem(BEAD.format(equation="x^2 + y^2 >= l^2", more=", reaction: N")))
-    page = terminal.text(told.derivation, told.notation, 120)
+    explained = report(problem(BEAD.format(equation="x^2 + y^2 >= l^2", more=", reaction: N")))
+    page = terminal.text(explained.derivation, explained.notation, 120)
     for words in (
         "x² + y² ≥ l² (c)",
         "is one-sided",
@@ -107,10 +107,10 @@ def test_what_is_written(problem: Read) -> None:
         "The c constraint can only push: it stays in contact as long as N ≥ 0.",
     ):
         assert words in " ".join(page.split())
-    complete = terminal.text(told.derivation, told.notation, 120, detail=Detail.FULL)
+    complete = terminal.text(explained.derivation, explained.notation, 120, detail=Detail.FULL)
     said = "(3) is one-sided. As long as there is contact, the two sides are equal, and the equation is used below."
     assert said in " ".join(complete.split())
-    written = in_json.as_object(told)
+    written = in_json.as_object(explained)
     assert written["constraints"][0]["one_sided"] == "x^2 + y^2 - l^2 >= 0"
     contact = written["reactions"]["c"]["contact"]
     assert contact == f"{written['reactions']['c']['force']} >= 0"
@@ -125,11 +125,11 @@ def test_what_is_written(problem: Read) -> None:
     ],
 )
 def test_what_needs_no_condition(problem: Read, equation: str, words: str) -> None:
-    told = report(problem(BEAD.format(equation=equation, more=", reaction: N")))
-    assert words in terminal.text(told.derivation, told.notation, 120)
+    explained = report(problem(BEAD.format(equation=equation, more=", reaction: N")))
+    assert words in terminal.text(explained.derivation, explained.notation, 120)
 
 
 def test_at_rest_each_equilibrium_has_its_condition(problem: Read) -> None:
-    told = report(problem(BEAD.format(equation="x^2 + y^2 <= l^2", more=", reaction: T") + "find: equilibrium\n"))
-    rest = in_json.as_object(told)["reactions"]["c"]["at_equilibrium"]
+    explained = report(problem(BEAD.format(equation="x^2 + y^2 <= l^2", more=", reaction: T") + "find: equilibrium\n"))
+    rest = in_json.as_object(explained)["reactions"]["c"]["at_equilibrium"]
     assert sorted(r["contact"] for r in rest) == ["-m*g >= 0", "m*g >= 0"]

@@ -56,9 +56,9 @@ def test_a_form_in_short_that_the_head_does_not_have_stays() -> None:
 
 
 def test_a_second_question_does_not_state_the_condition_again() -> None:
-    told = (prose("The condition becomes"), display(Equation((x, sp.S.Zero), label="one")))
-    first, second = said_before([step(*told, rule=Rule.QUESTION), step(*told, prose("So"), rule=Rule.QUESTION)])
-    assert first.body == told
+    blocks = (prose("The condition becomes"), display(Equation((x, sp.S.Zero), label="one")))
+    first, second = said_before([step(*blocks, rule=Rule.QUESTION), step(*blocks, prose("So"), rule=Rule.QUESTION)])
+    assert first.body == blocks
     assert second.body == (prose("As before, ", Ref("one"), " holds."), prose("So"))
 
 

@@ -109,9 +109,9 @@ ask: {leaves: {quantity: theta, when: W = 0}, floor: {quantity: N, by: theta}}
 
 def test_numbers_in_the_box_are_numbers_and_an_angle_has_its_degrees(problem: Callable[[str], Problem]) -> None:
     """asin(2/3 sin 70°) = 38.79°; N as a function of θ is no number."""
-    told = box(report(problem(LADDER), complete=False))
-    assert "that is sin θ ≈ 0.6265, θ ≈ 38.79°" in told
-    assert told.count("that is") == 1
+    boxed = box(report(problem(LADDER), complete=False))
+    assert "that is sin θ ≈ 0.6265, θ ≈ 38.79°" in boxed
+    assert boxed.count("that is") == 1
 
 
 def test_equilibria_of_several_lines_are_alternatives(problem: Callable[[str], Problem]) -> None:

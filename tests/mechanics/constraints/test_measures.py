@@ -31,7 +31,7 @@ from tests.support.shared import reported
 )
 def test_angles(name: str, choice: int, found: list[tuple[object, ...]]) -> None:
     configuration = reported(name, complete=False).solution.choices[choice].configuration
-    told = [
+    measured = [
         (
             a.symbol.name,
             a.start,
@@ -42,7 +42,7 @@ def test_angles(name: str, choice: int, found: list[tuple[object, ...]]) -> None
         )
         for a in angles(configuration, configuration.slots.coordinates)
     ]
-    assert told == found
+    assert measured == found
 
 
 def test_the_mass_centre_is_found_with_different_masses_and_not_for_one_particle() -> None:

@@ -67,14 +67,14 @@ def test_the_post_leans_on_its_spring() -> None:
 
 
 def test_what_is_written(problem: Read) -> None:
-    told = report(problem(HUNG))
-    written = in_json.as_object(told)
+    found = report(problem(HUNG))
+    written = in_json.as_object(found)
     assert written["spring_forces"][:2] == [{"tie": "k*(h - b + l)"}, {"tie": "k*(abs(h - l) - b)"}]
-    assert told.solution.own.equilibrium is not None
-    values = [v for b in told.solution.own.equilibrium.branches for p in (b.common, *b.points) for v in p.values()]
+    assert found.solution.own.equilibrium is not None
+    values = [v for b in found.solution.own.equilibrium.branches for p in (b.common, *b.points) for v in p.values()]
     assert any(v.has(sp.Abs) for v in values)
     assert not any(
         p.exp == sp.S.Half and p.base.is_Add for v in values for p in sp.factor(v).atoms(sp.Pow) if v.has(sp.Abs)
     )
-    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    page = " ".join(terminal.text(found.derivation, found.notation, 100).split())
     assert "tie pulls its ends together with the force" in page

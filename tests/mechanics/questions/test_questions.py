@@ -250,7 +250,7 @@ forces: {s: {potential: "-k*x^2/2 + b*x^2*y^2"}}
 initial: {x: 0, x': v, y: 0, y': v}
 ask: {motion: {quantity: b*(x*y)^2 + a*x*b, when: [x = a, y = a]}}
 """
-    told = report(problem(text), None)
-    assert told.solution.asked[0].branches[0].provided
-    assert "provided that the motion gets there" in terminal.text(told.derivation, told.notation, 100)
-    assert "provided that the motion gets there" in as_object(told)["asked"][0]["conditions"]
+    explained = report(problem(text), None)
+    assert explained.solution.asked[0].branches[0].provided
+    assert "provided that the motion gets there" in terminal.text(explained.derivation, explained.notation, 100)
+    assert "provided that the motion gets there" in as_object(explained)["asked"][0]["conditions"]

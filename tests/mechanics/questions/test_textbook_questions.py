@@ -147,8 +147,8 @@ def test_the_sense_of_the_slip_at_the_start(problem: Read) -> None:
     assert (found["time"]["unit"], found["speed"]["unit"]) == ("s", "m/s")
     assert found["speed"]["number"] == pytest.approx(1)
     assert len(found["later"]["conditions"]) == 1
-    told = report(read)
-    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    explained = report(read)
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
     assert "that is ẋ = 1 m/s" in page
     assert "The motion begins with R θ̇ − ẋ > 0" in page
 
@@ -173,8 +173,8 @@ ask: {low: {quantity: theta, when: "theta'' = 0"}, half: {quantity: theta, when:
     found = asked(read)
     assert {a["unit"] for a in found.values()} == {"rad"}
     assert [a["number"] for a in found.values()] == pytest.approx([-math.pi / 2, -math.pi / 6])
-    told = report(read)
-    assert "θ = −30°" in " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    explained = report(read)
+    assert "θ = −30°" in " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
 
 
 def test_what_holds_at_the_start_needs_no_return(problem: Read) -> None:

@@ -131,9 +131,9 @@ def test_a_coefficient_among_the_unknowns(problem: Read) -> None:
 
 
 def test_what_is_written(problem: Read) -> None:
-    told = report(problem(CAPSTAN))
-    assert in_json.as_object(told)["rest"]["conditions"] == ["m*g*exp(-mu*beta) <= P"]
-    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    explained = report(problem(CAPSTAN))
+    assert in_json.as_object(explained)["rest"]["conditions"] == ["m*g*exp(-mu*beta) <= P"]
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
     assert "It does not slip towards its tight side as long as T ≤ P exp(μ β)" in page
     assert "Then the tensions of the belt drum satisfy T = P exp(μ β)" in page
 

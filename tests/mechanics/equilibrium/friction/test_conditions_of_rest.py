@@ -212,10 +212,10 @@ def test_how_they_are_written(problem: Read, text: str, conditions: list[str]) -
 def test_conditions_in_numbers_stay_inequalities(problem: Read) -> None:
     """W tan(α ± arctan μ) with 100 N, 20° and 0.3."""
     values = "{W: {value: 100 N}, alpha: {assume: acute, value: 20 deg}, mu: {value: 0.3}}"
-    told = report(problem(HELD.replace("{W: positive, alpha: acute, mu: positive}", values)), complete=False)
-    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    explained = report(problem(HELD.replace("{W: positive, alpha: acute, mu: positive}", values)), complete=False)
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
     assert "P ≥ 5.767 N" in page
     assert "P ≤ 74.54 N" in page
-    low, high = in_json.as_object(told)["rest"]["in_numbers"]
+    low, high = in_json.as_object(explained)["rest"]["in_numbers"]
     assert (low["number"], low["unit"]) == (pytest.approx(5.767287), "N")
     assert high["condition"].startswith("P <= 74.5356")

@@ -76,8 +76,8 @@ def rest_of(solution: Solution) -> AtRest:
 
 
 def test_what_is_written(problem: Read) -> None:
-    told = report(problem(ROUGH))
-    page = " ".join(terminal.text(told.derivation, told.notation, 110).split())
+    explained = report(problem(ROUGH))
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 110).split())
     assert "N_B is not determined: the system is statically indeterminate" in page
     assert "tan θ ≤ μ_A (2 + μ_B tan θ)" in page
     assert "cos θ > 0 and sin θ > 0 are assumed" in page
@@ -120,7 +120,7 @@ def test_rest_is_not_about_the_friction_of_the_motion(problem: Read) -> None:
 
 def test_where_rest_is_impossible(problem: Read) -> None:
     """The string leaves the cylinder where it touches the incline: nothing balances the moment of the weight."""
-    told = report(
+    explained = report(
         problem(
             "title: Cylinder held where it touches\nparameters: [m, g, R, alpha, mu]\ncoordinates: [x, y, theta]\n"
             "bodies: {c: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: theta}}\n"
@@ -129,10 +129,10 @@ def test_where_rest_is_impossible(problem: Read) -> None:
             "on: c, at: r_c - R*j}}\nfind: [equilibrium, impending]\n"
         )
     )
-    written = in_json.as_object(told)
+    written = in_json.as_object(explained)
     assert written["rest"]["possible"] is False
     assert written["equilibrium"] == []
-    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
     assert "the system cannot be at rest" in page
     assert "the forces balance for none of the directions of slip" in page
 
