@@ -241,7 +241,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     problem = solution.problem
     yield explain_choice(c.coordinates)
     if c.equilibrium is not None:
-        from lagrange.explain.rest.statics import explain_equilibrium_in_choice
+        from lagrange.explain.rest.equilibrium import explain_equilibrium_in_choice
 
         yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
         yield _reactions_at_rest(solution, c.reactions_at_rest)
@@ -282,7 +282,7 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
         yield explain_works(solution.works, solution.own.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
     stability = None if solution.problem.choices else solution.own.stability
-    from lagrange.explain.rest.statics import explain_virtual_work
+    from lagrange.explain.rest.equilibrium import explain_virtual_work
 
     yield explain_virtual_work(solution.own.equilibrium, stability, workless)
     yield _reactions_at_rest(solution, solution.own.reactions_at_rest)

@@ -16,7 +16,7 @@ from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Equation, Part, Rule
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
 from lagrange.explain.page.meaning import verdict_on
-from lagrange.explain.rest.statics import stability_in_short
+from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement

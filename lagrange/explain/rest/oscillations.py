@@ -15,7 +15,7 @@ from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
-from lagrange.explain.rest.statics import full_turns, outside_ranges, singular_places
+from lagrange.explain.rest.equilibrium import full_turns, outside_ranges, singular_places
 from lagrange.explain.words import (
     branch_conditions,
     capital,

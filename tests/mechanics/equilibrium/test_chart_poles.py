@@ -8,7 +8,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
 from lagrange.explain.report import report
-from lagrange.explain.rest.statics import explain_virtual_work
+from lagrange.explain.rest.equilibrium import explain_virtual_work
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal

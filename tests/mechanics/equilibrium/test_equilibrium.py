@@ -14,7 +14,7 @@ from lagrange.answers.verdicts import Judgement
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError, Source
 from lagrange.document.derivation import Display, Prose, Rule
 from lagrange.explain.report import report
-from lagrange.explain.rest.statics import explain_virtual_work
+from lagrange.explain.rest.equilibrium import explain_virtual_work
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict as Stable
 from lagrange.mechanics.results import Solution
