@@ -158,7 +158,7 @@ def _dots(term: sp.Expr, slots: Slots) -> Iterator[tuple[Slip, sp.Expr]]:
 
 
 def _renamed(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> Iterator[tuple[Slip, sp.Expr]]:
-    """Another coordinate, or another parameter, in place of one."""
+    """One coordinate, or one parameter, replaced by another."""
     used = term.free_symbols
     for q, p in combinations(slots.coordinates, 2):
         forth = {s: prime(p, k) if k else p for k, s in enumerate((q, prime(q), prime(q, 2)))}

@@ -200,7 +200,7 @@ def _in_markdown(fragment: Fragment) -> Iterator[Fragment]:
 
 
 def _code(fragment: Fragment) -> tuple[str, list[tuple[int, Fragment]]]:
-    """The text with blanks in place of its code, and the equations in the code, each with its place."""
+    """The text with its code blanked out, and the equations in the code, each with its place."""
     blanked: list[str] = []
     placed: list[tuple[int, Fragment]] = []
     fence, begins = "", 0

@@ -38,7 +38,7 @@ def record(cls: type[Made]) -> type[Made]:
 
 
 class _WhenFirstAsked:
-    """The fields of a class, in place of what `dataclass` finds out when it is asked for first."""
+    """The fields of a class, instead of what `dataclass` computes when they are first asked for."""
 
     def __init__(self, cls: type) -> None:
         self.cls = cls

@@ -117,7 +117,7 @@ def _introduces(block: Block) -> bool:
 
 
 def _left_out(equations: Sequence[Equation], *, more: bool) -> Prose:
-    """A sentence in place of equations: how many, of how many operations."""
+    """A sentence that replaces equations: how many there are, and of how many operations."""
     count = len(equations)
     those = f"{count} more equations" if more and count > 1 else f"{count} equations"
     if count == 1:

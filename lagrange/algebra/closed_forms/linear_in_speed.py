@@ -107,7 +107,7 @@ def _since_start(e: sp.Expr) -> sp.Expr | None:
 
 
 def _with_ratios(e: sp.Expr) -> sp.Expr:
-    """log (X(t)/X(0)), or −log (X(0)/X(t)) where X decreases, in place of log X(0) and log X(t); each once."""
+    """log (X(t)/X(0)), or −log (X(0)/X(t)) where X decreases, instead of log X(0) and log X(t); each once."""
     written: dict[sp.Symbol, sp.Expr] = {}
     for x in sorted((x for x in e.atoms(sp.log) if t in x.free_symbols), key=str):
         inside, start = x.args[0], sp.factor(x.args[0].xreplace({t: sp.S.Zero}))

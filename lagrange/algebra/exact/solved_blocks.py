@@ -167,6 +167,7 @@ class _System:
 
     def _power(self, base: NumericPolynomial, exponent: int) -> NumericPolynomial:
         if exponent < 0:
+            # 1/b is one more unknown w with b w = 1: a solution with b = 0 is then none.
             w = self._new()
             self.equations.append(self._sum([self._product(base, {(w,): self._one()}), {(): self.point.number(-1)}]))
             base, exponent = {(w,): self._one()}, -exponent
@@ -192,7 +193,7 @@ class _System:
         for m, a, b in terms:
             if m in self._circles:
                 pair = self._times(pair, self._circle_power(m, a * (self._depths[m] // b)))
-            elif m in self._known:
+            elif m in self._known:  # it depends on an unknown, but is not one: cos(x²) is no polynomial in cos x
                 raise NotSolvableError
             else:
                 known.append((m, a, b))

@@ -184,6 +184,7 @@ class ParameterPolynomials:
             return None
         often = Counter(i for m in polynomial for i, e in unpack(m) if e > 0)
         several = [m for m in polynomial if any(often[i] > 1 for i, _ in unpack(m))]
+        # A factor worth taking out divides at least two terms, so that only common factors of pairs need be tried.
         candidates = {shared(a, b) for a, b in combinations(several, 2)} - {0}
         if not candidates:
             return None

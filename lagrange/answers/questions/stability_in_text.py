@@ -93,7 +93,7 @@ def with_stability(
 
 
 def _claim(fragment: Fragment, reference: Reference) -> _Claim | None:
-    """What is said about stability beside an equation; None if nothing is, or several things."""
+    """The claim about stability beside an equation; None if there is none, or more than one."""
     words = getattr(fragment, "beside", "")
     matches = [*WORD.finditer(words)]
     if not matches or _AMBIGUOUS.search(words):

@@ -520,7 +520,7 @@ def _in_rows(fragment: Fragment, rows: Sequence[str]) -> list[Fragment]:
 
 
 def condition_alone(fragment: Fragment) -> Fragment:
-    """A text with inequalities without the words before, after and in parentheses behind them."""
+    """A text with inequalities without the words before and after them, and in parentheses."""
     if not is_inequality(fragment):
         return fragment
     draft = Draft(fragment)

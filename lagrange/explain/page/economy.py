@@ -292,7 +292,7 @@ def _defined_once(block: Display, defined: dict[object, object]) -> Display:
 
 
 def together_shortly(classification: Classification, block: Block) -> Block:
-    """What the constraints imply together, in one sentence in place of the construction of derived systems."""
+    """What the constraints imply together, in one sentence instead of the construction of derived systems."""
     if not isinstance(block, Prose) or not block.parts or not isinstance(block.parts[0], str):
         return block
     flag = classification.flag

@@ -239,7 +239,7 @@ def _from_steps(
 
 
 def _as_vector(solution: Solution, e: Equation) -> Equation:
-    """R = −F_z k in place of a multiplier λ, which the page introduces later, where the direction is constant."""
+    """R = −F_z k instead of a multiplier λ, which the page introduces later, where the direction is constant."""
     newton = None if solution.law is None else solution.law.newton
     bodies = () if newton is None or newton.bodies is None else newton.bodies
     for body in bodies if len(bodies) == 1 else ():

@@ -249,7 +249,7 @@ class Newton:
 
     @property
     def in_tensions(self) -> Newton:
-        """The same with the tensions of rods and strings as unknowns, in place of their multipliers."""
+        """The same with the tensions of rods and strings as unknowns instead of their multipliers."""
         with_symbol = {r.multiplier: replace(r, named=True) for r in self.reactions if r.tension and r.symbol}
         if not with_symbol:
             return self

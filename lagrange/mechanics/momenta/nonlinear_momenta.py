@@ -1,6 +1,6 @@
 """Momenta that contain a root of a function of the velocities: p = m v/√(1 − v²/c²) of a fast particle.
 
-Where all momenta contain one root only, S = √B(q, q'), they are linear in the velocities but for S,
+Where all momenta contain one root only, S = √B(q, q'), they are linear in the velocities except for S,
 
     p_k − b_k = Σ m_kj(q, S) q_j' ,     which gives     q' = M(q, S)⁻¹ (p − b) .
 

@@ -76,7 +76,7 @@ class LinearBlock:
 
     @cached_property
     def exponents(self) -> tuple[sp.Expr, ...]:
-        """The p of solutions e^(pt), det(M p² + D p + K) = 0, but for p = 0; none where a letter has no value."""
+        """The p of solutions e^(pt), det(M p² + D p + K) = 0, except p = 0; none where a letter has no value."""
         tables = [sp.Matrix(m) for m in (self.mass, self.damping, self.stiffness)]
         if any(m.free_symbols for m in tables):
             return ()

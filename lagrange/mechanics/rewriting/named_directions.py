@@ -40,7 +40,7 @@ def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
 
 
 def in_named_directions(vector: Vector, units: Directions) -> Vector | sp.Expr:
-    """c n + w in place of a vector, or a sum of two such."""
+    """The vector as c n + w, or as a sum of two such multiples; unchanged where that is not shorter."""
     if sum(c != 0 for c in vector.components) < 2 or _length(vector) > LONGEST_IN_DIRECTIONS:
         return vector
     units = {n: u for n, u in units.items() if n not in vector.triad.names}

@@ -80,7 +80,7 @@ def _where(place: _Place) -> str:
 
 
 def _clauses(stated: str, reference: Reference) -> list[_Clause]:
-    """What is said, clause by clause; none if a part of it cannot be read."""
+    """The clauses of a sentence on stability; none if a part of it cannot be read."""
     matches = [*said.WORD.finditer(stated)]
     clauses = []
     for n, match in enumerate(matches):
