@@ -319,9 +319,7 @@ class Sketch:
         ]
         self.line(points, StrokeKind.BODY, closed=True)
 
-    def ellipse(
-        self, centre: PagePoint, first: PagePoint, second: PagePoint, kind: StrokeKind = StrokeKind.BODY
-    ) -> None:
+    def ellipse(self, centre: PagePoint, first: PagePoint, second: PagePoint) -> None:
         """An ellipse with two conjugate semi-axes, given as vectors."""
         angles = [2 * math.pi * k / 48 for k in range(48)]
         points = [
@@ -331,7 +329,7 @@ class Sketch:
             )
             for a in angles
         ]
-        self.line(points, kind, closed=True)
+        self.line(points, StrokeKind.BODY, closed=True)
 
     def turning(
         self, centre: PagePoint, radius: float, counterclockwise: bool, kind: StrokeKind, start: float = -0.6

@@ -179,7 +179,7 @@ def _axes(simulation: Simulation) -> tuple[Sequence[sp.Expr], Sequence[sp.Expr]]
     return [sp.Integer(k) for k in right], [sp.Integer(k) for k in up]
 
 
-def animated(simulation: Simulation, law: Any, frames: int = 200, interval: float = 40.0) -> Any:
+def animated(simulation: Simulation, law: Any, frames: int = 200) -> Any:
     """An animation of the points, rods and springs, with traces, for notebooks: a `FuncAnimation`."""
     from matplotlib.animation import FuncAnimation
     from matplotlib.figure import Figure
@@ -221,4 +221,4 @@ def animated(simulation: Simulation, law: Any, frames: int = 200, interval: floa
             html: str = self.to_jshtml()
             return html
 
-    return Shown(figure, show, frames=len(range(0, len(simulation.times), step)), interval=interval, blit=False)
+    return Shown(figure, show, frames=len(range(0, len(simulation.times), step)), interval=40.0, blit=False)

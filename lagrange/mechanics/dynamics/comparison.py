@@ -163,12 +163,11 @@ def agreed_in_motion(
     configuration: Configuration,
     evaluate: Callable[[Point], T],
     expressions: Sequence[sp.Expr],
-    settles: Callable[[T], bool] = lambda _: False,
 ) -> T | None:
     """The value of `evaluate` at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
     symbols = symbols_of(expressions)
     states = configuration.states
-    return agreed(states, evaluate, expressions, settles, lambda p: state(p, configuration, symbols))
+    return agreed(states, evaluate, expressions, lambda _: False, lambda p: state(p, configuration, symbols))
 
 
 def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
