@@ -138,7 +138,7 @@ ALIGN = "\ue003"
 
 
 _BRACKETS = re.compile(r"(?<!\\left)([(\[])([^()\[\]]*)([)\]])")
-SHORT_BRACKET = 14.0
+SHORT_BRACKET = 4.0
 """The width in ems of a bracket that no line of running text may end within."""
 SHORT_SIDE = 4.5
 """The width of a right side that does not begin a line."""
