@@ -177,7 +177,7 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
         for row in rows:
             # Laws in vectors that name a gradient, or R and δr without a body, are not in the language of problem files.
             if (
-                not re.search(r"\\text\{|\\le|\\nabla|\\mathbf\{R\}|\\delta \\mathbf\{r\}", row.text)
+                not re.search(r"\\text\{|\\[lg]e(?![a-z])|\\nabla|\\mathbf\{R\}|\\delta \\mathbf\{r\}", row.text)
                 and row.text.count("=") == 1
             ):
                 read_equation(row, scope, limit=10_000, latex=True)
