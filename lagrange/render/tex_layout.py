@@ -140,7 +140,7 @@ ALIGN = "\ue003"
 _BRACKETS = re.compile(r"(?<!\\left)([(\[])([^()\[\]]*)([)\]])")
 SHORT_BRACKET = 4.0
 """The width in ems of a bracket that no line of running text may end within."""
-SHORT_SIDE = 4.5
+SHORT_SIDE = 2.0
 """The width of a right side that does not begin a line."""
 LONG_FORMULA = 12.0
 """The width of a formula that is likely to be broken; shorter ones stay as one would type them."""

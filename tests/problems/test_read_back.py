@@ -24,6 +24,7 @@ from lagrange.document.math_writer import text as plain_text
 from lagrange.explain.report import Report, report
 from lagrange.expressions.latex_layout import piece
 from lagrange.expressions.reader import EquationRead, Scope, read_equation
+from lagrange.mechanics.rewriting.factors import SIGN_OF_ROOT
 from lagrange.mechanics.supports import supports
 from lagrange.problem.loader import load
 from lagrange.render.json import as_object
@@ -78,7 +79,8 @@ def test_equations_can_be_read_again(solved: Report) -> None:
     assert len(texts) > 3
     reference = reference_of_solution(solved.solution)
     abbreviations = {name: sp.Symbol(name, real=True) for name in found.get("definitions", ())}
-    scope = replace(reference.scope, scalars={**reference.scope.scalars, **abbreviations})
+    sign = {SIGN_OF_ROOT.name: SIGN_OF_ROOT}  # of two roots in one line, which says what it is
+    scope = replace(reference.scope, scalars={**sign, **reference.scope.scalars, **abbreviations})
     reference = replace(reference, scope=scope)
     faults = [fault for text in texts for fault in unreadable(text, reference)]
     # The constraints of a large system, written out, are longer than any text that is read.
