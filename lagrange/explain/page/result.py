@@ -17,7 +17,15 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
-from lagrange.explain.limits import LONGEST_ANSWER, LONGEST_ANSWER_CONDITIONS, LONGEST_RESULT, MOST_RESULTS
+from lagrange.explain.limits import (
+    LONGER_ACCELERATIONS,
+    LONGEST_ACCELERATION,
+    LONGEST_ANSWER,
+    LONGEST_ANSWER_CONDITIONS,
+    LONGEST_RADICAND,
+    LONGEST_RESULT,
+    MOST_RESULTS,
+)
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations
@@ -31,12 +39,6 @@ from lagrange.mechanics.valued import values_in
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
 
-LONGER = 3
-"""How many times longer than equations with constraints constant accelerations may be that take their place there."""
-LONGEST_ACCELERATION = 20
-"""The most operations of a constant acceleration there, instead of the equations that it solves."""
-LONGEST_ROOT = 10
-"""The most operations of a radicand in equations of motion there, where small oscillations are what is asked."""
 
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
@@ -95,7 +97,7 @@ def explain_result(
 def _has_long_roots(lines: Sequence[Equation]) -> bool:
     """Whether equations of motion contain long roots: the lengths of springs in large motions."""
     roots = {p for e in lines for s in e.sides if isinstance(s, sp.Expr) for p in s.atoms(sp.Pow) if p.exp.is_Rational}
-    return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_ROOT for p in roots)
+    return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_RADICAND for p in roots)
 
 
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
@@ -116,7 +118,7 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         whole = len(solved) == len(view.configuration.slots.accelerations)
         known = {*held, *(prime(q, 2) for q in _eliminated(view))}
         told = [e for e in solved if e.sides[0] not in known] or solved
-        longer = LONGER if len(equations) > solution.classification.degrees_of_freedom else 1
+        longer = LONGER_ACCELERATIONS if len(equations) > solution.classification.degrees_of_freedom else 1
         short = sum(map(_operations, solved)) <= longer * sum(map(_operations, equations))
         if whole and (short or all(_operations(e) <= LONGEST_ACCELERATION for e in told)):
             kept[Rule.EQUATIONS_OF_MOTION] = told

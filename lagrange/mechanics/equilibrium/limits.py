@@ -96,8 +96,8 @@ USUAL_SIZE = 10
 WITHOUT_LENGTHS = 100
 """Lengths are searched up to so many times the sum of the lengths in the problem; up to this where it has none."""
 
-ROUND = 3.3
-"""TODO mechanics/equilibrium/numerical_equilibria.py"""
+BEYOND_PI = 3.3
+"""Angles are searched between -3.3 and 3.3: a little more than a turn, so that no root at π is lost on the edge."""
 
 NEWTON_STEPS = 40
 STILL = 1e-10
@@ -124,3 +124,19 @@ DIFFERS = 1e-9
 
 LONGEST_RANGE_CONDITION = 30
 """Operations of an expression that becomes a condition: a longer one would not be read."""
+
+SMALL_BOUND = 1e-9
+"""A minor or a rate of bounds, compared at drawn numbers of order one with 16 digits, that counts as zero. The numbers
+only choose the bounds that decide; the result is proved in letters."""
+
+BOX = 2.5
+"""Coordinates that are no angles are searched between −BOX and BOX: most lengths are drawn between 1/2 and 2."""
+
+LONGEST_LINK = 60
+"""Operations of a constraint whose squares are completed, for the reach of its links: a rod between two moving points
+in space has 10."""
+
+CONDITION_MARGIN = 1e-6
+BALANCED = 1e-25
+"""Positions of a stated branch, found in 60 digits: a condition holds by this margin, and the forces balance if their
+sum is below 1e-25; they do not if it is above `DIFFERS`, and in between nothing is said."""

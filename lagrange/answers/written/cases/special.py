@@ -11,6 +11,7 @@ import re
 from collections.abc import Sequence
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.limits import LONGEST_BEFORE_CASE
 from lagrange.answers.readings import Reading
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
@@ -51,11 +52,9 @@ def about_special_cases(
 def _before(fragment: Fragment) -> str:
     """What stands before an equation on its line."""
     span = fragment.span(0, len(fragment.text))
-    return span.source.text[max(span.source.text.rfind("\n", 0, span.start) + 1, span.start - _FAR) : span.start]
-
-
-_FAR = 60
-"""Characters before an equation that are looked at."""
+    return span.source.text[
+        max(span.source.text.rfind("\n", 0, span.start) + 1, span.start - LONGEST_BEFORE_CASE) : span.start
+    ]
 
 
 def _is_case(reading: Reading, reference: Reference) -> bool:

@@ -19,6 +19,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraints import time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.limits import LONGEST_INTEGRATED_RELATION
 from lagrange.explain.words import counted, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -26,9 +27,6 @@ from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import common_number, without_common_number
-
-LONGEST = 10
-"""The most operations of a finite relation that is written in its sentence."""
 
 
 def integrates_at_sight(solution: Solution) -> bool:
@@ -136,7 +134,7 @@ def _integrated(constraints: Sequence[ConstraintAnalysis]) -> list[Block]:
     where = ("Where ", *relations, plural(len(geometric), " holds, ", " hold, ")) if restricted else ()
     lead: tuple[Part, ...] = (*where, *refs, plural(len(kinematic), " is ", " are "), Emphasis("exact"))
     integrals = [c.integral for c in kinematic if c.integral is not None]
-    if len(integrals) == 1 and count_operations(integrals[0]) <= LONGEST:
+    if len(integrals) == 1 and count_operations(integrals[0]) <= LONGEST_INTEGRATED_RELATION:
         return [prose(*lead, " and integrates to ", math(integrals[0], CONSTANT), ".")]
     lines = (Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}") for c in kinematic if c.integral)
     return [prose(*lead, plural(len(kinematic), " and integrates to", " and integrate to")), display(*lines)]

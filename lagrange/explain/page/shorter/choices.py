@@ -16,16 +16,11 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_PRINCIPLE, LONGEST_PRINCIPLE_OF_BODIES, LONGEST_SOLVED_RELATION
 from lagrange.explain.page.shorter.sentences import parts_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
 
-LONGEST = 8
-"""The most operations of a relation that is written in its sentence."""
-LONGEST_PRINCIPLE = 45
-"""The most operations of the principle written out before the equations, where these are its brackets."""
-LONGEST_OF_BODIES = 30
-"""The same where bodies turn, and vectors before it fill lines enough."""
 _RULES = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION)
 
 
@@ -79,7 +74,7 @@ def _displacements_solved(body: list[Block]) -> list[Block]:
     if rest and isinstance(rest[0], Prose) and str(rest[0].parts[-1]).endswith("free."):
         rest = rest[1:]
     begins: tuple[Part, ...] = ("In a virtual displacement", *where)
-    if len(solved.equations) == 1 and _length(solved.equations[0]) <= LONGEST:
+    if len(solved.equations) == 1 and _length(solved.equations[0]) <= LONGEST_SOLVED_RELATION:
         return [*body[:at], prose(*begins, " ", math(*solved.equations[0].sides), "."), *rest]
     return [*body[:at], prose(*begins), solved, *rest]
 
@@ -104,7 +99,7 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
         return body
     pairs = [e for both in zip(velocities, accelerations, strict=True) for e in both]
     end = body[at + 2]
-    if half == 1 and sum(map(_length, pairs)) <= LONGEST and isinstance(end, Prose):
+    if half == 1 and sum(map(_length, pairs)) <= LONGEST_SOLVED_RELATION and isinstance(end, Prose):
         refs = [p for p in solving.parts if isinstance(p, Ref)]
         if len(refs) == 1:
             both = listed(math(*e.sides) for e in pairs)
@@ -135,7 +130,7 @@ def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     [line, *more] = written.equations
     used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
     turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
-    longest = LONGEST_OF_BODIES if turning else LONGEST_PRINCIPLE
+    longest = LONGEST_PRINCIPLE_OF_BODIES if turning else LONGEST_PRINCIPLE
     if more or used or _length(line) <= longest or not isinstance(vanish, Prose):
         return body
     assert isinstance(reads, Prose)

@@ -13,12 +13,10 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import prose
 from lagrange.document.derivation import Display, Equation, Prose, Step
+from lagrange.explain.limits import SHORTER_IN_ACCELERATIONS
 from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.nearby.forces_in_turn import forces_in_turn
 from lagrange.mechanics.results import InCoordinates, Solution
-
-SHORTER = 3
-"""How many times shorter the forces must be."""
 
 
 def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Step:
@@ -38,7 +36,7 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
         return step
     labels = {e.sides[0]: e for e in lines}
     short = [replace(labels[name], sides=(name, value)) for name, value in forces.items() if name in labels]
-    if SHORTER * sum(map(_operations, short)) > sum(map(_operations, box.equations)):
+    if SHORTER_IN_ACCELERATIONS * sum(map(_operations, short)) > sum(map(_operations, box.equations)):
         return step
     laws = "Newton's equations" if law.newton.bodies is not None else "the equations with multipliers"
     words = prose(f"In terms of the accelerations, {laws} give one after another")

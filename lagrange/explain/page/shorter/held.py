@@ -17,18 +17,16 @@ from lagrange.core.symbols import prime, t
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Rule, Step
+from lagrange.explain.limits import LONGEST_FREE_LAWS
 from lagrange.explain.words import plural
 from lagrange.mechanics.results import Solution
-
-LONGEST = 120
-"""The most operations of the laws of motion of bodies that are written for all values of the coordinates."""
 
 
 def with_held_values(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, the statement and Newton's law with the values of coordinates that are held, if these are long."""
     values = _held(solution)
     laws = [s for s in steps if s.rule is Rule.REACTIONS and not s.folded]
-    if not values or sum(map(_length, laws)) <= LONGEST:
+    if not values or sum(map(_length, laws)) <= LONGEST_FREE_LAWS:
         yield from steps
         return
     rule: dict[sp.Basic, sp.Expr] = {}

@@ -14,10 +14,8 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_RESONANCE
 from lagrange.mechanics.results import Solution
-
-LONGEST = 24
-"""The most operations of the square of a frequency of resonance that is written out."""
 
 
 def response_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -82,7 +80,7 @@ def _with_roots(body: list[Block]) -> list[Block]:
     assert isinstance(shown, Display)
     length = max(count_operations(s) for e in shown.equations for s in e.sides if isinstance(s, sp.Expr))
     words = str(before.parts[0])
-    if length <= LONGEST or not words.startswith("The denominator vanishes at "):
+    if length <= LONGEST_RESONANCE or not words.startswith("The denominator vanishes at "):
         return body
     follows = words.removeprefix("The denominator vanishes at ").replace(": at resonance", ". At resonance")
     said = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")

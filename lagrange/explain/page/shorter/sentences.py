@@ -13,10 +13,9 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_PLAIN_FORCES
 from lagrange.explain.page.system import are_short
 
-LONGEST = 30
-"""The most operations of all forces by accelerations of which nothing is said but what they are."""
 _LAW = ("Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular momentum, "
         "its rate of change about the mass centre equal to the moment of both, have the components")  # fmt: skip
 _SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
@@ -64,7 +63,7 @@ def _words(block: Prose, follows: Block | None) -> Prose:
         return prose("With ", "a multiplier " if len(multipliers) == 1 else "multipliers ", *listed(multipliers),
                      " of the constraint" if len(multipliers) == 1 else " of the constraints",
                      " instead, nothing is eliminated, and for every coordinate")  # fmt: skip
-    if _TOO_LONG in first and isinstance(follows, Display) and _length(follows) <= LONGEST:
+    if _TOO_LONG in first and isinstance(follows, Display) and _length(follows) <= LONGEST_PLAIN_FORCES:
         return replace(block, parts=(first.partition(_TOO_LONG)[2], *block.parts[1:]))
     return block
 

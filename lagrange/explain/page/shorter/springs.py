@@ -14,10 +14,9 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.operations import count_operations
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Rule, Step
+from lagrange.explain.limits import SHORTEST_REPEATED_LENGTH
 from lagrange.mechanics.results import Solution
 
-SHORTEST = 10
-"""The fewest operations of a length that is not written out again."""
 FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"))
 """By which radicands may differ where common factors have been divided out."""
 _RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARIZATION, Rule.CONSERVED, Rule.MEANING,
@@ -54,7 +53,7 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
                 isinstance(name, sp.Symbol)
                 and isinstance(value, sp.Pow)
                 and root
-                and count_operations(value) > SHORTEST
+                and count_operations(value) > SHORTEST_REPEATED_LENGTH
             ):
                 yield value.base, sp.Symbol(name.name, positive=True)
 
@@ -87,7 +86,7 @@ def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
 
 def _by_letter(power: sp.Pow, lengths: dict[sp.Expr, sp.Symbol]) -> sp.Expr | None:
     """A power of a long root by the letter: of d for the root itself, and √2 d for that of twice the radicand."""
-    if not power.exp.is_Rational or power.exp.q != 2 or count_operations(power.base) <= SHORTEST:
+    if not power.exp.is_Rational or power.exp.q != 2 or count_operations(power.base) <= SHORTEST_REPEATED_LENGTH:
         return None
     for radicand, letter in lengths.items():
         for factor in FACTORS:
