@@ -20,7 +20,8 @@ from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose,
 from lagrange.explain.constraints import time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.limits import LONGEST_INTEGRATED_RELATION
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.explain.page.constraints import relation_of
+from lagrange.explain.words import counted, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
@@ -63,19 +64,11 @@ def explain_at_sight(solution: Solution) -> Step:
     """The constraints, their forms, and what follows."""
     classification, slots = solution.classification, solution.problem.slots
     constraints = classification.constraints
-    relations = (
-        Equation(
-            (c.constraint.lhs, c.constraint.rhs),
-            label=f"constraint-{c.row.name}",
-            relation=c.constraint.relation,
-            condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
-        )
-        for c in constraints
-    )
     forms = (
         Equation((possible_displacement(_form(c), slots), sp.S.Zero), label=f"form-{c.row.name}") for c in constraints
     )
-    body: list[Block] = [display(*relations), _kinds(constraints), display(*forms), *_integrated(constraints)]
+    relations = display(*map(relation_of, constraints))
+    body: list[Block] = [relations, _kinds(constraints), display(*forms), *_integrated(constraints)]
     return Step(
         Rule.CONSTRAINT,
         plural(len(constraints), "The constraint", "Constraints"),

@@ -10,9 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import sympy as sp
-
-from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
@@ -74,7 +71,7 @@ def _displacements_solved(body: list[Block]) -> list[Block]:
     if rest and isinstance(rest[0], Prose) and str(rest[0].parts[-1]).endswith("free."):
         rest = rest[1:]
     begins: tuple[Part, ...] = ("In a virtual displacement", *where)
-    if len(solved.equations) == 1 and _length(solved.equations[0]) <= LONGEST_SOLVED_RELATION:
+    if len(solved.equations) == 1 and solved.operations <= LONGEST_SOLVED_RELATION:
         return [*body[:at], prose(*begins, " ", math(*solved.equations[0].sides), "."), *rest]
     return [*body[:at], prose(*begins), solved, *rest]
 
@@ -99,7 +96,7 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
         return body
     pairs = [e for both in zip(velocities, accelerations, strict=True) for e in both]
     end = body[at + 2]
-    if half == 1 and sum(map(_length, pairs)) <= LONGEST_SOLVED_RELATION and isinstance(end, Prose):
+    if half == 1 and sum(e.operations for e in pairs) <= LONGEST_SOLVED_RELATION and isinstance(end, Prose):
         refs = [p for p in solving.parts if isinstance(p, Ref)]
         if len(refs) == 1:
             both = listed(math(*e.sides) for e in pairs)
@@ -109,10 +106,6 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
         return body
     lines = (replace(v, condition=(Math(a.sides),)) for v, a in zip(velocities, accelerations, strict=True))
     return [*body[: at + 1], display(*lines), *body[at + 2 :]]
-
-
-def _length(e: Equation) -> int:
-    return sum(count_operations(s) for s in e.sides if isinstance(s, sp.Expr))
 
 
 def _ends(block: Block, words: str) -> bool:
@@ -131,7 +124,7 @@ def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
     turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
     longest = LONGEST_PRINCIPLE_OF_BODIES if turning else LONGEST_PRINCIPLE
-    if more or used or _length(line) <= longest or not isinstance(vanish, Prose):
+    if more or used or line.operations <= longest or not isinstance(vanish, Prose):
         return body
     assert isinstance(reads, Prose)
     refs = [p for p in reads.parts if isinstance(p, Ref)]

@@ -11,11 +11,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.symbols import prime
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
 from lagrange.explain.limits import LONGEST_RESONANCE
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.readable_equality import are_same_equations
 
 
 def response_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -52,12 +53,9 @@ def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbo
     motion = solution.chosen.motion
     assert motion is not None
     assert isinstance(block, Display)
-    rule = {sp.Symbol(x.name + "'" * n, real=True): sp.Symbol(q.name + "'" * n, real=True)
-            for x, q in moved.items() for n in range(3)}  # fmt: skip
-    rule |= dict(moved)
-    linear = [sp.expand((e.sides[0] - e.sides[1]).xreplace(rule)) for e in block.equations]
-    own = [sp.expand(e.expression) for e in motion.final]
-    return len(linear) == len(own) and all(any(sp.expand(a - b) == 0 for b in own) for a in linear)
+    rule = {prime(x, n): prime(q, n) for x, q in moved.items() for n in range(3)} | moved
+    linear = [tuple(s.xreplace(rule) for s in e.sides if isinstance(s, sp.Expr)) for e in block.equations]
+    return len(linear) == len(motion.final) and are_same_equations(linear, motion.expressions)
 
 
 def _boxed(step: Step) -> Iterator[Equation]:
@@ -78,10 +76,9 @@ def _with_roots(body: list[Block]) -> list[Block]:
         return body
     shown = body[at]
     assert isinstance(shown, Display)
-    length = max(count_operations(s) for e in shown.equations for s in e.sides if isinstance(s, sp.Expr))
-    words = str(before.parts[0])
-    if length <= LONGEST_RESONANCE or not words.startswith("The denominator vanishes at "):
+    begins, words = "The denominator vanishes at ", str(before.parts[0])
+    if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE or not words.startswith(begins):
         return body
-    follows = words.removeprefix("The denominator vanishes at ").replace(": at resonance", ". At resonance")
+    follows = words.removeprefix(begins).replace(": at resonance", ". At resonance")
     said = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
     return [*body[: at - 1], said, *body[at + 1 :]]
