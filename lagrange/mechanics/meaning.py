@@ -40,7 +40,7 @@ from lagrange.mechanics.rewriting.constant_accelerations import constant_acceler
 from lagrange.mechanics.rewriting.held_coordinates import without_given_rates
 from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimensions_of_units
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -326,8 +326,7 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
     problem, motion = solution.problem, view.motion
     assert motion is not None
-    units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
-    known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    known = dimensions_of_units({x.symbol: x.unit for x in (*problem.coordinates, *problem.parameters)})
     equation = motion.final[0].expression
     if not known or count_operations(equation) > LONGEST_WITH_UNITS:
         return None
