@@ -326,7 +326,8 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
     problem, motion = solution.problem, view.motion
     assert motion is not None
-    known = dimensions_of_units({x.symbol: x.unit for x in (*problem.coordinates, *problem.parameters)})
+    units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
+    known = dimensions_of_units(units)
     equation = motion.final[0].expression
     if not known or count_operations(equation) > LONGEST_WITH_UNITS:
         return None

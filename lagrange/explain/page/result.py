@@ -119,11 +119,11 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         whole = len(solved) == len(view.configuration.slots.accelerations)
         through_rates = () if view.is_own else view.coordinates.through_rates  # the angle of a rolling wheel
         known = {*held, *(prime(q, 2) for q in through_rates)}
-        told = [e for e in solved if e.sides[0] not in known] or solved
+        unknown = [e for e in solved if e.sides[0] not in known] or solved
         longer = LONGER_ACCELERATIONS if len(equations) > solution.classification.degrees_of_freedom else 1
         short = sum(e.operations for e in solved) <= longer * sum(e.operations for e in equations)
-        if whole and (short or all(e.operations <= LONGEST_ACCELERATION for e in told)):
-            kept[Rule.EQUATIONS_OF_MOTION] = told
+        if whole and (short or all(e.operations <= LONGEST_ACCELERATION for e in unknown)):
+            kept[Rule.EQUATIONS_OF_MOTION] = unknown
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
             kept.pop(rule, None)
@@ -132,14 +132,15 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
 
 
 def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
-    """The lines with what is constant put in, as r = R is, and without that itself; as they are where it occurs in no
-    other line.
+    """The lines with constant coordinates substituted, r = R, and without that line itself.
+
+    Where such a coordinate occurs in no other line, they are as they were.
     """
-    there = []
+    substituted = []
     for e in lines:
         sides = tuple(where_held(s, held) if isinstance(s, sp.Expr) else s for s in e.sides)
-        there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
-    left = [e for e in there if len({*e.sides}) > 1]
+        substituted.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
+    left = [e for e in substituted if len({*e.sides}) > 1]
     return left if any(e not in lines for e in left) else lines
 
 

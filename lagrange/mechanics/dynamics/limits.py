@@ -47,7 +47,7 @@ FIRST_DRAWS = 40
 # States of one set of parameters at which a division by zero may occur before the set is given up.
 MOST_FAILED_STATES = 40
 # States beyond those that give as many conditions as there are candidates: a member of the null space that is no
-# identity of degree d satisfies one more state with the probability d/p at most (`points_needed`), and three with its cube.
+# identity of degree d satisfies one more state with the probability d/p at most (`points_needed`), three with its cube.
 SPARE_STATES = 3
 
 # Spot values. Digits of the numbers, of those recognised as fractions (of the 80 of the elimination), and below which a

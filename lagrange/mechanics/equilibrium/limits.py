@@ -37,7 +37,7 @@ MOST_COMPARED_POINTS = 4
 
 # Sampled checks: parameters drawn for one point of a branch, and how many of them must be in the region where it is
 # stated to be stable and in that where it is stated to be unstable; draws until one of them is of use [30]. What is
-# wrong in a share s of a region passes with (1 − s)^8: 0.4 % for a half, 43 % for a tenth. The conditions themselves are
+# wrong in a share s of a region passes with (1 − s)^8: 0.4 % for a half, 43 % for a tenth. The conditions are
 # derived exactly; what these samples find is a sign or a case that is wrong as a whole. Rows of a determinant of which
 # the frequencies are the roots [3].
 MOST_DRAWS = 40

@@ -18,10 +18,10 @@ from lagrange.mechanics.results import InCoordinates
 
 
 def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
-    """The equations of motion with the velocities put in that constraints on velocities give: of a ball that rolls in a
-    bowl, where (R - r) phi' + r psi' = 0, the one equation 7 (R - r) phi'' + 5 g sin(phi) = 0.
+    """The equations of motion with the velocities substituted that constraints on velocities give.
 
-    None where that leaves a coordinate whose velocity is put in, or does not make the equations shorter.
+    For a ball that rolls in a bowl, (R − r) φ' + r ψ' = 0, this is 7 (R − r) φ'' + 5 g sin φ = 0. None where a
+    coordinate remains whose velocity was substituted, or where the equations become no shorter.
     """
     motion = view.motion
     if motion is None or motion.closed is not None or not motion.final or view.in_speeds is not None:
@@ -53,5 +53,5 @@ def held_values(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
 
 
 def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """An expression with `held_values` put in; unspecified functions keep their arguments."""
+    """An expression with `held_values` substituted, unless it has unspecified functions, whose arguments are kept."""
     return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))

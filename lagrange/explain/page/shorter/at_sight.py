@@ -1,4 +1,4 @@
-"""Constraints that are seen to be finite relations, in one section: of rolling along a line, or two that move.
+"""Constraints that integrate at sight, in one section: a wheel rolling along a line, or several that move.
 
 R θ' = x' is R dθ − dx = 0, which is exact and integrates to R θ − x = const. Nothing is to be learned there about
 integrability that would be worth three sections: the relations, their forms, the finite relation, classification and
@@ -42,9 +42,9 @@ def integrates_at_sight(solution: Solution) -> bool:
     kinematic = any(c.row.finite is None for c in constraints)
     moving = len(constraints) > 1 and any(c.contains_time for c in constraints)
     simple = all(_is_simple(c) for c in constraints) and (kinematic or moving)
-    whole = classification.rank == len(constraints) and not classification.redundancies
+    independent = classification.rank == len(constraints) and not classification.redundancies
     usual = all(loss.excluded for loss in classification.losses) and not classification.hidden.found
-    return simple and whole and usual and classification.holonomic is True
+    return simple and independent and usual and classification.holonomic is True
 
 
 def _is_simple(c: ConstraintAnalysis) -> bool:
@@ -54,14 +54,14 @@ def _is_simple(c: ConstraintAnalysis) -> bool:
         return True
     if c.contains_time or c.catastatic is not True:
         return False
-    found = c.finite_form
-    angles = found is not None and found.restriction is not None and found.restriction.angles
-    restricted = found is not None and not angles and found.found.factor == 1
-    return c.integral is not None and (c.exactness.exact is True or restricted)
+    form = c.finite_form
+    angles = form is not None and form.restriction is not None and form.restriction.angles
+    exact_where_restricted = form is not None and not angles and form.found.factor == 1
+    return c.integral is not None and (c.exactness.exact is True or exact_where_restricted)
 
 
 def explain_at_sight(solution: Solution) -> Step:
-    """The constraints, their forms, and what follows."""
+    """The constraints, their forms, the relations that these integrate to, classification and freedom."""
     classification, slots = solution.classification, solution.problem.slots
     constraints = classification.constraints
     forms = (

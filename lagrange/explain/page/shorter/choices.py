@@ -154,10 +154,9 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
     known = [before.get(e.sides) for e in shown[0].equations]
     if all(known):
         refs = listed(Ref(label) for label in known if label)
-        verb = " is" if len(known) == 1 else " are"
-        verb = "is" if len(known) == 1 else "are"
+        verb = plural(len(known), "is", "are")
         like = "formed like the angular velocity with δ for d/dt"
-        are = "is" if len(shown[-1].equations) == 1 else "are"
+        are = plural(len(shown[-1].equations), "is", "are")
         begins = f"{moved} and, {like}, {turned} are" if len(shown) == 3 else f"{turned}, {like}, {are}"
         given = prose(f"{capital(first)} {verb} given by ", *refs, f". {capital(begins)}")
         rest = [e for b in shown[1:] for e in b.equations]

@@ -1,4 +1,4 @@
-"""Constant forces by the accelerations that a page states, where they are long by parameters alone: F = m (g + a).
+"""Constant forces in terms of the accelerations, F = m (g + a), where they are long in terms of parameters alone.
 
 Two pulleys with inertia have tensions with a denominator of five products, and accelerations with the same one.
 Newton's law gives each tension from the accelerations in a few letters, which is how a book writes it.

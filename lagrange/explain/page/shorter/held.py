@@ -29,15 +29,15 @@ def with_held_values(solution: Solution, steps: Sequence[Step]) -> Iterator[Step
         yield from steps
         return
     values = {q: rule[q] for q in solution.problem.slots.coordinates if q in rule}
-    said = False
+    announced = False
     for step in steps:
         if step.folded or step.rule not in (Rule.STATEMENT, Rule.REACTIONS):
             yield step
             continue
         body = [_at(rule, b) for b in step.body]
         changed = next((n for n, (a, b) in enumerate(zip(step.body, body, strict=True)) if a != b), None)
-        if changed is not None and not said:
-            said = True
+        if changed is not None and not announced:
+            announced = True
             names, kept = listed(map(math, values)), listed(math(q, e) for q, e in values.items())
             words = prose("The constraints below keep ", *kept, ", and vectors are written for ",
                           plural(len(values), "this value", "these values"), " of ", *names, ".")  # fmt: skip
@@ -55,18 +55,14 @@ def _held(solution: Solution) -> dict[sp.Symbol, sp.Expr]:
 
 
 def _at(rule: dict[sp.Symbol, sp.Expr], block: Block) -> Block:
-    return (
-        replace(block, equations=tuple(_line(rule, e) for e in block.equations))
-        if isinstance(block, Display)
-        else block
-    )
+    if not isinstance(block, Display):
+        return block
+    return replace(block, equations=tuple(_line(rule, e) for e in block.equations))
 
 
 def _line(rule: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
-    if len(e.sides) < 2:
+    if len(e.sides) < 2 or (e.label or "").startswith("position"):  # positions are shown as the file has them
         return e
-    if (e.label or "").startswith("position"):
-        return e  # the file's own
     return replace(e, sides=tuple(_value(rule, s) for s in e.sides))
 
 

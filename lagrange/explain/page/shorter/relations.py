@@ -1,4 +1,4 @@
-"""Conditions with what they are about on the left: μ ≥ ½ tan φ, P ≥ M a/(l r), as a reader asks for them."""
+"""Conditions with the quantity that they limit on the left: μ ≥ ½ tan φ, P ≥ M a/(l r), as a reader asks for them."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[S
     coordinates = linear.configuration.slots.coordinates
     at_zero = {r.lhs: r.rhs for r in branch.equations} == dict.fromkeys(coordinates, sp.S.Zero)
     moved = dict(zip(linear.displacements, coordinates, strict=True))
-    at = next((n for n, b in enumerate(body) if _is(b, "forced-")), None)
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "forced-")), None)
     if at is None or not at_zero or len(linear.branches) != 1 or not _are_those(solution, body[at], moved):
         return body
     labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
@@ -62,13 +62,13 @@ def _boxed(step: Step) -> Iterator[Equation]:
     yield from (e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations)
 
 
-def _is(block: Block, label: str) -> bool:
+def _are_labelled(block: Block, label: str) -> bool:
     return isinstance(block, Display) and all((e.label or "").startswith(label) for e in block.equations)
 
 
 def _with_roots(body: list[Block]) -> list[Block]:
     """`The denominator Δ vanishes at ..., at the roots of Δ = 0` instead of long roots."""
-    at = next((n for n, b in enumerate(body) if _is(b, "resonance-")), None)
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "resonance-")), None)
     letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
                    for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
     before = body[at - 1] if at else None
@@ -80,5 +80,5 @@ def _with_roots(body: list[Block]) -> list[Block]:
     if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE or not words.startswith(begins):
         return body
     follows = words.removeprefix(begins).replace(": at resonance", ". At resonance")
-    said = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
-    return [*body[: at - 1], said, *body[at + 1 :]]
+    roots = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
+    return [*body[: at - 1], roots, *body[at + 1 :]]

@@ -1,4 +1,4 @@
-"""The length of a spring by the letter that the statement gives it, where written out it is a long root.
+"""The length of a spring as the letter that the statement gives it, where it is a long root when written out.
 
 d = √(a² + 2a l (sin θ₂ − sin θ₁) + ...) occurs in the potential energy, in every equation of motion and in those of
 rest: all of them are read more easily with d, as the force of a spring is c (d − a).
@@ -45,9 +45,10 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
     for block in step.body:
         for e in block.equations if isinstance(block, Display) else ():
             name, value = e.sides[0], e.sides[-1]
-            is_root = isinstance(value, sp.Pow) and value.exp == sp.S.Half
-            if isinstance(name, sp.Symbol) and is_root and e.operations > SHORTEST_REPEATED_LENGTH:
-                yield value.args[0], sp.Symbol(name.name, positive=True)
+            if not isinstance(name, sp.Symbol) or not isinstance(value, sp.Pow) or value.exp != sp.S.Half:
+                continue
+            if e.operations > SHORTEST_REPEATED_LENGTH:
+                yield value.base, sp.Symbol(name.name, positive=True)
 
 
 def _block(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
