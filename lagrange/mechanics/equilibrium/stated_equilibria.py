@@ -58,12 +58,6 @@ def stated_equilibria(e: Equilibrium) -> list[Tried]:
     return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
 
 
-def stated_equilibria_hold(e: Equilibrium) -> bool | None:
-    """Whether what is stated of every branch implies equilibrium; None if one of them could not be tried."""
-    tried = stated_equilibria(e)
-    return all_hold(t.holds for t in tried) if tried else None
-
-
 def in_numbers(tried: Sequence[Tried]) -> bool:
     """Whether some of what was tried rests on numbers with finitely many digits."""
     return any(t.holds is not None and not t.exactly for t in tried)
