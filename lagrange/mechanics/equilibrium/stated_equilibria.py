@@ -41,7 +41,7 @@ class _NotReadError(Exception):
 
 @record
 class Tried:
-    """What came of the positions sampled from one branch.
+    """The verdict of the positions sampled from one branch.
 
     holds    whether the forces balance at all of them; None: no position was found, or none could be decided
     exactly  whether the positions are algebraic numbers; otherwise they have 45 digits

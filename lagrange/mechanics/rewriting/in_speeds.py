@@ -104,7 +104,7 @@ def one_way(form: QuasiVelocityForm, slots: Slots, longest: int) -> Iterator[One
 
 
 def _never_turns(rate: sp.Expr, slots: Slots, speeds: Sequence[sp.Symbol]) -> bool:
-    """Whether it is a constant times what is never negative."""
+    """Whether it is a constant times a factor that is never negative."""
     constant, moving = rate.as_independent(*speeds, as_Add=False)
     changing = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
     return bool(moving.is_nonnegative) and not constant.free_symbols & changing

@@ -77,7 +77,7 @@ def _rod(
 
 
 def _size(e: sp.Expr, u: sp.Symbol, unknowns: Sequence[sp.Symbol], reach: dict[sp.Symbol, sp.Expr]) -> sp.Expr | None:
-    """The greatest |u| where e = 0; None if that is not bounded by what is known of the others."""
+    """The greatest |u| where e = 0; None if the bounds of the other unknowns give none."""
     rest, first, shift = sp.expand(e), sp.S.Zero, sp.S.Zero
     for v in (u, *(w for w in unknowns if w != u)):
         square, linear = rest.coeff(v, 2), rest.coeff(v, 1)
