@@ -347,3 +347,24 @@ LONGEST_WRITTEN_NAME = 60
 
 ROUNDING_DIGITS = 9
 """A rounded answer may be off by 1e-9 beyond half a unit of its last digit: exact values are compared as fractions."""
+
+LONGEST_SQUARE = 40
+"""Operations of the square of a frequency that is compared term by term with a wrong one."""
+
+MOST_CHANGES = 40
+"""Changes of one wrong constraint that are tried: each is compared at two random states, which takes about 1 ms. Three
+terms and two coordinates make seven."""
+
+MOST_SENSES = 4
+"""Velocities for each sense of which a wrong equation is compared: a friction law has one for each rough contact."""
+
+LONGEST_CONNECTIVE = 100
+"""Characters before the end of a text in which the words that join an equation to its condition are sought; they are
+removed one at a time, so that the search does not go back to the beginning for each."""
+
+MOST_PIECEWISE = 8
+"""Calls of `Piecewise` or `If` in one text that are written out as cases at once."""
+
+LONGEST_BEFORE_CASE = 60
+"""Characters before an equation in which a word such as "for" makes it a special case: two or three words have
+fewer."""

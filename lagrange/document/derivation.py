@@ -14,6 +14,7 @@ from typing import TypeAlias, overload
 
 import sympy as sp
 
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import Scene
@@ -105,6 +106,11 @@ class Equation:
     relation: str = "="
     condition: tuple[Part, ...] = ()
 
+    @property
+    def operations(self) -> int:
+        """How long the sides are to read, vectors aside."""
+        return sum(count_operations(s) for s in self.sides if isinstance(s, sp.Expr))
+
 
 @record
 class Display:
@@ -113,6 +119,11 @@ class Display:
     equations: tuple[Equation, ...]
     boxed: bool = False
     detail: Detail = Detail.STEPS
+
+    @property
+    def operations(self) -> int:
+        """Those of all equations."""
+        return sum(e.operations for e in self.equations)
 
 
 @record

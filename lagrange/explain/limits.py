@@ -151,3 +151,46 @@ DIGITS_AS_STATED = 12
 
 MOST_PARTS_OF_PI = 12
 """An angle that is a multiple of π/12 is printed so: 15° and its multiples."""
+
+SHORTEST_OF_MANY = 9
+"""The fewest operations of a denominator that gets a letter where three equations or more share it."""
+
+MOST_NAMED = 3
+"""The most bodies that are named where reactions do work on each of them; then they are counted."""
+
+LONGER_ACCELERATIONS = 3
+"""Constant accelerations are the result at the head if they are at most so many times as long as the equations with
+constraints from which they follow."""
+
+LONGEST_ACCELERATION = 20
+"""The most operations of a constant acceleration at the head; a longer one is left to the equations that it solves."""
+
+LONGEST_RADICAND = 10
+"""The most operations of a radicand in equations of motion at the head, where small oscillations are asked for."""
+
+LONGEST_INTEGRATED_RELATION = 10
+"""The most operations of a finite relation, integrated at sight, that is written in its sentence."""
+
+LONGEST_SOLVED_RELATION = 8
+"""The most operations of a relation between old and chosen coordinates that is written in its sentence."""
+
+LONGEST_PRINCIPLE = 45
+"""The most operations of the principle that is written out although its brackets are the equations that follow."""
+
+LONGEST_PRINCIPLE_OF_BODIES = 30
+"""The same for bodies that turn: their principle in vectors takes two lines before it."""
+
+SHORTER_IN_ACCELERATIONS = 3
+"""Forces are written in terms of constant accelerations if that makes them so many times shorter."""
+
+LONGEST_FREE_LAWS = 120
+"""The most operations of the laws of motion that are written for all positions, where the coordinates are held."""
+
+LONGEST_RESONANCE = 24
+"""The most operations of the square of a frequency of resonance that is written out."""
+
+LONGEST_PLAIN_FORCES = 30
+"""The most operations of forces, in terms of accelerations, of which nothing is said but what they are."""
+
+SHORTEST_REPEATED_LENGTH = 10
+"""The fewest operations of the length of a spring that is a letter from its second appearance on."""

@@ -46,3 +46,10 @@ LONGEST_TURNING = 60
 
 LONGEST_TURNING_RATE = 12
 """The most operations of the rate and of the stiffness."""
+
+MOST_CHOICES_OF_DEPENDENT = 10
+"""Choices of dependent coordinates that are compared for the fewest left in T: those of three of five."""
+
+MOST_EXPANDED_TERMS = 2_000
+"""Terms of a form whose common number is sought: forms in books have a dozen, an arc tangent taken twenty times of
+itself a million."""

@@ -21,18 +21,14 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
-from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, Unspecified, partial, prime, t
+from lagrange.core.symbols import Unspecified, partial, t
 from lagrange.core.units import NO_DIMENSION, written
-from lagrange.mechanics.constraints.constrained_system import Row
-from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
+from lagrange.mechanics.dynamics.equations import WithEliminatedRates
 from lagrange.mechanics.limits import (
-    LONGEST_CONSTANT,
     LONGEST_LIMIT,
     LONGEST_PART,
     LONGEST_WITH_LIMITS,
@@ -40,9 +36,11 @@ from lagrange.mechanics.limits import (
     MOST_LIMITS,
 )
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
+from lagrange.mechanics.rewriting.held_coordinates import without_given_rates
 from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimensions_of_units
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -325,109 +323,11 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
             yield Parts(force, static, added)
 
 
-def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
-    """The accelerations, if the equations determine them by parameters alone and do not say them already."""
-    motion = view.motion
-    assert motion is not None
-    slots = view.configuration.slots
-    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *(prime(u) for u in slots.prescribed), t}
-    nonlinear = [r for r in view.configuration.rows if r.nonlinear is not None]
-    if nonlinear and view.dynamics is not None:
-        rules = [rule for r in nonlinear if (rule := square_of(r, slots)) is not None]
-        values = {a: _reduced(e, rules) for a, e in view.dynamics.accelerations.items()}
-        return {a: e for a, e in values.items() if not e.free_symbols & moving and not e.atoms(Unspecified)}
-    equations = [e.expression for e in motion.final]
-    equations += view.configuration.constrained.accelerated_constraints
-    if len(equations) != len(slots.accelerations) or len(equations) < 2:
-        return {}
-    if any(e.free_symbols & moving or e.atoms(Unspecified) for e in equations):
-        return {}
-    rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
-    right = [-e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in equations]
-    accelerations = solved_linear(rows, right, Surface())
-    if accelerations is None or any(x is None for x in accelerations):
-        return {}
-    pairs = zip(slots.accelerations, accelerations, strict=True)
-    solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
-    return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
-
-
-def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
-    """The equations of motion with the velocities put in that constraints on velocities give: of a ball that rolls in a
-    bowl, where (R - r) phi' + r psi' = 0, the one equation 7 (R - r) phi'' + 5 g sin(phi) = 0.
-
-    None where that leaves a coordinate whose velocity is put in, or does not make the equations shorter.
-    """
-    motion = view.motion
-    if motion is None or motion.closed is not None or not motion.final or view.in_speeds is not None:
-        return None
-    coordinates, rows = view.configuration.slots.coordinates, view.configuration.rows
-    used = [r for r in rows if r.finite is None and r.nonlinear is None]
-    given = [coordinates[d] for d in motion.elimination.dependent if any(r.coefficients[d] != 0 for r in used)]
-    freed = closed(motion, given).closed if used else None
-    if freed is None or any(e.expression.has(q) for e in freed.equations for q in given):
-        return None
-    before, after = (sum(count_operations(e.expression) for e in es) for es in (motion.final, freed.equations))
-    return freed if after < before else None
-
-
-def held_values(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates that a constraint fixes by itself, r = R, each with its value; rates and accelerations are 0."""
-    slots = configuration.slots
-    moving = {*slots.coordinates, *slots.prescribed, t}
-    values: dict[sp.Symbol, sp.Expr] = {}
-    for f in configuration.finite_constraints:
-        occurring = f.free_symbols & moving
-        if len(occurring) != 1 or not occurring <= {*slots.coordinates}:
-            continue
-        [q] = occurring
-        slope = partial(f, q)
-        if slope.is_nonzero and not slope.has(q):
-            values |= {q: sp.expand(q - f / slope), prime(q): sp.S.Zero, prime(q, 2): sp.S.Zero}
-    return values
-
-
-def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
-    """An expression with `held_values` put in; unspecified functions keep their arguments."""
-    return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))
-
-
-def square_of(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
-    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
-    if row.nonlinear is None:
-        return None
-    for v in slots.velocities:
-        dummy = sp.Dummy()
-        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
-        factor = form.diff(dummy)
-        if not form.has(v) and factor.is_number and factor != 0:
-            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
-    return None
-
-
-def _reduced(e: sp.Expr, rules: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
-    """An acceleration under the constraints: above and below, x'^2 by the other velocities."""
-    above, below = (sp.expand(part).xreplace({v**2: s for v, s in rules}) for part in sp.fraction(sp.together(e)))
-    return e if below == 0 else sp.factor(sp.cancel(above / below))
-
-
-def _in_one_fraction(x: sp.Expr) -> sp.Expr:
-    """A sum of fractions as one, with a denominator that is not negative where that can be seen."""
-    above, below = sp.fraction(sp.together(x))
-    if not x.is_Add or above.is_number or below.is_number:
-        return x
-    negative = sum(1 for term in sp.Add.make_args(below) if term.could_extract_minus_sign())
-    if 2 * negative > len(sp.Add.make_args(below)):
-        above, below = -above, -below
-    one = sp.factor(above) / below
-    return one if count_operations(one) <= count_operations(x) else x
-
-
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
     problem, motion = solution.problem, view.motion
     assert motion is not None
     units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
-    known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    known = dimensions_of_units(units)
     equation = motion.final[0].expression
     if not known or count_operations(equation) > LONGEST_WITH_UNITS:
         return None

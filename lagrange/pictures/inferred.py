@@ -20,6 +20,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import NoValueError, inner
+from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, toward
 from lagrange.pictures.systems import ROD, SystemPicture
@@ -30,7 +31,6 @@ PULLEY = 0.32
 """Radius of a pulley on the page, in centimetres."""
 GAP = 0.22
 """Half the gap in the ground that a rope goes through."""
-SAME = 1e-6
 
 
 class Inferred:
@@ -72,7 +72,7 @@ class Inferred:
                 if mark is None:
                     continue
                 fixed = self._is_fixed(q, p.position)
-                moving = [o for o in origins if math.dist(self.pose.at(o), mark.centre) < SAME]
+                moving = [o for o in origins if math.dist(self.pose.at(o), mark.centre) < SAME_ON_PAGE]
                 moving = [o for o in moving if relative_angle_mark(self.pose, q, p.position, o) is not None]
                 if not fixed and not moving:
                     continue  # the whole system turns about that point
@@ -89,14 +89,14 @@ class Inferred:
     def _is_fixed(self, q: sp.Symbol, position: Vector) -> bool:
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
         centres = [m.centre for m in marks if m is not None]
-        return len(centres) > 1 and all(math.dist(centres[0], c) < SAME for c in centres)
+        return len(centres) > 1 and all(math.dist(centres[0], c) < SAME_ON_PAGE for c in centres)
 
     def _kind(self, length: float, q: sp.Symbol, position: Vector) -> StrokeKind | None:
         """A rod, a string, or None where it may be neither."""
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
         lengths = [math.dist(m.centre, m.point) for m in marks if m is not None]
         called = " ".join(f"{c.meaning}" for c in self.system.problem.coordinates if c.symbol != q)
-        if any(abs(x - length) > SAME for x in lengths):
+        if any(abs(x - length) > SAME_ON_PAGE for x in lengths):
             return StrokeKind.STRING if _STRING.search(called) else None
         if self.system.is_round:
             return None
@@ -135,11 +135,11 @@ class Inferred:
         tops = [self.system.page(pose.at(v)) for pose, v in zip(lifted, positions, strict=True)]
         bottoms = [self.at(v) for v in positions]
         downs = [toward(a, b) for a, b in zip(tops, bottoms, strict=True) if apart(a, b) > 0.5]
-        if len(downs) != 2 or apart(*tops) < 4 * PULLEY or abs(downs[0][0] - downs[1][0]) > SAME:
+        if len(downs) != 2 or apart(*tops) < 4 * PULLEY or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE:
             return
         along = toward(tops[0], tops[1])
         up = (-downs[0][0], -downs[0][1])
-        if abs(along[0] * up[0] + along[1] * up[1]) > SAME:
+        if abs(along[0] * up[0] + along[1] * up[1]) > SAME_ON_PAGE:
             return
         centres = [beyond(tops[0], along, PULLEY), beyond(tops[1], along, -PULLEY)]
         for top, bottom in zip(tops, bottoms, strict=True):

@@ -51,3 +51,7 @@ more."""
 
 SAME_SHAPE = 1e-6
 """The same for radii: looser than for positions, as errors grow in the quotient by R²."""
+
+SAME_ON_PAGE = 1e-6
+"""Centimetres by which two places on the page may differ that are one: nobody sees a micrometre, and the constraints
+hold to 1e-11."""

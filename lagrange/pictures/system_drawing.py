@@ -233,7 +233,7 @@ class _Drawing:
                     self.sketch.dot(at, 0.05)
 
     def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
-        """Whether the end of a spring is on what stands or is driven, or slides there: on no rod or body that moves."""
+        """Whether a spring's end is fixed or driven, or slides on a fixed support: on no rod or body that moves."""
         free = any(c.free_symbols & {*self.system.configuration.slots.coordinates} for c in place.fixed().components)
         on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
         return not free or not (on_rod or self.system.is_on_body(place))

@@ -61,3 +61,12 @@ JSON_DIGITS = 10
 
 STEPS_OF_A_SLIDER = 400
 """Steps of a slider from end to end: about one a pixel."""
+
+SHORT_BRACKET = 4.0
+"""Ems of a bracket that no line of running text may end within: two fifths of a line."""
+
+SHORT_RIGHT_SIDE = 2.0
+"""Ems of a right side, as in = 0, that does not begin a line of running text."""
+
+LONG_FORMULA = 12.0
+"""Ems of a formula in running text that TeX is likely to break; a shorter one stays as one would type it."""

@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.document.derivation import Block, Equation, Mathematics
 from lagrange.document.math_writer import Writer
-from lagrange.render.limits import TEX_LEFT_SIDE
+from lagrange.render.limits import LONG_FORMULA, SHORT_BRACKET, SHORT_RIGHT_SIDE, TEX_LEFT_SIDE
 from lagrange.render.line_breaking import Breaker, MathLine
 from lagrange.render.selection import written_out
 
@@ -138,12 +138,6 @@ ALIGN = "\ue003"
 
 
 _BRACKETS = re.compile(r"(?<!\\left)([(\[])([^()\[\]]*)([)\]])")
-SHORT_BRACKET = 4.0
-"""The width in ems of a bracket that no line of running text may end within."""
-SHORT_SIDE = 2.0
-"""The width of a right side that does not begin a line."""
-LONG_FORMULA = 12.0
-"""The width of a formula that is likely to be broken; shorter ones stay as one would type them."""
 
 
 def unbroken(code: str) -> str:
@@ -161,7 +155,7 @@ def unbroken(code: str) -> str:
     if ems(code) < LONG_FORMULA:
         return code
     before, sign, last = _BRACKETS.sub(grouped, code).rpartition(" = ")
-    return rf"{before} = \nobreak {last}" if sign and ems(last) < SHORT_SIDE else before + sign + last
+    return rf"{before} = \nobreak {last}" if sign and ems(last) < SHORT_RIGHT_SIDE else before + sign + last
 
 
 @record

@@ -133,9 +133,14 @@ def dimension_of_unit(unit: str) -> Dimension | None:
     return None if known is None else known.dimension
 
 
+def dimensions_of_units(units: Mapping[sp.Symbol, str]) -> dict[sp.Symbol, Dimension]:
+    """The dimensions of the symbols whose units are understood."""
+    return {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+
+
 def mismatch(terms: Sequence[sp.Expr], units: Mapping[sp.Symbol, str]) -> Mismatch | None:
     """The term of a sum that does not agree with the others; None if they agree, or if that is not known."""
-    known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    known = dimensions_of_units(units)
     waves = (w for term in terms for w in term.atoms(sp.sin, sp.cos, sp.tan))
     angles = {base(s) for w in waves for s in w.args[0].free_symbols if base(s) not in known}
     known |= dict.fromkeys(angles - {t}, NO_DIMENSION) | {t: _SECOND}

@@ -75,6 +75,13 @@ FORBIDDEN = {
 COMPILED = {"lagrange.api.numerical": ["lambdify"], "lagrange.programs.compiled": ["exec", "compile"]}
 """The only modules that make Python code, of expressions whose symbols they have given names of their own."""
 
+MATHEMATICS = {
+    *("expand", "expand_mul", "expand_trig", "factor", "factor_terms", "factor_list", "together", "cancel", "collect"),
+    *("apart", "fraction", "diff", "integrate", "series", "limit", "solve", "solveset", "Poly", "groebner", "subs"),
+    *("Surface", "is_rational_function", "is_polynomial"),
+}
+"""What explanations do not do themselves: they choose and word. `mechanics/rewriting` makes the forms of a result."""
+
 LONGEST = 600
 """Lines in a file."""
 
@@ -200,6 +207,34 @@ def test_no_text_is_evaluated_and_nothing_is_simplified(name: str) -> None:
 def test_the_search_for_forbidden_calls_finds_them(code: str) -> None:
     assert len(forbidden(ast.parse(code))) == 1
     assert forbidden(ast.parse("re.compile(x); sp.S.Zero; simplify = 1; sp.sympify(1, strict=True)")) == []
+
+
+def mathematics(tree: ast.AST) -> list[str]:
+    """The calls in a module that rewrite expressions: methods of SymPy, and functions of `lagrange.algebra`."""
+    names = {
+        alias.asname or alias.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("lagrange.algebra")
+        for alias in node.names
+    }
+    called = (call.func for call in ast.walk(tree) if isinstance(call, ast.Call))
+    return [
+        f.attr if isinstance(f, ast.Attribute) else f.id
+        for f in called
+        if (isinstance(f, ast.Attribute) and f.attr in MATHEMATICS) or (isinstance(f, ast.Name) and f.id in names)
+    ]
+
+
+@pytest.mark.parametrize("name", [m for m in FILES if package_of(m) == "explain"])
+def test_explanations_do_no_mathematics(name: str) -> None:
+    assert mathematics(tree_of(name)) == []
+
+
+def test_the_search_for_mathematics_finds_it() -> None:
+    text = (
+        "from lagrange.algebra.exact.zero_test import Surface as S, Row; S(); Row; sp.expand(e); e.diff(x); f(expand)"
+    )
+    assert mathematics(ast.parse(text)) == ["S", "expand", "diff"]
 
 
 def test_files_are_short() -> None:

@@ -43,6 +43,7 @@ NO_LIMITS = {
     "document/scene": {"MARGIN"},
     "pictures/coordinate_drawings": {"ARC"},
     "pictures/free_bodies": {"LARGEST", "LARGEST_WHEEL", "LENGTH"},
+    "pictures/inferred": {"GAP", "PULLEY"},
     "pictures/loads": {"NOWHERE", "_SOMEWHERE"},
     "pictures/poses": {"_ANGLES", "_STEPS"},
     "pictures/sketch": {

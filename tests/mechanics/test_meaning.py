@@ -106,27 +106,6 @@ def test_without_a_degree_of_freedom_there_is_nothing_to_say() -> None:
     assert meaning(solve(read_problem(Source("t", text)))) is None
 
 
-YO_YO = """
-title: Yo-yo
-parameters: [m, J, R, g]
-coordinates: [y, phi]
-bodies: {disc: {mass: m, inertia: J, position: y*j, angle: phi}}
-constraints: {string: {equation: EQUATION, reaction: S, by: string}}
-gravity: g*j
-"""
-
-
-@pytest.mark.parametrize("equation", ["y = R*phi", "R*phi' = y'"])
-def test_constant_accelerations_with_dependent_coordinates(equation: str) -> None:
-    """m y'' = m g − S, J phi'' = R S, y'' = R phi''."""
-    found = meaning(solve(read_problem(Source("yo-yo.yaml", YO_YO.replace("EQUATION", equation)))))
-    assert found is not None
-    values = {str(a): v for a, v in found.constant.items()}
-    m, J, R, g = (next(s for v in values.values() for s in v.free_symbols if s.name == n) for n in ("m", "J", "R", "g"))
-    assert sp.simplify(values["y''"] - m * g * R**2 / (m * R**2 + J)) == 0
-    assert sp.simplify(values["phi''"] - m * g * R / (m * R**2 + J)) == 0
-
-
 def test_a_velocity_as_of_light_becomes_infinite_and_not_zero() -> None:
     """Weber's law becomes Coulomb's; the only mass does not vanish."""
     found = of("weber-attraction")

@@ -62,3 +62,6 @@ SPHERES = 3
 
 CIRCULAR_ERROR = 1e-14
 """What bounds of sines and cosines in floating point are widened by: fifty rounding errors."""
+
+INNER_FRACTION = 4
+"""As many operations is a fraction within a fraction as hard to read."""

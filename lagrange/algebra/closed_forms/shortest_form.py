@@ -9,12 +9,9 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN
+from lagrange.algebra.closed_forms.limits import INNER_FRACTION, LONGEST_REWRITTEN
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-
-INNER_FRACTION = 4
-"""As many operations is a fraction within a fraction as hard to read."""
 
 
 def shortest_form(e: sp.Expr) -> sp.Expr:

@@ -27,7 +27,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
-from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION
+from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION, LONGEST_SQUARE
 from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
@@ -119,7 +119,7 @@ class EquilibriumPoint:
             right = sp.expand(sp.cancel(self.at(system.stiffness[j][j] / system.mass[j][j])))
         except (NotAlgebraicError, IndexError):
             return ""
-        if sp.count_ops(right) > MOST_OPERATIONS:
+        if sp.count_ops(right) > LONGEST_SQUARE:
             return ""
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
         return f"in omega^2, {why}" if why else ""
@@ -250,8 +250,6 @@ _LABELLED = re.compile(
 _BETWEEN = re.compile(
     r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
 )
-MOST_OPERATIONS = 40
-"""Of the square of a frequency with which a wrong one is compared term by term."""
 
 
 def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:

@@ -13,19 +13,17 @@ import sympy as sp
 
 from lagrange.answers.limits import LONGEST_NUMBER_WITH_UNIT
 from lagrange.answers.references import Reference
-from lagrange.answers.written.notation.units import in_one_number
+from lagrange.answers.written.notation.units import in_one_number, plain_unit
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.units import NO_DIMENSION, Dimension, has_unit, split_number, unit_of
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.mechanics.questions.results import Asked
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimensions_of_units
 
 _SIDE = re.compile(r"=(?![=>])|≈|\\approx(?![A-Za-z])")
 _SPACES = re.compile(r"\\[,;:! ]|~|\$|\\q?quad(?![A-Za-z])|\\left(?![A-Za-z])|\\right(?![A-Za-z])")
-_POWER = re.compile(r"\^\s*\{([^{}]*)\}")
 _TEXTS = re.compile(r"\\(?:text|mathrm|mbox|rm|si|unit)\s*\{([^{}]*)\}")
-_BRACES = re.compile(r"\{([^{}]*)\}")
 _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 _NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
 
@@ -50,11 +48,11 @@ def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragm
     own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
     if own and not (fits and expected) and not _TEXTS.search(text, start):
         return fragment, True  # 2 m is twice a mass
-    number = f" {in_one_number(parts[0], unit.factor)}"
     latex = is_latex(fragment)
+    number = f" {in_one_number(parts[0], unit.factor, latex)}"
     draft = Draft(fragment)
     sign = [(m.start(), m.end(), "=") for m in _SIDE.finditer(text) if m.end() == start]  # v ≈ 5.78 m/s
-    draft.apply([*sign, (start, len(text), number.replace("*", r" \cdot ") if latex else number)])
+    draft.apply([*sign, (start, len(text), number)])
     return draft.finished(latex=latex), fits
 
 
@@ -78,16 +76,14 @@ def stated_in_numbers(fragment: Fragment) -> tuple[Fragment, Fragment | None] | 
 
 def _plain(text: str) -> str:
     r"""`9.81\,\text{m/s}^2` as 9.81 m/s^2."""
-    text = _SPACES.sub(" ", text.replace(r"\cdot", "*").replace(r"\times", "*"))
-    text = _TEXTS.sub(r"\1", _POWER.sub(r"^\1", text))
-    text = _BRACES.sub(r"\1", _FRACTION.sub(r"\1/\2", text))
-    return text.strip().rstrip(".,;").rstrip()
+    text = _SPACES.sub(" ", text).strip().rstrip(".,;").rstrip()
+    return plain_unit(_FRACTION.sub(r"\1/\2", text))
 
 
 def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
     """The dimensions of the derived values; none where the file has too few units for them."""
     known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
-    known |= {s: d for s, u in reference.units.items() if u and (d := dimension_of_unit(u)) is not None}
+    known |= dimensions_of_units(reference.units)
     values = [v for b in asked.branches for v in b.values if v.free_symbols]
     if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found in numbers
         values = [asked.question.quantity]

@@ -12,11 +12,9 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.limits import MOST_CHANGES
 from lagrange.core.symbols import base, differential, prime, variation
 from lagrange.document.math_writer import text
-
-MOST_CHANGES = 40
-"""Of one equation: each is compared at two random states, which takes about a millisecond."""
 
 
 def explained_constraint(

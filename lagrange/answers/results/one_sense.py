@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.limits import MOST_SENSES
 from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
@@ -22,8 +23,6 @@ from lagrange.expressions.reader import read_value
 from lagrange.mechanics.dynamics.comparison import Standing, System, compare
 
 _BAD = (Standing.CONTRADICTS, Standing.NOT_LINEAR)
-MOST_SENSES = 4
-"""Velocities whose sign is tried, one after the other."""
 
 
 def one_sense(equation: sp.Expr, system: System) -> str:

@@ -1,4 +1,4 @@
-r"""The equations of one line of an answer, without what stands around them: number, label, box, colour.
+r"""The equations of one line of an answer, stripped of number, label, box and colour.
 
 a = b = c is a = b and b = c. A line with `or` is kept whole, since it states alternatives.
 """

@@ -18,7 +18,7 @@ from lagrange.core.units import NO_DIMENSION
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.mechanics.dynamics.newton import short_reactions
 from lagrange.mechanics.dynamics.reaction_signs import ForceKind
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimension_of_unit, dimensions_of_units
 
 _OF_ENERGY = re.compile(
     r"(?<![A-Za-z_])(?:[LEH]|\\mathcal\s*\{?L\}?)\s*:?={1,2}\s*T|(?<![A-Za-z_])T\s*[-+−–]\s*[VU](?![A-Za-z_])"
@@ -77,7 +77,7 @@ def may_be_force(name: str, value: sp.Expr | None, texts: Sequence[str], referen
 
 def _is_force(value: sp.Expr, units: Mapping[sp.Symbol, str]) -> bool | None:
     """Whether an expression has the dimension of a force; None if that is not known."""
-    known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    known = dimensions_of_units(units)
     angles = {q for w in value.atoms(sp.sin, sp.cos, sp.tan) for q in w.args[0].free_symbols if q not in known}
     stated = dimension(value, known | dict.fromkeys(angles, NO_DIMENSION))
     return None if stated is None else stated == dimension_of_unit("N")

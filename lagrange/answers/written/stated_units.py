@@ -70,7 +70,6 @@ def _in_si(fragment: Fragment, name: str, place: tuple[int, int], unit: str, ref
         message = f"`{parts[1]}` is no unit of `{name}`"
         raise ProblemError(Diagnostic("unit-mismatch", message, fragment.span(*place), help=f"it is in {unit}"))
     latex = is_latex(fragment)
-    number = in_one_number(parts[0], meant.factor)
     draft = Draft(fragment)
-    draft.apply([(*place, number.replace("*", r" \cdot ") if latex else number)])
+    draft.apply([(*place, in_one_number(parts[0], meant.factor, latex))])
     return draft.finished(latex=latex)

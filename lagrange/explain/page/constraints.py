@@ -34,25 +34,23 @@ def is_plainly_geometric(classification: Classification) -> bool:
     return bool(constraints) and plain and whole and classification.scleronomic is True
 
 
+def relation_of(c: ConstraintAnalysis) -> Equation:
+    """The constraint as the file states it, with its name and note."""
+    named = f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})"
+    sides = (c.constraint.lhs, c.constraint.rhs)
+    return Equation(sides, label=f"constraint-{c.row.name}", relation=c.constraint.relation, condition=(named,))
+
+
 def explain_geometric(classification: Classification, slots: Slots) -> Step:
     """The constraints, their differentials, and what follows."""
     constraints = classification.constraints
-    relations = (
-        Equation(
-            (c.constraint.lhs, c.constraint.rhs),
-            label=f"constraint-{c.row.name}",
-            relation=c.constraint.relation,
-            condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
-        )
-        for c in constraints
-    )
     lines = (
         Equation((possible_displacement(without_common_number(c.row), slots), sp.S.Zero), label=f"form-{c.row.name}")
         for c in constraints
     )
     kind = plural(len(constraints), "a ", "")
     body: list[Block] = [
-        display(*relations),
+        display(*map(relation_of, constraints)),
         prose(
             "Neither velocities nor time appear: ", kind, Emphasis("geometric"),
             plural(len(constraints), " constraint. ", " constraints. "), *_in_contact(constraints),

@@ -11,11 +11,8 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import free_letter
 from lagrange.document.derivation import Block, Display, Equation, Step
-from lagrange.explain.limits import SHORTEST_NAMED
+from lagrange.explain.limits import SHORTEST_NAMED, SHORTEST_OF_MANY
 from lagrange.mechanics.rewriting.factors import letter_for
-
-SHORTEST_OF_MANY = 9
-"""The fewest of one that three lines or more share."""
 
 
 def with_named_denominators(step: Step, taken: Collection[str]) -> Step:

@@ -16,7 +16,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variati
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.limits import LONGEST_FORMS, SHORT_WORK
+from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
@@ -32,9 +32,6 @@ from lagrange.mechanics.rewriting.named_directions import Directions, unit_along
 from lagrange.mechanics.rewriting.readable_equality import is_same
 
 ZERO = sp.S.Zero
-MOST_NAMED = 3
-"""The most bodies that are named where reactions do work on each of them."""
-"""Names of forces that a bowl or a sphere exerts rather than a rod: they are not called tensions."""
 
 
 def has_vector_laws(solution: Solution) -> bool:

@@ -17,26 +17,29 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
-from lagrange.explain.limits import LONGEST_ANSWER, LONGEST_ANSWER_CONDITIONS, LONGEST_RESULT, MOST_RESULTS
+from lagrange.explain.limits import (
+    LONGER_ACCELERATIONS,
+    LONGEST_ACCELERATION,
+    LONGEST_ANSWER,
+    LONGEST_ANSWER_CONDITIONS,
+    LONGEST_RADICAND,
+    LONGEST_RESULT,
+    MOST_RESULTS,
+)
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.meaning import constant_accelerations, held_values, where_held, without_given_rates
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
+from lagrange.mechanics.rewriting.held_coordinates import held_values, where_held, without_given_rates
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.valued import values_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
 
-LONGER = 3
-"""How many times longer than equations with constraints constant accelerations may be that take their place there."""
-LONGEST_ACCELERATION = 20
-"""The most operations of a constant acceleration there, instead of the equations that it solves."""
-LONGEST_ROOT = 10
-"""The most operations of a radicand in equations of motion there, where small oscillations are what is asked."""
 
 _CALLED = {
     Rule.EQUATIONS_OF_MOTION: "the motion",
@@ -74,7 +77,7 @@ def explain_result(
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
     while kept and not _is_short(kept.values()):
-        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(map(_operations, kept[rule]))))
+        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
         yield from _of_constraints(solution, steps)
@@ -95,7 +98,7 @@ def explain_result(
 def _has_long_roots(lines: Sequence[Equation]) -> bool:
     """Whether equations of motion contain long roots: the lengths of springs in large motions."""
     roots = {p for e in lines for s in e.sides if isinstance(s, sp.Expr) for p in s.atoms(sp.Pow) if p.exp.is_Rational}
-    return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_ROOT for p in roots)
+    return any(p.exp.q == 2 and count_operations(p.base) > LONGEST_RADICAND for p in roots)
 
 
 def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
@@ -114,12 +117,13 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if equations and view.motion is not None and view.motion.final:
         solved = [Equation(pair) for pair in constant_accelerations(view).items()]
         whole = len(solved) == len(view.configuration.slots.accelerations)
-        known = {*held, *(prime(q, 2) for q in _eliminated(view))}
-        told = [e for e in solved if e.sides[0] not in known] or solved
-        longer = LONGER if len(equations) > solution.classification.degrees_of_freedom else 1
-        short = sum(map(_operations, solved)) <= longer * sum(map(_operations, equations))
-        if whole and (short or all(_operations(e) <= LONGEST_ACCELERATION for e in told)):
-            kept[Rule.EQUATIONS_OF_MOTION] = told
+        through_rates = () if view.is_own else view.coordinates.through_rates  # the angle of a rolling wheel
+        known = {*held, *(prime(q, 2) for q in through_rates)}
+        unknown = [e for e in solved if e.sides[0] not in known] or solved
+        longer = LONGER_ACCELERATIONS if len(equations) > solution.classification.degrees_of_freedom else 1
+        short = sum(e.operations for e in solved) <= longer * sum(e.operations for e in equations)
+        if whole and (short or all(e.operations <= LONGEST_ACCELERATION for e in unknown)):
+            kept[Rule.EQUATIONS_OF_MOTION] = unknown
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
             kept.pop(rule, None)
@@ -128,20 +132,16 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
 
 
 def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
-    """The lines with what is constant put in, as r = R is, and without that itself; as they are where it occurs in no
-    other line.
+    """The lines with constant coordinates substituted, r = R, and without that line itself.
+
+    Where such a coordinate occurs in no other line, they are as they were.
     """
-    there = []
+    substituted = []
     for e in lines:
         sides = tuple(where_held(s, held) if isinstance(s, sp.Expr) else s for s in e.sides)
-        there.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
-    left = [e for e in there if len({*e.sides}) > 1]
+        substituted.append(e if sides == e.sides else replace(e, sides=sides, condition=()))
+    left = [e for e in substituted if len({*e.sides}) > 1]
     return left if any(e not in lines for e in left) else lines
-
-
-def _eliminated(view: InCoordinates) -> tuple[sp.Symbol, ...]:
-    """The coordinates that a choice determines by a velocity: the angle of a rolling wheel."""
-    return () if view.is_own else view.coordinates.through_rates
 
 
 def _of_constraints(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -233,7 +233,7 @@ def _from_steps(
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
             continue  # with a denominator that has a letter of its own
-        if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
+        if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(e.operations for e in lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
 
@@ -306,7 +306,7 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     if not motion.is_driven and not struck and motion.energy_lost != 0:
         kinetic = energy_symbols(solution).kinetic
         line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, motion.energy_lost))
-        yield from [replace(line, condition=("the energy lost",))] if _operations(line) <= LONGEST_ANSWER else []
+        yield from [replace(line, condition=("the energy lost",))] if line.operations <= LONGEST_ANSWER else []
 
 
 def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
@@ -324,7 +324,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         branches = [replace(branches[0], lhs=sp.Abs(branches[0].lhs), rhs=size)]
     for b in branches:
         line = Equation((b.lhs, b.rhs))
-        if _operations(line) > LONGEST_ANSWER:
+        if line.operations > LONGEST_ANSWER:
             quantity = None if values is None else values.quantity(b.rhs)
             if values is None or quantity is None or not quantity.is_number or len(branches) > 1:
                 continue
@@ -348,8 +348,4 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
 
 def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:
     lines = [e for es in parts for e in es]
-    return len(lines) <= MOST_RESULTS and sum(map(_operations, lines)) <= LONGEST_RESULT
-
-
-def _operations(equation: Equation) -> int:
-    return sum(count_operations(s) for s in equation.sides if isinstance(s, sp.Expr))
+    return len(lines) <= MOST_RESULTS and sum(e.operations for e in lines) <= LONGEST_RESULT

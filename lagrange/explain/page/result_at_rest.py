@@ -32,7 +32,7 @@ def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
     yield Rule.FRICTION_AT_REST, [*_friction(view)]
     if view.steady is not None:
-        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_FREQUENCY]
+        yield Rule.STEADY, [e for e in _steady(view.steady) if e.operations <= LONGEST_FREQUENCY]
     if view.linearization is not None:
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers)]
 
@@ -174,7 +174,3 @@ def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equat
     for n, case in enumerate(cases, start=1):
         for sides in case:
             yield Equation(sides, relation="≤", condition=("or",) if n < len(cases) else ())
-
-
-def _operations(line: Equation) -> int:
-    return sum(count_operations(s) for s in line.sides if isinstance(s, sp.Expr))

@@ -46,8 +46,8 @@ PARAMETER_TRIALS = 24
 FIRST_DRAWS = 40
 # States of one set of parameters at which a division by zero may occur before the set is given up.
 MOST_FAILED_STATES = 40
-# States beyond those that give as many conditions as there are candidates: spurious members of the null space, which a
-# random state satisfies by accident, do not survive them.
+# States beyond those that give as many conditions as there are candidates: a member of the null space that is no
+# identity of degree d satisfies one more state with the probability d/p at most (`points_needed`), three with its cube.
 SPARE_STATES = 3
 
 # Spot values. Digits of the numbers, of those recognised as fractions (of the 80 of the elimination), and below which a
@@ -60,7 +60,7 @@ LARGEST_DENOMINATOR = 1000
 # Velocities of a state. Two rods in line do not admit every velocity of their end: the pivot is zero up to the last
 # digits of the position, and the other velocities would be 10³².
 LARGEST_VELOCITY = 10**6
-# Sets of numbers that are tried for the parameters.
+# Sets of numbers that are tried for the parameters until the constraints have a real position; none decides anything.
 SPOT_TRIALS = 8
 # Newton's iteration: sets of dependent coordinates, of which a chain of eight links has thousands (commit 95098ff), and
 # steps for each; quadratic convergence reaches 20 digits in five or six from a good start.

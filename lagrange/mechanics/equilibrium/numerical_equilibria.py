@@ -22,7 +22,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called, unit_of
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import MOST_CHARTS, MOST_UNKNOWNS, ROUND, USUAL_SIZE, WITHOUT_LENGTHS
+from lagrange.mechanics.equilibrium.limits import BEYOND_PI, MOST_CHARTS, MOST_UNKNOWNS, USUAL_SIZE, WITHOUT_LENGTHS
 from lagrange.mechanics.equilibrium.searched.reach_of_links import angles_of_links, reach_of_links
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
 from lagrange.values.limits import WORKING_DIGITS
@@ -102,7 +102,7 @@ def _by_angles(
         sp.numer(sp.together(sp.Add(*(f * links[q].diff(a) for f, q in zip(at, unknowns, strict=True)))))
         for a in angles
     ]
-    roots = real_roots(equations, angles, [(-ROUND, ROUND)] * len(angles), ROUND_A_CIRCLE)
+    roots = real_roots(equations, angles, [(-BEYOND_PI, BEYOND_PI)] * len(angles), ROUND_A_CIRCLE)
     round_: dict[sp.Symbol, Searched] = {a: Searched(-sp.pi, sp.pi, is_circle=True) for a in angles}
     constraints = [values.put_in(f) for f in e.configuration.finite_constraints]
     searched = {u: Searched(-size, size) for u, size in reach_of_links(constraints, unknowns).items()}
@@ -137,7 +137,7 @@ def _searched(
         return None
     reach = reach_of_links([values.put_in(f) for f in e.configuration.finite_constraints], unknowns)
     searched = {u: _search(u, equations, e, values, reach) for u in unknowns}
-    box = [(-ROUND, ROUND) if s.is_circle else _outward(s) for s in searched.values()]
+    box = [(-BEYOND_PI, BEYOND_PI) if s.is_circle else _outward(s) for s in searched.values()]
     equations = [_with_known_signs(x, searched) for x in equations]
     roots = real_roots(equations, unknowns, box)
     forces = [values.put_in(f) for f in e.work.forces]

@@ -41,7 +41,7 @@ class _NotReadError(Exception):
 
 @record
 class Tried:
-    """What came of the positions sampled from one branch.
+    """The verdict of the positions sampled from one branch.
 
     holds    whether the forces balance at all of them; None: no position was found, or none could be decided
     exactly  whether the positions are algebraic numbers; otherwise they have 45 digits
@@ -56,12 +56,6 @@ def stated_equilibria(e: Equilibrium) -> list[Tried]:
     random = Random(1)
     tried = [(b, _tried(e, b, random)) for b in e.branches if not b.special]
     return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
-
-
-def stated_equilibria_hold(e: Equilibrium) -> bool | None:
-    """Whether what is stated of every branch implies equilibrium; None if one of them could not be tried."""
-    tried = stated_equilibria(e)
-    return all_hold(t.holds for t in tried) if tried else None
 
 
 def in_numbers(tried: Sequence[Tried]) -> bool:

@@ -27,11 +27,9 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, of_independent
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm
+from lagrange.mechanics.limits import MOST_CHOICES_OF_DEPENDENT
 
 ZERO = sp.S.Zero
-
-MOST_CHOICES_OF_DEPENDENT = 10
-"""Sets of coordinates that are tried as dependent ones: those of three of five."""
 
 
 def reduced_form(motion: EquationsOfMotion) -> MatrixForm:

@@ -52,7 +52,7 @@ def forces_in_turn(
 
 
 def _in_turn(law: NewtonLaw, own: InCoordinates) -> list[tuple[Reaction, sp.Expr]] | None:
-    """Each force with what it is, in an order in which every one needs only those before it."""
+    """Each force with its value, in an order in which each needs only the ones before it."""
     configuration = own.configuration
     size, accelerations = len(configuration.slots.coordinates), configuration.slots.accelerations
     laws = [row[:size] for row in law.system.rows[:size]]

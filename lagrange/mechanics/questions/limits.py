@@ -10,7 +10,8 @@ MOST_POINTS = 40
 LONGEST_INTEGRATED = 120
 # Terms of a forcing that is a sum of waves and powers of t.
 MOST_FORCING_TERMS = 6
-# Sets of values for the parameters at which answers are checked, and digits of these checks.
+# Sets of values for the parameters at which answers are checked, and digits of these checks: a wrong value agrees to so
+# many digits at none of them; three guard against a set at which what is wrong has no weight.
 SAMPLES = 3
 DIGITS = 30
 # Numerical solution: steps of time that are tried, the longest in the unit of time of the file, and the evaluations of

@@ -24,11 +24,9 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.limits import MOST_EXPANDED_TERMS
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Constraint, Problem
-
-MOST_EXPANDED_TERMS = 2_000
-"""Of a form whose numbers are compared: those of books have a dozen, the twentieth arc tangent of another a million."""
 
 
 def common_number(row: Row) -> sp.Integer:

@@ -22,6 +22,15 @@ def with_common_factor(e: sp.Expr) -> sp.Expr:
     return sp.factor_terms(e)
 
 
+def with_factors_in_fraction(e: sp.Expr) -> sp.Expr:
+    """A quotient of two sums with what the terms of each share in front, where that is shorter; no roots."""
+    above, below = sp.fraction(e)
+    if not above.is_Add or not below.is_Add or not e.is_rational_function():
+        return e
+    factored = sp.factor_terms(above) / sp.factor_terms(below)
+    return factored if count_operations(factored) < count_operations(e) else e
+
+
 def has_common_factor(e: sp.Expr) -> bool:
     """Whether all terms share a factor."""
     return bool(sp.factor_terms(e).is_Mul)

@@ -17,7 +17,6 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, t
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
-from lagrange.mechanics.meaning import square_of
 
 
 def rates_by_speeds(slots: Slots, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:
@@ -39,7 +38,20 @@ def substituted(e: sp.Expr, rule: Mapping[sp.Expr, sp.Expr]) -> sp.Expr:
 
 def squares_by_constraints(rows: Sequence[Row], slots: Slots) -> list[tuple[sp.Symbol, sp.Expr]]:
     """Velocities whose squares constraints give, with the squares."""
-    return [rule for r in rows if r.nonlinear is not None and (rule := square_of(r, slots)) is not None]
+    return [rule for r in rows if r.nonlinear is not None and (rule := _square_of(r, slots)) is not None]
+
+
+def _square_of(row: Row, slots: Slots) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The square of a velocity by the others, where a constraint is a sum of squares and more."""
+    if row.nonlinear is None:
+        return None
+    for v in slots.velocities:
+        dummy = sp.Dummy()
+        form = sp.expand(row.nonlinear).xreplace({v**2: dummy})
+        factor = form.diff(dummy)
+        if not form.has(v) and factor.is_number and factor != 0:
+            return v, sp.expand(-form.xreplace({dummy: sp.S.Zero}) / factor)
+    return None
 
 
 def with_squares(e: sp.Expr, squares: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
@@ -92,7 +104,7 @@ def one_way(form: QuasiVelocityForm, slots: Slots, longest: int) -> Iterator[One
 
 
 def _never_turns(rate: sp.Expr, slots: Slots, speeds: Sequence[sp.Symbol]) -> bool:
-    """Whether it is a constant times what is never negative."""
+    """Whether it is a constant times a factor that is never negative."""
     constant, moving = rate.as_independent(*speeds, as_Add=False)
     changing = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
     return bool(moving.is_nonnegative) and not constant.free_symbols & changing

@@ -12,13 +12,20 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.diagnostics import Source
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
+from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.statics_texts import BEAD, CROSS_WIND, FOUR_BAR, POLE, SKATE, SPRING_ON_CIRCLE, STRAIGHT_SPRING
 
 THETA, PHI, BETA, X, Y = (sp.Symbol(n, real=True) for n in ("theta", "phi", "beta", "x", "y"))
+
+
+def stated_equilibria_hold(e: Equilibrium) -> bool | None:
+    """Whether what is stated of every branch implies equilibrium; None if one of them could not be tried."""
+    tried = stated_equilibria(e)
+    return all_hold(t.holds for t in tried) if tried else None
 
 
 @cache

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.mechanics.meaning import constant_accelerations
 from lagrange.mechanics.nearby.forces_in_turn import forces_in_turn
+from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from tests.support.shared import solved
 
 

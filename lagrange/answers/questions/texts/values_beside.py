@@ -23,7 +23,7 @@ from lagrange.core.units import NO_DIMENSION
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.results import Solution
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimensions_of_units
 
 _SPEEDS = {"v", "V", "u"}
 _UNANSWERED = "it answers none of the questions"
@@ -53,7 +53,7 @@ def not_judged(lines: Sequence[Fragment], why: str) -> tuple[Diagnostic, ...]:
 def under_another_name(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
     """The verdict on values of parameters alone, none of which answers a question; None if there is anything else."""
     reference = reference_of_solution(solution)
-    known = {s: d for s, u in reference.units.items() if u and (d := dimension_of_unit(u)) is not None}
+    known = dimensions_of_units(reference.units)
     if known:  # what has no unit where others have one is a number
         known |= {s: NO_DIMENSION for s in reference.parameters.values() if s not in known}
     derived = [v for a in solution.asked for b in a.branches for v in b.values]

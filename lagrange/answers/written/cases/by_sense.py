@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from lagrange.answers.limits import LONGEST_CONNECTIVE, MOST_PIECEWISE
 from lagrange.core.records import record
 from lagrange.expressions.edits import closings, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -46,7 +47,6 @@ _LAST = re.compile(
     rf"(?:{_CONNECTIVE}|[(\[]|\\left\s*[(\[]|\\\(|\b(?:while|as|when)\s(?:[^\W\d_]{{1,20}}\s){{1,6}})\Z", re.IGNORECASE
 )
 """One of the words and signs between an equation and its condition, at the end of a text."""
-_WINDOW = 100
 _AFTER = re.compile(rf"(?:{_CONNECTIVE}|[)\]]|\\right\s*[)\].])+", re.IGNORECASE)
 _CASES = re.compile(
     r"(?:\\left\s*\\\{\s*)?\\begin\s*\{(?P<kind>d?cases|rcases|array|aligned)\}(?:\s*\{[lcr@{} ]{1,12}\})?"
@@ -136,14 +136,11 @@ def _together(condition: _Condition, first: str, second: str, latex: bool) -> st
     return f"{_halves(condition, made[0], made[1], latex)} = 0"
 
 
-_MOST_CALLS = 8
-
-
 def _calls(text: str, latex: bool) -> str:
     """`Piecewise((a, x' > 0), (b, True))`, `Piecewise[{{a, x' > 0}, {b, x' < 0}}]`, `If[x' > 0, a, b]`."""
     for _ in range(4):
         ends = closings(text)
-        for call in [*_CALL.finditer(text)][:_MOST_CALLS]:
+        for call in [*_CALL.finditer(text)][:MOST_PIECEWISE]:
             if (close := ends.get(call.end())) is None:
                 continue
             parts = _parts(text[call.end() + 1 : close])
@@ -252,7 +249,7 @@ def _pair(text: str, first: _Condition, second: _Condition, latex: bool) -> str:
 def _without_last(text: str) -> str:
     """A text without the words and signs at its end that join it to a condition."""
     end = len(text)
-    while last := _LAST.search(text, max(0, end - _WINDOW), end):
+    while last := _LAST.search(text, max(0, end - LONGEST_CONNECTIVE), end):
         end = last.start()
     return text[:end]
 

@@ -1,7 +1,7 @@
 """What an answer says of a special case beside its equations: `if M = 3 m, then T = 3 m g/2`.
 
 The case is a relation between parameters, or the place of a coordinate (`T = 3 m g when theta = 0`), after `for`, `if`,
-`when` and the like. It is no statement about every motion, and neither is what stands on its line behind it, or right
+`when` and the like. It is no statement about every motion, and neither is what follows it on its line, or comes right
 before it. A relation that every motion satisfies, `for r = R`, is a constraint and no case.
 """
 
@@ -11,6 +11,7 @@ import re
 from collections.abc import Sequence
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.limits import LONGEST_BEFORE_CASE
 from lagrange.answers.readings import Reading
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment
@@ -49,13 +50,10 @@ def about_special_cases(
 
 
 def _before(fragment: Fragment) -> str:
-    """What stands before an equation on its line."""
+    """The end of what precedes an equation on its line."""
     span = fragment.span(0, len(fragment.text))
-    return span.source.text[max(span.source.text.rfind("\n", 0, span.start) + 1, span.start - _FAR) : span.start]
-
-
-_FAR = 60
-"""Characters before an equation that are looked at."""
+    text = span.source.text[: span.start]
+    return text[max(text.rfind("\n") + 1, span.start - LONGEST_BEFORE_CASE) :]
 
 
 def _is_case(reading: Reading, reference: Reference) -> bool:

@@ -79,9 +79,9 @@ def units_of_latex_in_si(text: str, scope: Scope) -> Iterator[Edit]:
         spaced = match.re is _SIUNITX or match["space"] or "text" in match["unit"]
         if not spaced and all(scope.role(n) is not Role.UNDECLARED for n in names):
             continue
-        made = _in_si(match["number"], plain_unit(match["unit"]))
+        made = _in_si(match["number"], plain_unit(match["unit"]), latex=True)
         if made:
-            yield match.start(), match.end(), made.replace("*", r" \cdot ")
+            yield match.start(), match.end(), made
 
 
 def plain_unit(unit: str) -> str:
@@ -95,22 +95,24 @@ def plain_unit(unit: str) -> str:
     return re.sub(r"[{}]", "", unit).strip()
 
 
-def _in_si(number: str, unit: str) -> str:
+def _in_si(number: str, unit: str, *, latex: bool = False) -> str:
     """A number in SI, as text; empty if the unit is not known."""
     meant = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
     if meant is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
         return ""
-    return in_one_number(number.strip(), meant.factor)
+    return in_one_number(number.strip(), meant.factor, latex)
 
 
-def in_one_number(number: str, factor: sp.Expr) -> str:
+def in_one_number(number: str, factor: sp.Expr, latex: bool) -> str:
     """`84.9` kN as (84.9e3): a factor of its own would count as rounded, too."""
-    if factor == 1:
-        return f"({number})"
     power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
-    if power is not None and _PLAIN.fullmatch(number):
-        return f"({number}e{power})"
-    return f"({number})*({_in_short_numbers(factor)})"
+    if factor == 1:
+        product = f"({number})"
+    elif power is not None and _PLAIN.fullmatch(number):
+        product = f"({number}e{power})"
+    else:
+        product = f"({number})*({_in_short_numbers(factor)})"
+    return product.replace("*", r" \cdot ") if latex else product
 
 
 def _in_short_numbers(factor: sp.Expr) -> str:

@@ -1,1 +1,1 @@
-"""Shorter ways of saying what a page says: whole sections in a few lines where nothing is to be learned from them."""
+"""Sections of the full derivation in fewer lines, where a reader would learn nothing from the others."""

@@ -1,4 +1,4 @@
-"""Constraints that are seen to be finite relations, in one section: of rolling along a line, or two that move.
+"""Constraints that integrate at sight, in one section: a wheel rolling along a line, or several that move.
 
 R θ' = x' is R dθ − dx = 0, which is exact and integrates to R θ − x = const. Nothing is to be learned there about
 integrability that would be worth three sections: the relations, their forms, the finite relation, classification and
@@ -19,16 +19,15 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraints import time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.explain.limits import LONGEST_INTEGRATED_RELATION
+from lagrange.explain.page.constraints import relation_of
+from lagrange.explain.words import counted, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import common_number, without_common_number
-
-LONGEST = 10
-"""The most operations of a finite relation that is written in its sentence."""
 
 
 def integrates_at_sight(solution: Solution) -> bool:
@@ -43,9 +42,9 @@ def integrates_at_sight(solution: Solution) -> bool:
     kinematic = any(c.row.finite is None for c in constraints)
     moving = len(constraints) > 1 and any(c.contains_time for c in constraints)
     simple = all(_is_simple(c) for c in constraints) and (kinematic or moving)
-    whole = classification.rank == len(constraints) and not classification.redundancies
+    independent = classification.rank == len(constraints) and not classification.redundancies
     usual = all(loss.excluded for loss in classification.losses) and not classification.hidden.found
-    return simple and whole and usual and classification.holonomic is True
+    return simple and independent and usual and classification.holonomic is True
 
 
 def _is_simple(c: ConstraintAnalysis) -> bool:
@@ -55,29 +54,21 @@ def _is_simple(c: ConstraintAnalysis) -> bool:
         return True
     if c.contains_time or c.catastatic is not True:
         return False
-    found = c.finite_form
-    angles = found is not None and found.restriction is not None and found.restriction.angles
-    restricted = found is not None and not angles and found.found.factor == 1
-    return c.integral is not None and (c.exactness.exact is True or restricted)
+    form = c.finite_form
+    angles = form is not None and form.restriction is not None and form.restriction.angles
+    exact_where_restricted = form is not None and not angles and form.found.factor == 1
+    return c.integral is not None and (c.exactness.exact is True or exact_where_restricted)
 
 
 def explain_at_sight(solution: Solution) -> Step:
-    """The constraints, their forms, and what follows."""
+    """The constraints, their forms, the relations that these integrate to, classification and freedom."""
     classification, slots = solution.classification, solution.problem.slots
     constraints = classification.constraints
-    relations = (
-        Equation(
-            (c.constraint.lhs, c.constraint.rhs),
-            label=f"constraint-{c.row.name}",
-            relation=c.constraint.relation,
-            condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
-        )
-        for c in constraints
-    )
     forms = (
         Equation((possible_displacement(_form(c), slots), sp.S.Zero), label=f"form-{c.row.name}") for c in constraints
     )
-    body: list[Block] = [display(*relations), _kinds(constraints), display(*forms), *_integrated(constraints)]
+    relations = display(*map(relation_of, constraints))
+    body: list[Block] = [relations, _kinds(constraints), display(*forms), *_integrated(constraints)]
     return Step(
         Rule.CONSTRAINT,
         plural(len(constraints), "The constraint", "Constraints"),
@@ -136,7 +127,7 @@ def _integrated(constraints: Sequence[ConstraintAnalysis]) -> list[Block]:
     where = ("Where ", *relations, plural(len(geometric), " holds, ", " hold, ")) if restricted else ()
     lead: tuple[Part, ...] = (*where, *refs, plural(len(kinematic), " is ", " are "), Emphasis("exact"))
     integrals = [c.integral for c in kinematic if c.integral is not None]
-    if len(integrals) == 1 and count_operations(integrals[0]) <= LONGEST:
+    if len(integrals) == 1 and count_operations(integrals[0]) <= LONGEST_INTEGRATED_RELATION:
         return [prose(*lead, " and integrates to ", math(integrals[0], CONSTANT), ".")]
     lines = (Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}") for c in kinematic if c.integral)
     return [prose(*lead, plural(len(kinematic), " and integrates to", " and integrate to")), display(*lines)]

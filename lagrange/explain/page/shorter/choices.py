@@ -10,22 +10,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import sympy as sp
-
-from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_PRINCIPLE, LONGEST_PRINCIPLE_OF_BODIES, LONGEST_SOLVED_RELATION
 from lagrange.explain.page.shorter.sentences import parts_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
 
-LONGEST = 8
-"""The most operations of a relation that is written in its sentence."""
-LONGEST_PRINCIPLE = 45
-"""The most operations of the principle written out before the equations, where these are its brackets."""
-LONGEST_OF_BODIES = 30
-"""The same where bodies turn, and vectors before it fill lines enough."""
 _RULES = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION)
 
 
@@ -79,7 +71,7 @@ def _displacements_solved(body: list[Block]) -> list[Block]:
     if rest and isinstance(rest[0], Prose) and str(rest[0].parts[-1]).endswith("free."):
         rest = rest[1:]
     begins: tuple[Part, ...] = ("In a virtual displacement", *where)
-    if len(solved.equations) == 1 and _length(solved.equations[0]) <= LONGEST:
+    if len(solved.equations) == 1 and solved.operations <= LONGEST_SOLVED_RELATION:
         return [*body[:at], prose(*begins, " ", math(*solved.equations[0].sides), "."), *rest]
     return [*body[:at], prose(*begins), solved, *rest]
 
@@ -104,7 +96,7 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
         return body
     pairs = [e for both in zip(velocities, accelerations, strict=True) for e in both]
     end = body[at + 2]
-    if half == 1 and sum(map(_length, pairs)) <= LONGEST and isinstance(end, Prose):
+    if half == 1 and sum(e.operations for e in pairs) <= LONGEST_SOLVED_RELATION and isinstance(end, Prose):
         refs = [p for p in solving.parts if isinstance(p, Ref)]
         if len(refs) == 1:
             both = listed(math(*e.sides) for e in pairs)
@@ -114,10 +106,6 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
         return body
     lines = (replace(v, condition=(Math(a.sides),)) for v, a in zip(velocities, accelerations, strict=True))
     return [*body[: at + 1], display(*lines), *body[at + 2 :]]
-
-
-def _length(e: Equation) -> int:
-    return sum(count_operations(s) for s in e.sides if isinstance(s, sp.Expr))
 
 
 def _ends(block: Block, words: str) -> bool:
@@ -135,8 +123,8 @@ def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     [line, *more] = written.equations
     used = any(p.label == line.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref))
     turning = any((e.label or "").startswith("rotation") for b in body if isinstance(b, Display) for e in b.equations)
-    longest = LONGEST_OF_BODIES if turning else LONGEST_PRINCIPLE
-    if more or used or _length(line) <= longest or not isinstance(vanish, Prose):
+    longest = LONGEST_PRINCIPLE_OF_BODIES if turning else LONGEST_PRINCIPLE
+    if more or used or line.operations <= longest or not isinstance(vanish, Prose):
         return body
     assert isinstance(reads, Prose)
     refs = [p for p in reads.parts if isinstance(p, Ref)]
@@ -166,10 +154,9 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
     known = [before.get(e.sides) for e in shown[0].equations]
     if all(known):
         refs = listed(Ref(label) for label in known if label)
-        verb = " is" if len(known) == 1 else " are"
-        verb = "is" if len(known) == 1 else "are"
+        verb = plural(len(known), "is", "are")
         like = "formed like the angular velocity with δ for d/dt"
-        are = "is" if len(shown[-1].equations) == 1 else "are"
+        are = plural(len(shown[-1].equations), "is", "are")
         begins = f"{moved} and, {like}, {turned} are" if len(shown) == 3 else f"{turned}, {like}, {are}"
         given = prose(f"{capital(first)} {verb} given by ", *refs, f". {capital(begins)}")
         rest = [e for b in shown[1:] for e in b.equations]

@@ -1,8 +1,8 @@
 """Unknowns and equations of bodies in a line: what the directions of the reactions are needed for.
 
 The full derivation counts coordinates and components one by one. On a page whose laws are already written in terms of
-the forces that are left, they are as many as the unknowns, and that is all that needs to be said, with how many would
-be missing if the directions were not known.
+the forces that remain, a sentence is enough: so many equations for so many unknowns, and how many unknowns there would
+be if the directions were not known.
 """
 
 from __future__ import annotations

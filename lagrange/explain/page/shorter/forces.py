@@ -1,4 +1,4 @@
-"""Constant forces by the accelerations that a page states, where they are long by parameters alone: F = m (g + a).
+"""Constant forces in terms of the accelerations, F = m (g + a), where they are long in terms of parameters alone.
 
 Two pulleys with inertia have tensions with a denominator of five products, and accelerations with the same one.
 Newton's law gives each tension from the accelerations in a few letters, which is how a book writes it.
@@ -8,17 +8,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import sympy as sp
-
-from lagrange.core.operations import count_operations
 from lagrange.document.builders import prose
-from lagrange.document.derivation import Display, Equation, Prose, Step
-from lagrange.mechanics.meaning import constant_accelerations
+from lagrange.document.derivation import Display, Prose, Step
+from lagrange.explain.limits import SHORTER_IN_ACCELERATIONS
 from lagrange.mechanics.nearby.forces_in_turn import forces_in_turn
 from lagrange.mechanics.results import InCoordinates, Solution
-
-SHORTER = 3
-"""How many times shorter the forces must be."""
+from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 
 
 def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Step:
@@ -38,13 +33,9 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
         return step
     labels = {e.sides[0]: e for e in lines}
     short = [replace(labels[name], sides=(name, value)) for name, value in forces.items() if name in labels]
-    if SHORTER * sum(map(_operations, short)) > sum(map(_operations, box.equations)):
+    if SHORTER_IN_ACCELERATIONS * sum(e.operations for e in short) > box.operations:
         return step
     laws = "Newton's equations" if law.newton.bodies is not None else "the equations with multipliers"
     words = prose(f"In terms of the accelerations, {laws} give one after another")
     before = step.body[:at] if at == 0 or not isinstance(step.body[at - 1], Prose) else step.body[: at - 1]
     return replace(step, body=(*before, words, replace(box, equations=tuple(short)), *step.body[at + 1 :]))
-
-
-def _operations(e: Equation) -> int:
-    return sum(count_operations(s) for s in e.sides if isinstance(s, sp.Expr))

@@ -1,4 +1,4 @@
-"""Conditions with what they are about on the left: μ ≥ ½ tan φ, P ≥ M a/(l r), as a reader asks for them."""
+"""Conditions with the quantity that they limit on the left: μ ≥ ½ tan φ, P ≥ M a/(l r), as a reader asks for them."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
 from lagrange.document.derivation import Block, Display, Equation, Rule, Step
+from lagrange.mechanics.rewriting.factors import with_factors_in_fraction
 
 _ASKED = (Rule.RESULT, Rule.QUESTION)
 _TURNED = {Rule.RESULT: {"≤": "≥"}, Rule.FRICTION_AT_REST: {"≤": "≥", "=": "="}}
@@ -37,11 +37,7 @@ def _in_factors(e: Equation) -> Equation:
     value = e.sides[-1]
     if not isinstance(value, sp.Expr):
         return e
-    above, below = sp.fraction(value)
-    if len(e.sides) != 2 or not above.is_Add or not below.is_Add or not value.is_rational_function():
-        return e
-    factored = sp.factor_terms(above) / sp.factor_terms(below)
-    return replace(e, sides=(e.sides[0], factored)) if count_operations(factored) < count_operations(value) else e
+    return replace(e, sides=(e.sides[0], with_factors_in_fraction(value))) if len(e.sides) == 2 else e
 
 
 def _block(block: Block, relations: Mapping[str, str]) -> Block:

@@ -11,13 +11,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.symbols import prime
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_RESONANCE
 from lagrange.mechanics.results import Solution
-
-LONGEST = 24
-"""The most operations of the square of a frequency of resonance that is written out."""
+from lagrange.mechanics.rewriting.readable_equality import are_same_equations
 
 
 def response_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -38,7 +37,7 @@ def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[S
     coordinates = linear.configuration.slots.coordinates
     at_zero = {r.lhs: r.rhs for r in branch.equations} == dict.fromkeys(coordinates, sp.S.Zero)
     moved = dict(zip(linear.displacements, coordinates, strict=True))
-    at = next((n for n, b in enumerate(body) if _is(b, "forced-")), None)
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "forced-")), None)
     if at is None or not at_zero or len(linear.branches) != 1 or not _are_those(solution, body[at], moved):
         return body
     labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
@@ -54,25 +53,22 @@ def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbo
     motion = solution.chosen.motion
     assert motion is not None
     assert isinstance(block, Display)
-    rule = {sp.Symbol(x.name + "'" * n, real=True): sp.Symbol(q.name + "'" * n, real=True)
-            for x, q in moved.items() for n in range(3)}  # fmt: skip
-    rule |= dict(moved)
-    linear = [sp.expand((e.sides[0] - e.sides[1]).xreplace(rule)) for e in block.equations]
-    own = [sp.expand(e.expression) for e in motion.final]
-    return len(linear) == len(own) and all(any(sp.expand(a - b) == 0 for b in own) for a in linear)
+    rule = {prime(x, n): prime(q, n) for x, q in moved.items() for n in range(3)} | moved
+    linear = [tuple(s.xreplace(rule) for s in e.sides if isinstance(s, sp.Expr)) for e in block.equations]
+    return len(linear) == len(motion.final) and are_same_equations(linear, motion.expressions)
 
 
 def _boxed(step: Step) -> Iterator[Equation]:
     yield from (e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations)
 
 
-def _is(block: Block, label: str) -> bool:
+def _are_labelled(block: Block, label: str) -> bool:
     return isinstance(block, Display) and all((e.label or "").startswith(label) for e in block.equations)
 
 
 def _with_roots(body: list[Block]) -> list[Block]:
     """`The denominator Δ vanishes at ..., at the roots of Δ = 0` instead of long roots."""
-    at = next((n for n, b in enumerate(body) if _is(b, "resonance-")), None)
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "resonance-")), None)
     letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
                    for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
     before = body[at - 1] if at else None
@@ -80,10 +76,9 @@ def _with_roots(body: list[Block]) -> list[Block]:
         return body
     shown = body[at]
     assert isinstance(shown, Display)
-    length = max(count_operations(s) for e in shown.equations for s in e.sides if isinstance(s, sp.Expr))
-    words = str(before.parts[0])
-    if length <= LONGEST or not words.startswith("The denominator vanishes at "):
+    begins, words = "The denominator vanishes at ", str(before.parts[0])
+    if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE or not words.startswith(begins):
         return body
-    follows = words.removeprefix("The denominator vanishes at ").replace(": at resonance", ". At resonance")
-    said = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
-    return [*body[: at - 1], said, *body[at + 1 :]]
+    follows = words.removeprefix(begins).replace(": at resonance", ". At resonance")
+    roots = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
+    return [*body[: at - 1], roots, *body[at + 1 :]]

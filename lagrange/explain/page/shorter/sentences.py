@@ -10,13 +10,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.explain.limits import LONGEST_PLAIN_FORCES
 from lagrange.explain.page.system import are_short
 
-LONGEST = 30
-"""The most operations of all forces by accelerations of which nothing is said but what they are."""
 _LAW = ("Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular momentum, "
         "its rate of change about the mass centre equal to the moment of both, have the components")  # fmt: skip
 _SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
@@ -64,7 +62,7 @@ def _words(block: Prose, follows: Block | None) -> Prose:
         return prose("With ", "a multiplier " if len(multipliers) == 1 else "multipliers ", *listed(multipliers),
                      " of the constraint" if len(multipliers) == 1 else " of the constraints",
                      " instead, nothing is eliminated, and for every coordinate")  # fmt: skip
-    if _TOO_LONG in first and isinstance(follows, Display) and _length(follows) <= LONGEST:
+    if _TOO_LONG in first and isinstance(follows, Display) and follows.operations <= LONGEST_PLAIN_FORCES:
         return replace(block, parts=(first.partition(_TOO_LONG)[2], *block.parts[1:]))
     return block
 
@@ -73,10 +71,6 @@ def _count(block: Prose) -> int:
     """How many multipliers a paragraph names before it says what becomes of them."""
     end = next(n for n, p in enumerate(block.parts) if isinstance(p, str) and p in (", is", ", are"))
     return sum(isinstance(p, Math) for p in block.parts[:end])
-
-
-def _length(block: Display) -> int:
-    return sum(count_operations(s) for e in block.equations for s in e.sides if isinstance(s, sp.Expr))
 
 
 def _are_steps(block: Display, referred: Collection[str]) -> bool:

@@ -1,4 +1,4 @@
-"""The length of a spring by the letter that the statement gives it, where written out it is a long root.
+"""The length of a spring as the letter that the statement gives it, where it is a long root when written out.
 
 d = √(a² + 2a l (sin θ₂ − sin θ₁) + ...) occurs in the potential energy, in every equation of motion and in those of
 rest: all of them are read more easily with d, as the force of a spring is c (d − a).
@@ -11,15 +11,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
-from lagrange.core.operations import count_operations
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Rule, Step
+from lagrange.explain.limits import SHORTEST_REPEATED_LENGTH
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.root_letters import is_root_of, roots_by_letters
 
-SHORTEST = 10
-"""The fewest operations of a length that is not written out again."""
-FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"))
-"""By which radicands may differ where common factors have been divided out."""
 _RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARIZATION, Rule.CONSERVED, Rule.MEANING,
           Rule.EQUILIBRIUM, Rule.REACTIONS, Rule.SOLVED_REACTIONS)  # fmt: skip
 
@@ -39,7 +35,7 @@ def with_lengths(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
 def _own_letter(solution: Solution, radicand: sp.Expr) -> sp.Symbol | None:
     """The abbreviation of the file that is the root."""
     for name, value in solution.problem.abbreviations.items():
-        if isinstance(value, sp.Expr) and Surface().is_zero(value**2 - radicand) is True:
+        if isinstance(value, sp.Expr) and is_root_of(value, radicand):
             return sp.Symbol(name, positive=True)
     return None
 
@@ -49,13 +45,9 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
     for block in step.body:
         for e in block.equations if isinstance(block, Display) else ():
             name, value = e.sides[0], e.sides[-1]
-            root = isinstance(value, sp.Pow) and value.exp == sp.S.Half
-            if (
-                isinstance(name, sp.Symbol)
-                and isinstance(value, sp.Pow)
-                and root
-                and count_operations(value) > SHORTEST
-            ):
+            if not isinstance(name, sp.Symbol) or not isinstance(value, sp.Pow) or value.exp != sp.S.Half:
+                continue
+            if e.operations > SHORTEST_REPEATED_LENGTH:
                 yield value.base, sp.Symbol(name.name, positive=True)
 
 
@@ -79,19 +71,4 @@ def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.S
 
 
 def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
-    if not isinstance(side, sp.Expr) or not side.atoms(sp.Pow):
-        return side
-    rule = {p: e for p in side.atoms(sp.Pow) if (e := _by_letter(p, lengths)) is not None}
-    return side.xreplace(rule)
-
-
-def _by_letter(power: sp.Pow, lengths: dict[sp.Expr, sp.Symbol]) -> sp.Expr | None:
-    """A power of a long root by the letter: of d for the root itself, and √2 d for that of twice the radicand."""
-    if not power.exp.is_Rational or power.exp.q != 2 or count_operations(power.base) <= SHORTEST:
-        return None
-    for radicand, letter in lengths.items():
-        for factor in FACTORS:
-            if power.base == radicand or sp.expand(power.base - factor * radicand) == 0:
-                times = sp.S.One if power.base == radicand else factor
-                return sp.Pow(times, power.exp) * letter ** (2 * power.exp)
-    return None
+    return roots_by_letters(side, lengths, SHORTEST_REPEATED_LENGTH) if isinstance(side, sp.Expr) else side

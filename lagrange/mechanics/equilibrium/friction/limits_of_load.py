@@ -26,11 +26,8 @@ import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Inequality, Signs, shortest
-from lagrange.mechanics.equilibrium.limits import DRAWS_OF_LIMITS, MOST_BOUND_SETS, MOST_REGIMES
+from lagrange.mechanics.equilibrium.limits import DRAWS_OF_LIMITS, MOST_BOUND_SETS, MOST_REGIMES, SMALL_BOUND
 from lagrange.mechanics.equilibrium.searched.tape import NoTapeError, Tape
-
-_SMALL = 1e-9
-"""Below this a number counts as zero when bounds are compared at drawn numbers; the result is proved in letters."""
 
 Row = tuple[float, ...]
 Point = Callable[[sp.Expr], float]
@@ -172,12 +169,12 @@ def _sharpest(table: Sequence[Row], sets: Sequence[tuple[int, ...]]) -> list[tup
             continue
         rate = sum(w * table[n][-2] for w, n in zip(weights, chosen, strict=True))
         rest = sum(w * table[n][-1] for w, n in zip(weights, chosen, strict=True))
-        if abs(rate) < _SMALL:
-            if rest < -_SMALL:
+        if abs(rate) < SMALL_BOUND:
+            if rest < -SMALL_BOUND:
                 return None
             continue
         side, limit = (1, -rest / rate) if rate > 0 else (-1, rest / -rate)
-        if side not in best or side * (limit - best[side][0]) > _SMALL * (1 + abs(limit)):
+        if side not in best or side * (limit - best[side][0]) > SMALL_BOUND * (1 + abs(limit)):
             best[side] = (limit, chosen)
     if not best or (len(best) == 2 and best[1][0] > best[-1][0]):
         return None
@@ -188,12 +185,12 @@ def _weights(rows: Sequence[Row]) -> list[float] | None:
     """The minors with alternating signs, scaled, where none is negative; None otherwise."""
     minors = [_determinant([r for k, r in enumerate(rows) if k != left]) * (-1) ** left for left in range(len(rows))]
     size = max(map(abs, minors))
-    if size < _SMALL:
+    if size < SMALL_BOUND:
         return None
     scaled = [m / size for m in minors]
-    if min(scaled) < -_SMALL:
+    if min(scaled) < -SMALL_BOUND:
         scaled = [-m for m in scaled]
-    return None if min(scaled) < -_SMALL else scaled
+    return None if min(scaled) < -SMALL_BOUND else scaled
 
 
 def _determinant(rows: Sequence[Row]) -> float:

@@ -8,9 +8,7 @@ from random import Random
 import sympy as sp
 
 from lagrange.core.symbols import Bounded, Sign
-
-BOX = 2.5
-"""Coordinates that are no angles are searched between −BOX and BOX."""
+from lagrange.mechanics.equilibrium.limits import BOX
 
 
 def drawn(s: sp.Symbol, spread: float, random: Random) -> float:

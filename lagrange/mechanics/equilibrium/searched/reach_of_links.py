@@ -17,9 +17,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-
-LONGEST = 60
-"""Operations of a constraint whose squares are completed."""
+from lagrange.mechanics.equilibrium.limits import LONGEST_LINK
 
 
 def reach_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
@@ -27,7 +25,9 @@ def reach_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
     quadratic = [
         e
         for e in constraints
-        if count_operations(e) <= LONGEST and e.is_polynomial(*unknowns) and sp.Poly(e, *unknowns).total_degree() == 2
+        if count_operations(e) <= LONGEST_LINK
+        and e.is_polynomial(*unknowns)
+        and sp.Poly(e, *unknowns).total_degree() == 2
     ]
     reach: dict[sp.Symbol, sp.Expr] = {}
     for _ in unknowns:
@@ -40,7 +40,7 @@ def reach_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
 
 def angles_of_links(constraints: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
     """All unknowns as functions of one angle for each constraint; None where these are no chain of rods in a plane."""
-    short = all(count_operations(e) <= LONGEST and e.is_polynomial(*unknowns) for e in constraints)
+    short = all(count_operations(e) <= LONGEST_LINK and e.is_polynomial(*unknowns) for e in constraints)
     if len(unknowns) != 2 * len(constraints) or not short:
         return None
     placed: dict[sp.Symbol, sp.Expr] = {}
@@ -77,7 +77,7 @@ def _rod(
 
 
 def _size(e: sp.Expr, u: sp.Symbol, unknowns: Sequence[sp.Symbol], reach: dict[sp.Symbol, sp.Expr]) -> sp.Expr | None:
-    """The greatest |u| where e = 0; None if that is not bounded by what is known of the others."""
+    """The greatest |u| where e = 0; None if the bounds of the other unknowns give none."""
     rest, first, shift = sp.expand(e), sp.S.Zero, sp.S.Zero
     for v in (u, *(w for w in unknowns if w != u)):
         square, linear = rest.coeff(v, 2), rest.coeff(v, 1)

@@ -26,6 +26,10 @@ from lagrange.core.symbols import Unspecified
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
+    BALANCED,
+    CONDITION_MARGIN,
+    DIFFERS,
+    FARTHEST,
     MOST_STATED_DRAWS,
     MOST_STATED_PLACES,
     SEARCHED_OPERATIONS,
@@ -34,10 +38,6 @@ from lagrange.mechanics.equilibrium.limits import (
 from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, zero_near
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
-
-FARTHEST = 60.0
-MARGIN, AGREES, DIFFERS = 1e-6, 1e-25, 1e-9
-"""A condition holds by a margin; forces balance to so many digits at a confirmed position, or fail by so much."""
 
 Number = Any
 
@@ -152,7 +152,7 @@ def _length(v: Sequence[Number]) -> Number:
 
 def is_small(x: Number, scale: Number = 0) -> bool | None:
     """Whether a number is zero to the digits of a confirmed position; None in between."""
-    return True if abs(x) < AGREES * (1 + scale) else False if abs(x) > DIFFERS * (1 + scale) else None
+    return True if abs(x) < BALANCED * (1 + scale) else False if abs(x) > DIFFERS * (1 + scale) else None
 
 
 def _hold(conditions: Sequence[SignCondition], differences: Tape, given: Sequence[Number]) -> bool:
@@ -162,7 +162,7 @@ def _hold(conditions: Sequence[SignCondition], differences: Tape, given: Sequenc
     except (ValueError, ArithmeticError):
         return False
     return all(
-        abs(x) > MARGIN and (c.relation == "≠" or (x > 0) == (c.relation in "≥>"))
+        abs(x) > CONDITION_MARGIN and (c.relation == "≠" or (x > 0) == (c.relation in "≥>"))
         for c, x in zip(conditions, values, strict=True)
     )
 

@@ -7,7 +7,8 @@ from random import Random
 import sympy as sp
 
 from lagrange.core.symbols import Bounded, Sign
-from lagrange.mechanics.equilibrium.searched.drawing import BOX, drawn, drawn_place
+from lagrange.mechanics.equilibrium.limits import BOX
+from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 
 THETA, X, FORCE = sp.symbols("theta x F", real=True)
 

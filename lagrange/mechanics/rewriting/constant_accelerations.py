@@ -1,0 +1,63 @@
+"""Accelerations that are constant, as in Atwood's machine: what the equations of motion say is then a number for each.
+
+With dependent coordinates the constraints, differentiated twice, join the equations; a nonlinear constraint gives the
+square of one velocity by the others, which may leave the parameters alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.core.operations import count_operations
+from lagrange.core.symbols import Unspecified, prime, t
+from lagrange.mechanics.limits import LONGEST_CONSTANT
+from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.in_speeds import squares_by_constraints
+
+
+def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
+    """The accelerations, if the equations determine them by parameters alone and do not say them already."""
+    motion = view.motion
+    assert motion is not None
+    slots = view.configuration.slots
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *(prime(u) for u in slots.prescribed), t}
+    if any(r.nonlinear is not None for r in view.configuration.rows) and view.dynamics is not None:
+        rules = squares_by_constraints(view.configuration.rows, slots)
+        values = {a: _reduced(e, rules) for a, e in view.dynamics.accelerations.items()}
+        return {a: e for a, e in values.items() if not e.free_symbols & moving and not e.atoms(Unspecified)}
+    equations = [e.expression for e in motion.final]
+    equations += view.configuration.constrained.accelerated_constraints
+    if len(equations) != len(slots.accelerations) or len(equations) < 2:
+        return {}
+    if any(e.free_symbols & moving or e.atoms(Unspecified) for e in equations):
+        return {}
+    rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
+    right = [-e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in equations]
+    accelerations = solved_linear(rows, right, Surface())
+    if accelerations is None or any(x is None for x in accelerations):
+        return {}
+    pairs = zip(slots.accelerations, accelerations, strict=True)
+    solved = {a: _in_one_fraction(x) for a, x in pairs if x is not None}
+    return solved if sum(count_operations(x) for x in solved.values()) <= LONGEST_CONSTANT else {}
+
+
+def _reduced(e: sp.Expr, rules: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
+    """An acceleration under the constraints: above and below, x'^2 by the other velocities."""
+    above, below = (sp.expand(part).xreplace({v**2: s for v, s in rules}) for part in sp.fraction(sp.together(e)))
+    return e if below == 0 else sp.factor(sp.cancel(above / below))
+
+
+def _in_one_fraction(x: sp.Expr) -> sp.Expr:
+    """A sum of fractions as one, with a denominator that is not negative where that can be seen."""
+    above, below = sp.fraction(sp.together(x))
+    if not x.is_Add or above.is_number or below.is_number:
+        return x
+    negative = sum(1 for term in sp.Add.make_args(below) if term.could_extract_minus_sign())
+    if 2 * negative > len(sp.Add.make_args(below)):
+        above, below = -above, -below
+    one = sp.factor(above) / below
+    return one if count_operations(one) <= count_operations(x) else x

@@ -1,0 +1,57 @@
+"""Equations of motion without what constraints give: coordinates that are held, r = R, and velocities of others.
+
+A ball in a bowl keeps r = R, and rolling gives its spin, (R − r) φ' + r ψ' = 0: what is left is an equation in φ alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.operations import count_operations
+from lagrange.core.symbols import Unspecified, partial, prime, t
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
+from lagrange.mechanics.results import InCoordinates
+
+
+def without_given_rates(view: InCoordinates) -> WithEliminatedRates | None:
+    """The equations of motion with the velocities substituted that constraints on velocities give.
+
+    For a ball that rolls in a bowl, (R − r) φ' + r ψ' = 0, this is 7 (R − r) φ'' + 5 g sin φ = 0. None where a
+    coordinate remains whose velocity was substituted, or where the equations become no shorter.
+    """
+    motion = view.motion
+    if motion is None or motion.closed is not None or not motion.final or view.in_speeds is not None:
+        return None
+    coordinates, rows = view.configuration.slots.coordinates, view.configuration.rows
+    used = [r for r in rows if r.finite is None and r.nonlinear is None]
+    given = [coordinates[d] for d in motion.elimination.dependent if any(r.coefficients[d] != 0 for r in used)]
+    freed = closed(motion, given).closed if used else None
+    if freed is None or any(e.expression.has(q) for e in freed.equations for q in given):
+        return None
+    before, after = (sum(count_operations(e.expression) for e in es) for es in (motion.final, freed.equations))
+    return freed if after < before else None
+
+
+def held_values(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that a constraint fixes by itself, r = R, each with its value; rates and accelerations are 0."""
+    slots = configuration.slots
+    moving = {*slots.coordinates, *slots.prescribed, t}
+    values: dict[sp.Symbol, sp.Expr] = {}
+    for f in configuration.finite_constraints:
+        occurring = f.free_symbols & moving
+        if len(occurring) != 1 or not occurring <= {*slots.coordinates}:
+            continue
+        [q] = occurring
+        slope = partial(f, q)
+        if slope.is_nonzero and not slope.has(q):
+            values |= {q: sp.expand(q - f / slope), prime(q): sp.S.Zero, prime(q, 2): sp.S.Zero}
+    return values
+
+
+def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """An expression with `held_values` substituted, unless it has unspecified functions, whose arguments are kept."""
+    return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))
