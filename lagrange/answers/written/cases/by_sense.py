@@ -17,6 +17,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from lagrange.answers.written.cases.by_words import with_senses
 from lagrange.core.records import record
 from lagrange.expressions.edits import closings, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -91,6 +92,8 @@ class _Condition:
 
 def with_cases(text: str) -> str:
     """The text with the cases of opposite velocities in one equation; the same where there are none."""
+    if len(text) <= MAX_ANSWER_CHARACTERS:
+        text = with_senses(text)
     if not _MAYBE.search(text) or len(text) > MAX_ANSWER_CHARACTERS or not any(_conditions(text)):
         return text
     latex = "\\" in text
