@@ -159,6 +159,10 @@ def _about_another_point(
     turning = replace(m, inertias=tuple(i for i in m.inertias if i.turning))
     if all(_close(c * d.energy(turning), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
         return "for the moment of inertia about the mass centre, and what turns here turns about another point"
+    for name in dict.fromkeys(i.name for i in m.inertias):
+        others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))
+        if all(_close(c * d.energy(others), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
+            return f"without the inertia of `{name}` just after the impact"
     for model in MODELS:
         for variation in model.changes(m):
             changed = variation.mechanics

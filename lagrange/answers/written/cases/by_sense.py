@@ -64,6 +64,8 @@ _UPPER = re.compile(r"\(?\s*(?:with\s+)?(?:the\s+)?upper\s+sign(?:\s+(?:for|if|w
 _LOWER = re.compile(
     r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I
 )
+_LABEL = re.compile(r"\A[^\W\d_]{3,20}(?:\s[^\W\d_]{1,20}){0,4}:(?!=)\s*")
+"""`rising:` before an equation."""
 _EQUALS = re.compile(r"(?<![<>!:=])==?(?![=>])")
 
 
@@ -264,7 +266,8 @@ def _bare(text: str) -> str:
     """An equation without the words and signs that join it to its condition."""
     text = _without_last(text)
     after = _AFTER.match(text)
-    return text[after.end() :].strip() if after else text.strip()
+    text = text[after.end() :].strip() if after else text.strip()
+    return _LABEL.sub("", text)
 
 
 def _single(text: str, every: Sequence[_Condition], latex: bool) -> str:

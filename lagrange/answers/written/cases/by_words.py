@@ -20,6 +20,8 @@ _MOVING = re.compile(
     re.IGNORECASE,
 )
 _MINUS_PLUS = re.compile(r"∓|\\mp(?![A-Za-z])")
+_TOLD = re.compile(r"[<>≤≥]|\\[lg](?:t|eq?)(?![A-Za-z])")
+"""A condition stands there in signs already."""
 _UPPER = re.compile(r"\b(?:upper|lower)\b", re.IGNORECASE)
 
 
@@ -39,7 +41,8 @@ def _of_line(line: str, alone: bool) -> str:
     latex = "\\" in line
     [name] = names
     rate = rf"\dot{{{name}}}" if latex else f"{name}'"
-    line = _MOVING.sub(lambda m: f"{rate} {'>' if m['to'].lower() == 'right' else '<'} 0", line)
+    if not _TOLD.search(line):
+        line = _MOVING.sub(lambda m: f"{rate} {'>' if m['to'].lower() == 'right' else '<'} 0", line)
     if alone and len(_MINUS_PLUS.findall(line)) == 1:
         sign = rf"- \operatorname{{sgn}}\left({rate}\right)\cdot " if latex else f"- sign({rate})*"
         line = _MINUS_PLUS.sub(lambda _: sign, line)
