@@ -295,7 +295,7 @@ def _reasons(
     wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
 ) -> Iterator[str]:
     """What wrong alternatives are instead, the likeliest first."""
-    from lagrange.answers.results.resting import WrongEquilibria
+    from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)
     stated = [c for a in wrong for r in a for c in r.components]
@@ -325,6 +325,9 @@ def _reasons(
     variations = letter_variations(stated, (*e.expressions, *e.work.forces), slots, (*e.forces, *e.multipliers))
     for variation in variations:
         if variation.rule and variation.clause.endswith("exchanged") and holds(variation):
+            yield f"these are the equilibria {variation.clause}"
+    for variation in angles_and_lengths(stated, e):
+        if holds(variation):
             yield f"these are the equilibria {variation.clause}"
     if problem is not None and tried.tried and (clause := tried.of_changed_problem(problem)):
         yield f"these are the equilibria {clause}"

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import sympy as sp
@@ -335,9 +336,29 @@ class _Search:
             return group
         own = self.variation([n], combined=False)
         if own is None:
-            return self._foreign(n)
+            return self._one_for_another(n) or self._foreign(n)
         name, variation = own
         return Explanation(name, variation.clause, f"this is an equation {variation.clause}", variation.place, False)
+
+    def _one_for_another(self, n: int) -> Explanation | None:
+        """The explanation by a parameter that stands for another one everywhere in an equation: l_1 for l_2."""
+        system, used = self.models.system, self.equations[n].free_symbols
+        slots = system.configuration.slots
+        unknowns = {*slots.coordinates, *slots.prescribed, *system.multipliers, t}
+        for k, derived in enumerate(system.equations[: len(slots.coordinates)]):
+            own = sorted((s for s in derived.free_symbols if base(s) not in unknowns), key=str)
+            for lost, taken in product((s for s in own if s not in used), (s for s in used if base(s) not in unknowns)):
+                changed = derived.xreplace({lost: taken})
+                if all(self._is_multiple(n, changed, at) for at in self.states):
+                    clause = f"with {taken} in place of {lost} throughout"
+                    said = f"this is the equation of {slots.coordinates[k]} {clause}"
+                    return Explanation("one parameter for another", clause, said, f"the terms with {taken}", False)
+        return None
+
+    def _is_multiple(self, n: int, equation: sp.Expr, at: ModelState) -> bool:
+        """Whether an equation of the answer is a multiple of another one, apart from the constraints, at a state."""
+        row, other = at.row(self.equations[n]), at.row(equation)
+        return row is not None and other is not None and row in at.space([other])
 
     def _foreign(self, n: int) -> Explanation | None:
         """The explanation by a parameter that the problem has and its equations of motion have not: the coefficient of

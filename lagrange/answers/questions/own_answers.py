@@ -12,6 +12,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.reactions import check_reaction
+from lagrange.answers.readings import read_answer
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import (
     WORST_TO_BEST,
@@ -235,7 +236,11 @@ def explained_steady(
     solution: Solution,
 ) -> AnswerVerdict:
     """The verdict on conditions of steady motion, with what is missing, or what they are instead."""
-    why = _about_equilibria(verdict, alternatives, conditions, solution)
+    tried = [alternatives]
+    if verdict.verdict is Verdict.WRONG and len(alternatives) == 1 and len(alternatives[0]) > 1:
+        scope = reference_of_solution(solution).scope  # an equation without a tension that nobody declared, by itself
+        tried = [[(f,)] for f in alternatives[0] if read_answer(f, scope).error is None] or tried
+    why = next(filter(None, (_about_equilibria(verdict, a, conditions, solution) for a in tried)), "")
     return replace(verdict, diagnosis=why.replace("equilibria", "steady motions"))
 
 

@@ -151,6 +151,8 @@ def _reasons(stated: StatedCondition, derived: Sequence[sp.Expr], coefficients: 
                 yield _ADDED
     for limit in known:
         yield from _of_terms(stated.slack, limit.slack, coefficients)
+    for limit in known:
+        yield from _of_directions(stated.slack, limit.slack)
 
 
 _REVERSED = "the limit is right, and the inequality has the wrong sense"
@@ -260,6 +262,21 @@ def _of_terms(stated: sp.Expr, right: sp.Expr, coefficients: Collection[sp.Expr]
             yield f"the sign of the term {_written(term)} is wrong"
         elif len(other) > 2:
             yield f"{_written(lost[0] / scale)} stands where {_written(term)} belongs"
+
+
+def _of_directions(stated: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """A force with the coefficient 1, as if it acted along the direction of slipping, and not at an angle to it."""
+    own, other = _cleared(stated), _cleared(right)
+    for force in sorted(_symbols(own) & _symbols(other), key=str):
+        slopes = [sp.diff(e, force) for e in (own, other)]
+        if any(s == 0 or force in _symbols(s) for s in slopes) or not slopes[1].has(sp.sin, sp.cos):
+            continue
+        rest = [e.xreplace({force: sp.S.Zero}) for e in (own, other)]
+        if slopes[0] ** 2 == 1 and all(r != 0 for r in rest) and is_zero(rest[0] ** 2 - rest[1] ** 2) is True:
+            sign = 1 if is_zero(rest[0] - rest[1]) is True else -1
+            share = text(sp.factor_terms(sign * slopes[1] / slopes[0]), Notation())
+            said = f"{force} is taken along the direction of slipping, and it acts at an angle to it"
+            yield f"{said}: its factor {share} is missing"
 
 
 def _written(term: sp.Expr) -> str:

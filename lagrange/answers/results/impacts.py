@@ -7,6 +7,7 @@ of another body, a mass or a rotation that is left out. Its velocities are numbe
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 
 import sympy as sp
 
@@ -142,6 +143,35 @@ def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, prob
                 for d, c in zip(draws, claims, strict=True)
             ):
                 return variation.clause
+    return _about_another_point(m, motion, number, claims, draws)
+
+
+def _about_another_point(
+    m: Mechanics, motion: ImpulsiveMotion, number: int, claims: list[sp.Expr], draws: list[_Draw]
+) -> str | None:
+    """Of which changed inertia a velocity is that follows from the right momentum, as the end of a sentence.
+
+    Where one degree of freedom is left, u' = p/I with I = 2 T/u'²: the momentum about the hinge may be the right one,
+    and I that about the mass centre.
+    """
+    if len(motion.equations) != 1 or any(abs(a) > _SMALL for d in draws for a in d.drift):
+        return None
+    turning = replace(m, inertias=tuple(i for i in m.inertias if i.turning))
+    if all(_close(c * d.energy(turning), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
+        return "for the moment of inertia about the mass centre, and what turns here turns about another point"
+    for name in dict.fromkeys(i.name for i in m.inertias):
+        others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))
+        if all(_close(c * d.energy(others), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
+            return f"without the inertia of `{name}` just after the impact"
+    for model in MODELS:
+        for variation in model.changes(m):
+            changed = variation.mechanics
+            if changed is None or changed.inertias == m.inertias or changed.kept != m.kept:
+                continue
+            if all(
+                _close(c * d.energy(changed), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)
+            ):
+                return f"from the right momentum just before, and an inertia {variation.clause}"
     return None
 
 
@@ -155,9 +185,16 @@ class _Draw:
         self.blows = [-self.numbers.number(e.xreplace(still)) for e in motion.balance]
         self.rows = [[self.numbers.number(a) for a in row.coefficients] for row in motion.rows]
         after = dict(zip(motion.slots.velocities, motion.velocities, strict=True))
+        self.after = [self.numbers.number(v) for v in motion.velocities]
         # With a restitution the right velocities have A q' ≠ −a, and so have those of another inertia.
         self.drift = [-sum((a * self.numbers.number(after[v]) for a, v in zip(row, after, strict=True)), sp.S.Zero)
                       for row in self.rows]  # fmt: skip
+
+    def energy(self, m: Mechanics) -> sp.Expr:
+        """2 T of the velocities just after, with the inertia of a changed problem."""
+        mass = self.numbers.sum([self.numbers.of_inertia(i) for i in m.inertias])
+        v = self.after
+        return sum((v[i] * v[j] * g for i, row in enumerate(mass) for j, g in enumerate(row[: len(v)])), sp.S.Zero)
 
     def velocity(
         self, m: Mechanics, number: int, without: int | None = None, rows: list[int] | None = None

@@ -209,3 +209,21 @@ class WrongEquilibria:
         parts = [p.as_base_exp()[0] for p in sp.Mul.make_args(value) if not p.is_Rational]
         plain = all(p.is_Symbol or isinstance(p, sp.sin | sp.cos | sp.tan) for p in parts)
         return value if plain and len(parts) <= MOST_RESTING_FACTORS else None
+
+
+def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Variation]:
+    """Half an angle, or twice one, for the angle itself; a coordinate and a parameter exchanged under a root, as the
+    legs of a triangle are."""
+    coordinates = [q for q in e.configuration.slots.coordinates if any(q in c.free_symbols for c in stated)]
+    waves = {w for c in stated for w in c.atoms(sp.sin, sp.cos, sp.tan)}
+    for q in coordinates:
+        if (sp.tan(q / 2) in waves or sp.sin(q / 2) in waves) and sp.tan(q) not in waves:
+            yield Variation(f"with {q}/2 in place of {q}", "", rule={q: 2 * q})
+        elif sp.tan(2 * q) in waves or sp.sin(2 * q) in waves:
+            yield Variation(f"with 2*{q} in place of {q}", "", rule={q: q / 2})
+    legs = {r.base for c in stated for r in c.atoms(sp.Pow) if r.exp in (sp.S.Half, -sp.S.Half) and r.base.is_Add}
+    for q in coordinates:
+        for p in sorted(
+            {s for leg in legs if q in leg.free_symbols for s in leg.free_symbols} - {*coordinates}, key=str
+        ):
+            yield Variation(f"with {q} and {p} exchanged, the two legs of the triangle", "", rule={q: p, p: q})

@@ -80,3 +80,13 @@ def test_a_coefficient_of_friction_where_nothing_slips() -> None:
     equation = Fragment.of("x'' = g*sin(alpha) - mu*g*cos(alpha)")
     [wrong] = examiner("cylinder-on-rough-incline").check((equation,)).each
     assert wrong.diagnosis == "It depends on mu, and the motion does not."
+
+
+def test_one_length_for_another_in_one_equation() -> None:
+    equations = (
+        "(m1+m2)*l1*phi1'' + m2*l1*phi2''*cos(phi1-phi2) + m2*l1*phi2'^2*sin(phi1-phi2) + (m1+m2)*g*sin(phi1) = 0",
+        "l2*phi2'' + l1*phi1''*cos(phi1-phi2) - l1*phi1'^2*sin(phi1-phi2) + g*sin(phi2) = 0",
+    )
+    first, second = examiner("ex18-double-pendulum").check(tuple(map(Fragment.of, equations))).each
+    assert first.diagnosis == "This is the equation of phi1 with l1 in place of l2 throughout."
+    assert second.verdict.value == "equivalent"

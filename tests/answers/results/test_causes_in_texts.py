@@ -24,6 +24,7 @@ CAUSES = [
     ("rough-incline", "P = W tan(alpha) - mu_s W", "mu_s times a part of the normal force"),
     ("rough-incline", "P_min = W (tan(alpha) - mu_s), P_max = W (tan(alpha) + mu_s)", "part of the normal force"),
     ("rough-incline", "P = W tan(alpha)", "as if mu_s = 0"),
+    ("conical-pendulum", "T sinθ = m l φ'^2, T cosθ = m g, so tanθ = l φ'^2/g", "a factor sin(theta) is missing"),
     ("conical-pendulum", "tan(theta) = l*phi'^2/g", "a factor sin(theta) is missing"),
     ("inverted-pendulum-springs", "θ = 0, θ = π, cosθ = W l/(2 c b²)", "an energy without its 1/2"),
     ("thrown-stone", "y = x*tan(alpha) - g*x^2/(2*v^2)", "cos(alpha)^2 too many in the term g*x^2/(2*v^2)"),

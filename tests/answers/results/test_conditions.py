@@ -14,6 +14,7 @@ DRUM = "block-held-over-a-drum"
 INCLINE = "rough-incline"
 
 WRONG: list[Row] = [
+    (INCLINE, "rest", ["P <= W*(sin(alpha) + mu_s*cos(alpha))"], "P is taken along the direction of slipping"),
     (CRATE, "rest", ["P <= mu*W", "P*c <= W*b"], "with c in place of h"),
     (CRATE, "rest", ["P <= mu*W", "P*h >= W*b"], "the inequality has the wrong sense"),
     (CRATE, "rest", ["P <= mu*W/2", "P*h <= W*b"], "the limit of P is half of what it should be"),

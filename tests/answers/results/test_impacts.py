@@ -15,6 +15,8 @@ WRONG: list[Row] = [
     (STEP, "impact", {"theta'": "omega"}, "the velocity just before the impact"),
     (CAUGHT, "impact", {"theta'": "sqrt(3)*v/l"}, "the kinetic energy is taken to be conserved"),
     (CAUGHT, "impact", {"energy_lost": "m*v^2/2"}, "the whole kinetic energy just before the impact"),
+    (CAUGHT, "impact", {"theta'": "6*v/l"}, "the moment of inertia about the mass centre"),
+    ("ballistic-pendulum", "impact", {"theta'": "m*v/(M*l)"}, "without the inertia of `bullet`"),
     ("ballistic-pendulum", "impact", {"energy_lost": "0"}, "some kinetic energy is lost here"),
     ("centre-of-percussion", "impact", {"x'": "J/m"}, "without `hinge`, as if nothing were held there"),
 ]

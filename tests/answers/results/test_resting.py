@@ -12,6 +12,8 @@ WRONG: list[Row] = [
     ("inverted-pendulum-springs", "equilibrium", [["cos(theta) = W*l/(2*c*b^2)"]], "as from an energy without its 1/2"),
     ("roberval-balance", "equilibrium", ["P = W*(b + d)/(b + f)"], "do not depend on d, f"),
     ("beads-on-hoop", "equilibrium", ["tan(theta) = (m_1 + m_2)/(m_1 - m_2)*tan(beta)"], "the other way round"),
+    ("beads-on-hoop", "equilibrium", ["tan(theta/2) = (m_1 - m_2)/(m_1 + m_2)*tan(beta)"], "theta/2 in place of theta"),
+    ("three-weights", "equilibrium", ["2*P*b/sqrt(b^2 + y^2) = W"], "y and b exchanged, the two legs"),
     ("three-weights", "equilibrium", ["y = b*sqrt(4*P^2 - W^2)/W"], "the other way round"),
     ("lazy-tongs", "equilibrium", ["P*tan(theta) = W"], "its right side has to be multiplied by 3"),
     ("masses-on-springs", "equilibrium", ["c_1*x_1 = m_1*g", "x_2 = m_2*g/c_2"], "without the weight of `B` in the"),

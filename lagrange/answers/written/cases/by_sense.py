@@ -18,6 +18,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from lagrange.answers.limits import LONGEST_CONNECTIVE, MOST_PIECEWISE
+from lagrange.answers.written.cases.by_words import with_senses
 from lagrange.core.records import record
 from lagrange.expressions.edits import closings, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -63,6 +64,8 @@ _UPPER = re.compile(r"\(?\s*(?:with\s+)?(?:the\s+)?upper\s+sign(?:\s+(?:for|if|w
 _LOWER = re.compile(
     r"[\s,;$]*(?:and\s+)?(?:the\s+)?lower\s+(?:sign\s+)?(?:(?:for|if|when|where)\s+|:\s*|otherwise)?\$?", re.I
 )
+_LABEL = re.compile(r"\A[^\W\d_]{3,20}(?:\s[^\W\d_]{1,20}){0,4}:(?!=)\s*")
+"""`rising:` before an equation."""
 _EQUALS = re.compile(r"(?<![<>!:=])==?(?![=>])")
 
 
@@ -91,6 +94,8 @@ class _Condition:
 
 def with_cases(text: str) -> str:
     """The text with the cases of opposite velocities in one equation; the same where there are none."""
+    if len(text) <= MAX_ANSWER_CHARACTERS:
+        text = with_senses(text)
     if not _MAYBE.search(text) or len(text) > MAX_ANSWER_CHARACTERS or not any(_conditions(text)):
         return text
     latex = "\\" in text
@@ -258,7 +263,8 @@ def _bare(text: str) -> str:
     """An equation without the words and signs that join it to its condition."""
     text = _without_last(text)
     after = _AFTER.match(text)
-    return text[after.end() :].strip() if after else text.strip()
+    text = text[after.end() :].strip() if after else text.strip()
+    return _LABEL.sub("", text)
 
 
 def _single(text: str, every: Sequence[_Condition], latex: bool) -> str:
