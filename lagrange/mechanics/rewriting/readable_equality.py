@@ -6,6 +6,7 @@ What is decided here chooses what a page repeats, not what is true; `is_zero` in
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -13,7 +14,9 @@ from lagrange.algebra.closed_forms.shortest_form import in_sines
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, t
 from lagrange.core.vectors import Vector
-from lagrange.mechanics.equilibrium.linearization import Linearization
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization
 
 
 def is_same(a: sp.Expr, b: sp.Expr) -> bool:
