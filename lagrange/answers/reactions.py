@@ -344,8 +344,9 @@ class StatedReactionsAtRest:
         except DivisionByZeroError:
             return None
         verdicts = [v for each in by_branch for v in each]
-        if False in verdicts and not places and any(all(v is True for v in each) for each in by_branch):
-            return Verdict.INCOMPLETE
+        somewhere = any(all(v is True for v in each) for each in by_branch)
+        if somewhere and not places and (False in verdicts or None in verdicts):
+            return Verdict.INCOMPLETE  # other equilibria have other reactions, or such as are not found
         if False in verdicts and decimals_in(claims) and self._round(claims, meaning, reactions):
             return Verdict.EQUIVALENT
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT

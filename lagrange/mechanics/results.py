@@ -118,6 +118,11 @@ class InCoordinates:
         return any(r is not None for r in results)
 
     @property
+    def cannot_rest(self) -> bool:
+        """Whether no friction that the contacts admit holds the system at rest."""
+        return self.at_rest is not None and not self.at_rest.cases
+
+    @property
     def is_own(self) -> bool:
         """Whether these are the file's own coordinates."""
         return not self.name

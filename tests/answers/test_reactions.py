@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from types import SimpleNamespace
 
 import pytest
+import sympy as sp
 
+from lagrange.answers import reactions as stated
 from lagrange.answers.equations import Verdict, check_equations
 from lagrange.answers.examiner import check_answer
 from lagrange.answers.questions.own_answers import compared_answers
@@ -237,3 +240,17 @@ def _block(problem: Read) -> Solution:
     if not _solved:
         _solved.append(solution(problem, BLOCK))
     return _solved[0]
+
+
+@pytest.mark.parametrize(("known", "expected"), [(True, Verdict.INCOMPLETE), (False, Verdict.WRONG)])
+def test_reactions_beside_an_equilibrium_that_is_not_solved(
+    known: bool, expected: Verdict, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The folded position of a three-hinged frame has no closed form: the one in which it stands decides."""
+    branches = iter([stated._AtBranch([[known]], [False]), stated._AtBranch([[None]], [False])])
+    monkeypatch.setattr(stated._AtBranch, "of", lambda *_: next(branches))
+    configuration = SimpleNamespace(slots=SimpleNamespace(coordinates=()), expressed=(), rewritten=lambda e: e)
+    reactions = SimpleNamespace(configuration=configuration, at=(None, None))
+    reference = SimpleNamespace(values={}, scope=SimpleNamespace(slots=SimpleNamespace(coordinates=())))
+    judge = SimpleNamespace(reference=reference)
+    assert stated.StatedReactionsAtRest._holds(judge, [sp.Symbol("A_x") + 1], {}, reactions, ()) is expected  # type: ignore[arg-type]

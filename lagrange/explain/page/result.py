@@ -79,11 +79,16 @@ def explain_result(
     while kept and not _is_short(kept.values()):
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
+    freedom = solution.classification.degrees_of_freedom
+    words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
+    if any(v.cannot_rest for v in solution.views):
+        words.append("; the system cannot be at rest")
+        if not kept:
+            yield Step(Rule.RESULT, "", (prose(*words, "."),))
+            return
     if not kept:
         yield from _of_constraints(solution, steps)
         return
-    freedom = solution.classification.degrees_of_freedom
-    words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
     names = [_called(rule, kept[rule], solution) for rule in kept if rule is not Rule.WORKLESS]
     if Rule.WORKLESS in kept:
         names += [*(["the reaction"] if Rule.SOLVED_REACTIONS not in kept else []), "its work"]
@@ -199,6 +204,8 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     letters = [e.sides[0] for e in lines if isinstance(e.sides[0], sp.Symbol)]
     if rule is Rule.SOLVED_REACTIONS and letters and all(s.name.startswith("lambda") for s in letters):
         return plural(len(lines), "the multiplier", "the multipliers")
+    if rule is Rule.SOLVED_REACTIONS and any(v.at_rest is not None for v in solution.views):
+        return plural(len(lines), "the force", "the forces")
     if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
         return "the reaction"
     if rule is Rule.HAMILTON and len(lines) > 1:
@@ -277,7 +284,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     if view.is_about_rest:
         from lagrange.explain.page.result_at_rest import result_at_rest
 
-        yield from result_at_rest(view)
+        yield from result_at_rest(view, held=solution.classification.degrees_of_freedom == 0)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates

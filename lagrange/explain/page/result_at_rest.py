@@ -18,6 +18,7 @@ from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.equilibrium import stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization
@@ -27,10 +28,16 @@ from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
 
-def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
-    """Everything about rest and steady motion in one set of coordinates."""
+def result_at_rest(view: InCoordinates, *, held: bool = False) -> Iterator[tuple[Rule, list[Equation]]]:
+    """Everything about rest and steady motion in one set of coordinates.
+
+    held  whether the constraints leave no degree of freedom: then the forces are what is sought
+    """
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
-    yield Rule.FRICTION_AT_REST, [*_friction(view)]
+    conditions = [*_friction(view)]
+    yield Rule.FRICTION_AT_REST, conditions
+    if view.at_rest is not None and (held or not conditions):
+        yield Rule.SOLVED_REACTIONS, [*_forces(view.at_rest)]
     if view.steady is not None:
         yield Rule.STEADY, [e for e in _steady(view.steady) if e.operations <= LONGEST_FREQUENCY]
     if view.linearization is not None:
@@ -82,7 +89,7 @@ def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part
 def _friction(view: InCoordinates) -> Iterator[Equation]:
     """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
     rest = view.at_rest
-    if rest is not None:
+    if rest is not None and rest.cases:
         yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
         yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
     if view.rolling is not None:
@@ -97,6 +104,14 @@ def _friction(view: InCoordinates) -> Iterator[Equation]:
             said = lines[-1].condition
             lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))
         yield from lines
+
+
+def _forces(rest: AtRest) -> Iterator[Equation]:
+    """Friction and normal forces, where the balance determines them and rest is possible."""
+    undetermined = {*rest.open}
+    for force, value in rest.forces.items() if rest.cases else ():
+        if force not in undetermined and value.free_symbols.isdisjoint(undetermined):
+            yield Equation((force, value))
 
 
 def _steady(steady: SteadyMotions) -> Iterator[Equation]:

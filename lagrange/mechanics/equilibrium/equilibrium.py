@@ -367,6 +367,14 @@ def _for_forces(e: Equilibrium) -> Equilibrium | None:
     return replace(e, given=True, solution=replace(solution, branches=generic), branches=generic)
 
 
+def at_position(e: Equilibrium, position: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
+    """The equilibrium with the unknown forces as functions of any position, at the one that the constraints hold."""
+    at = [replace(c, expression=normalised(c.expression.xreplace(dict(position)))) for c in e.conditions]
+    laws = tuple(law.xreplace(dict(position)) for law in e.laws)
+    held = _for_forces(replace(e, conditions=tuple(c for c in at if c.expression != 0), laws=laws))
+    return e if held is None else held
+
+
 def _for_all(e: Equilibrium) -> Equilibrium:
     """The equilibrium with all positions, and the forces belonging to them."""
     multipliers = tuple(row.multiplier for row in e.binding)

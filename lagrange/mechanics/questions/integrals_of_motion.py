@@ -38,7 +38,7 @@ def integrals(place: MotionView, known: Meanings, initial: SymbolValues) -> tupl
     missing: set[sp.Symbol] = set()
     candidates = chain(
         (
-            UsedIntegral(IntegralKind.CONSERVED, i.expression, sp.S.Zero, n)
+            UsedIntegral(IntegralKind.CONSERVED, known.on_side(i.expression), sp.S.Zero, n)
             for n, i in enumerate(place.conserved.integrals)
             if i.constant is True
         ),

@@ -46,3 +46,6 @@ ACCURATE = 1e-8
 
 # Velocities at t = 0 that the constraints determine only together; their equations are reduced in plain SymPy.
 MOST_TOGETHER = 6
+
+TIMES_ASKED = 3
+"""How often it is asked whether a solution that is put back gives zero: each time at other points of another field."""

@@ -68,9 +68,8 @@ class Setting:
         forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
         stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
         sides = self.known.sides
-        rule = {e: v for q, s in sides.items() for e, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
         stated += [s * e for e, s in self.known.senses.items() if not e.is_Symbol]
-        return [*(e.xreplace(rule) for e in stated), *(s * q for q, s in sides.items())]
+        return [*map(self.known.on_side, stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:
         """q'^2 as a function of q alone; None where the integrals do not give it."""

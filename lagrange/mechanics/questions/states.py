@@ -77,7 +77,7 @@ class Meanings:
     """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
 
     senses    the signs with which velocities and speeds of slip start, where |q'| or sign q' is replaced by their means
-    sides     the signs with which coordinates start, likewise for |q|
+    sides     the signs with which coordinates and their differences start, likewise for |q| and |x − y|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
     """
@@ -86,13 +86,18 @@ class Meanings:
     reactions: Mapping[sp.Symbol, sp.Expr | None]
     energies: SymbolValues = field(default_factory=dict)
     senses: Senses = field(default_factory=dict)
-    sides: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    sides: Senses = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
     held: bool = False
 
     def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
         """The reactions in an expression that are not known."""
         return {s for s, v in self.reactions.items() if v is None and s in e.free_symbols}
+
+    def on_side(self, e: sp.Expr) -> sp.Expr:
+        """An expression with |q| and sgn q as at the start."""
+        rule = {f: v for q, s in self.sides.items() for f, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
+        return textbook_form(e.xreplace(rule)) if rule else e
 
     def applied(self, e: sp.Expr) -> sp.Expr:
         """An expression as a function of position, velocity and time."""
@@ -258,8 +263,10 @@ def with_senses(
             senses[slip] = way
     sides = {
         q: way
-        for q in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Symbol}
-        if prime(q) in initial and q in initial and (way := sign(initial[q])) in (1, -1)
+        for q in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign)}
+        if (moving := {s for s in q.free_symbols if prime(s, 2) in known.accelerations})
+        and all(s in initial and prime(s) in initial for s in moving)
+        and (way := sign(q.xreplace(dict(initial)))) in (1, -1)
     }
     signed = {**sides, **senses}
     rule = {f: e for v, s in signed.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}

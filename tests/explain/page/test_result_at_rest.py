@@ -39,3 +39,42 @@ def test_the_values_decide_in_the_head(rate: str, said: list[str], not_said: lis
     head = " ".join(terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0].split())
     assert all(s in head.replace(" │", "").replace("│ ", "") for s in said)
     assert not any(s in head for s in not_said)
+
+
+PUSHED = """title: Pushed
+parameters: {W: positive, R: positive, mu: positive, a: positive}
+coordinates: [x, y, theta]
+bodies: {plate: {position: x*i + y*j, angle: theta}}
+constraints:
+  left: {equation: "dot(r_plate - a*e1_plate, j) = 0", reaction: S}
+  right: {equation: "dot(r_plate + a*e1_plate, j) >= 0", reaction: N}
+  guide: {equation: "x = 0", reaction: H}
+forces:
+  load: {on: plate, vector: -W*j - R*i, at: r_plate + a*e1_plate}
+  rub: {static: mu, friction: mu, constraint: right, on: plate, at: r_plate + a*e1_plate}
+find: equilibrium
+"""
+WHEEL = """title: Wheel
+parameters: {m: positive, g: positive, R: positive, mu: positive, alpha: acute}
+coordinates: [x, y, theta]
+bodies: {wheel: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: -theta}}
+constraints: {slope: {equation: y >= R, reaction: N}}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+forces: {rub: {static: mu, friction: mu, constraint: slope, on: wheel, at: r_wheel - R*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "said", "not_said"),
+    [
+        (PUSHED.replace("x = 0", "x = 0"), ["the forces:", "S = 0", "N = W"], ["F_rub"]),
+        (WHEEL, ["Two degrees of freedom; the system cannot be at rest."], ["= 0"]),
+    ],
+    ids=["the forces where nothing can move", "rest is impossible"],
+)
+def test_the_head_of_rest_with_friction(text: str, said: list[str], not_said: list[str]) -> None:
+    made = report(lagrange.loads(text))
+    head = " ".join(terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0].split())
+    assert all(s in head for s in said)
+    assert not any(s in head for s in not_said)

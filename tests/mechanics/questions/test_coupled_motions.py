@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import prime, t
+from lagrange.mechanics.questions import closed_motions as closed
 from lagrange.mechanics.questions.closed_motions import closed_motions
 from lagrange.mechanics.questions.coupled_motions import coupled_with
 
@@ -64,3 +65,12 @@ def test_a_group_is_what_depends_on_each_other() -> None:
     known = {prime(x, 2): -x + y, prime(y, 2): -prime(x), prime(z, 2): -z}
     assert coupled_with(x, known) == [x, y]
     assert coupled_with(z, known) == [z]
+
+
+def test_what_the_drawn_points_leave_open_once_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The points of a field in which a nested root does not exist decide nothing; those of the next may."""
+    verdicts = iter([None, None, True, None, True, False])
+    monkeypatch.setattr(closed, "is_zero", lambda _: next(verdicts))
+    assert closed._is_certainly_zero(x) is True
+    assert closed._is_certainly_zero(x) is True
+    assert closed._is_certainly_zero(x) is False

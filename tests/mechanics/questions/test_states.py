@@ -44,3 +44,22 @@ def test_an_initial_state_in_numbers_may_rest_on_the_values_of_letters(problem: 
     assert solve(problem(valued + "initial: {x: 3, y: 4, x': 0}\n"), complete=False).own is not None
     with pytest.raises(ProblemError):
         solve(problem(valued + "initial: {x: 3, y: 3, x': 0}\n"), complete=False)
+
+
+def test_the_modulus_of_a_difference_is_that_at_the_start(problem: Read) -> None:
+    """A struck particle and another, joined by a spring: the momentum and the reduced mass give both answers."""
+    made = report(
+        problem("""title: Two on a line
+parameters: {m: positive, M: positive, k: positive, l: positive, v: positive}
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: M, position: y*i}}
+forces: {spring: {spring: k, between: [A, B], length: l}}
+initial: {x: 0, y: l, x': v, y': 0}
+ask: {closest: {quantity: y - x, when: "x' = y'"}}
+""")
+    )
+    [asked] = made.solution.asked
+    [branch] = asked.branches
+    m, M, k, l, v = (sp.Symbol(n, positive=True) for n in "mMklv")
+    assert is_zero(branch.values[0] - (l - v * sp.sqrt(M * m / ((M + m) * k)))) is True
+    assert branch.conditions  # they must not meet before: v <= l √((M + m) k/(M m))

@@ -10,6 +10,9 @@ so that the reactions found there are those of the system.
 Where the file gives no direction, both are tried, in several contacts those that a displacement can have at once: a rod
 that slides out below slides down above. Several contacts are all taken to slip at once. Belts slip with them:
 their tensions satisfy T_1 = T_2 e^(μ β), one more condition on the forces.
+
+Where the constraints hold the angles and only forces are sought, the position is the one that they hold, as for the
+conditions of rest: a bracket on a pipe is upright.
 """
 
 from __future__ import annotations
@@ -36,7 +39,7 @@ from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces, unpressed
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, at_position, equilibrium
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
@@ -46,6 +49,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     solved_for_exponent,
 )
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import each_contact_once, rough_contacts
+from lagrange.mechanics.equilibrium.friction.held_positions import held_coordinates
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 
@@ -228,7 +232,11 @@ def _at_limit(
             )
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
     laws = [shortest(b.reserve.xreplace(pressed)) for b in belts]
-    resting = _possible(equilibrium(loaded, elimination, problem.unknowns, laws=laws), contacts, signs)
+    resting = equilibrium(loaded, elimination, problem.unknowns, laws=laws)
+    if resting.given and (held := held_coordinates(configuration)):
+        pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
+        resting = at_position(resting, held)
+    resting = _possible(resting, contacts, signs)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:

@@ -39,3 +39,32 @@ def test_impending_motion_needs_friction(problem: Read) -> None:
     with pytest.raises(ProblemError) as caught:
         solve(problem(text.replace("find: equilibrium", "find: impending")))
     assert caught.value.diagnostics[0].code == "impending-without-friction"
+
+
+BRACKET = """title: Bracket on a pipe
+parameters: {W: positive, d: positive, h: positive, mu: positive}
+unknowns: [s]
+coordinates: [x, y, theta]
+bodies: {bracket: {position: x*i + y*j, angle: theta}}
+let: {A: r_bracket + d/2*e1_bracket - h*e2_bracket, B: r_bracket - d/2*e1_bracket}
+constraints:
+  low: {equation: "dot(A, i) >= d/2", reaction: N_A}
+  high: {equation: "dot(B, i) <= -d/2", reaction: N_B}
+forces:
+  load: {on: bracket, vector: -W*j, at: r_bracket + s*e1_bracket}
+  fA: {friction: mu, static: mu, constraint: low, on: bracket, at: A, slip: -j}
+  fB: {friction: mu, static: mu, constraint: high, on: bracket, at: B, slip: -j}
+find: impending
+answers: {equilibrium: ["s = h/(2*mu)"]}
+"""
+
+
+def test_the_position_that_the_constraints_hold_is_used(problem: Read) -> None:
+    """2 μ N = W and N h = W s, upright; the book's s = h/(2 μ) is right, and 2 s is not."""
+    right = report(problem(BRACKET))
+    [branch] = (b for v in right.solution.views for m in v.impending or () for b in m.equilibrium.branches)
+    [relation] = branch.relations
+    assert str(relation.rhs) == "h/(2*mu)"
+    assert [v.verdict.value for v in right.answers] == ["equivalent"]
+    wrong = report(problem(BRACKET.replace("h/(2*mu)", "h/mu")))
+    assert [v.verdict.value for v in wrong.answers] == ["wrong"]
