@@ -374,7 +374,7 @@ _HYPERBOLIC = (sp.sinh, sp.cosh)
 
 
 def _repeated(e: sp.Expr, kinds: tuple[type[sp.Function], ...]) -> int:
-    """How many functions of some kinds occur when each is written with its argument twice: 2^n − 1, n within one another."""
+    """How many functions of some kinds there are when each has its argument twice: 2^n − 1 of n within one another."""
     inner = sum(_repeated(a, kinds) for a in e.args)
     return 2 * inner + 1 if isinstance(e, kinds) else inner
 
