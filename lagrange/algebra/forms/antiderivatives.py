@@ -173,6 +173,8 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
     if depth <= 0 or count_operations(e) > LARGEST_INTEGRAND:
         return None
     # Unexpanded first: multiplying out hides u' beside h(u), and lengthens the result.
+    if _repeated(e, _RATIOS) > LARGEST_INTEGRAND:
+        return None
     e = e.replace(lambda f: isinstance(f, _RATIOS), in_sine_and_cosine)
     result = _by_terms(e, v, depth)
     if result is None:
@@ -181,7 +183,7 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
             result = _by_terms(expanded, v, depth)
         if result is None and expanded.has(Unspecified):
             result = _through_undefined(expanded, v, depth)
-        if result is None and expanded.has(sp.sinh, sp.cosh):
+        if result is None and 0 < _repeated(expanded, _HYPERBOLIC) <= LARGEST_INTEGRAND:
             result = antiderivative(multiplied_out(expanded.rewrite(sp.exp)), v, depth - 1)
     return result
 
@@ -368,6 +370,13 @@ def _terms(e: sp.Expr) -> int:
 
 
 _RATIOS = (sp.tan, sp.cot, sp.sec, sp.csc, sp.tanh)
+_HYPERBOLIC = (sp.sinh, sp.cosh)
+
+
+def _repeated(e: sp.Expr, kinds: tuple[type[sp.Function], ...]) -> int:
+    """How many functions of some kinds there are when each has its argument twice: 2^n − 1 of n within one another."""
+    inner = sum(_repeated(a, kinds) for a in e.args)
+    return 2 * inner + 1 if isinstance(e, kinds) else inner
 
 
 def in_sine_and_cosine(e: sp.Expr) -> sp.Expr:

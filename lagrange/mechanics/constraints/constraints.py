@@ -30,6 +30,8 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
+from lagrange.algebra.forms.affine import is_affine
+from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
 from lagrange.algebra.forms.integrability import (
     Exactness,
@@ -178,7 +180,9 @@ def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | Non
     derivative = f.diff(velocity)
     if not derivative.free_symbols & set(slots.velocities):
         return derivative
-    expanded = sp.expand(derivative)
+    expanded = multiplied_out(derivative)
+    if expanded is derivative and is_affine(f, slots):
+        expanded = sp.expand(derivative)
     return None if expanded.free_symbols & set(slots.velocities) else expanded
 
 

@@ -26,6 +26,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, UnsupportedError, has_real_point
+from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.combinations import combination, independent_columns
 from lagrange.algebra.forms.first_integrals import is_variable
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -282,7 +283,7 @@ def _conditions(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:
             products[product] = None
     zeros = {c: sp.S.Zero for c in products if c in slots.coordinates}
     # x² + y² = 0 adds nothing to x = y = 0.
-    needed = [c for c in products if c in zeros or sp.expand(c.xreplace(zeros)) != 0]
+    needed = [c for c in products if c in zeros or multiplied_out(c.xreplace(zeros)) != 0]
     # Coordinates in their own order: x = y = 0.
     return tuple(sorted(needed, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
 

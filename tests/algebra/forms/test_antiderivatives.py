@@ -7,6 +7,7 @@ import sympy as sp
 
 from lagrange.algebra.forms.antiderivatives import antiderivative, multiplied_out
 from lagrange.algebra.forms.limits import LARGEST_INTEGRAND
+from lagrange.core.effort import allowed
 from tests.support.exterior import real_point
 
 x, y, z, r, theta, phi = sp.symbols("x y z r theta phi", real=True)
@@ -89,3 +90,15 @@ def test_hostile_coefficients_stay_small(e):
     found = antiderivative(e, x)
     assert found is None or sp.count_ops(found) < 30 * LARGEST_INTEGRAND
     assert sp.count_ops(multiplied_out(e)) < 200 * LARGEST_INTEGRAND
+
+
+@pytest.mark.parametrize("function", [sp.tan, sp.tanh, sp.sinh])
+def test_functions_within_one_another_are_not_doubled(function):
+    """tanh u = sinh u/cosh u twenty deep has its innermost argument a million times."""
+    e = x
+    for _ in range(20):
+        e = function(e)
+    with allowed(2_000):
+        assert antiderivative(e, x) is None
+    alone = antiderivative(function(2 * x), x)
+    assert abs((alone.diff(x) - function(2 * x)).subs(x, 0.3).evalf()) < 1e-12

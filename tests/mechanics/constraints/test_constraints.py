@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+import sympy as sp
 
-from lagrange.core.diagnostics import ProblemError
+from lagrange.core.diagnostics import ProblemError, Source, Span
+from lagrange.core.effort import allowed
+from lagrange.core.symbols import Slots
+from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.solution import solve
-from lagrange.problem.model import Problem
+from lagrange.problem.model import Constraint, Problem
 from lagsolve.command_group import status_of_error
 
 Read = Callable[[str], Problem]
@@ -55,3 +59,18 @@ def test_a_redundant_constraint_is_named_and_not_counted(problem: Read) -> None:
     found = solve(problem(text)).classification
     assert found.redundant == ("c",)
     assert (found.rank, found.degrees_of_freedom, found.configuration_dimension) == (2, 1, 1)
+
+
+def test_a_derivative_of_nested_functions_is_not_multiplied_out() -> None:
+    """The derivative of tanh(tanh(...q')) has a factor 1 − tanh² for each: 2²⁰ terms. A square of q' that cancels is found."""
+    x, y = sp.symbols("x y", real=True)
+    slots, rest = Slots((x, y)), (True, sp.Symbol("lambda_a"), Span(Source("a", ""), 0, 0))
+    u, v = slots.velocities
+    nested = u
+    for _ in range(20):
+        nested = sp.tanh(nested)
+    with allowed(10_000):
+        assert constraint_row(Constraint("a", v, nested, *rest), slots).nonlinear is not None
+    square = v + (u + v) * (u - v) + v**2
+    row = constraint_row(Constraint("a", square, u * (u + 2 * x), *rest), slots)
+    assert (row.nonlinear, row.coefficients) == (None, (-2 * x, 1))
