@@ -26,6 +26,9 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
+MOST_PLACES = 4
+"""Equilibria of which all are named beside a frequency that they share; of more only the first."""
+
 
 def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates."""
@@ -144,7 +147,8 @@ def _frequencies(
     for squares, about, words in _frequencies_about(linearization, numbers, existence_stated):
         found.setdefault((squares, words), []).append(about)
     for (squares, words), places in found.items():
-        assert isinstance(squares, tuple) and isinstance(words, tuple)
+        assert isinstance(squares, tuple)
+        assert isinstance(words, tuple)
         joined = series(places, " and " if all(len(p) == 1 for p in places) else ", and about ")
         about = ("about ", *joined) if any(places) else ()
         condition = (*about, ", " if about and words else "", *words)
@@ -157,7 +161,10 @@ def _frequencies_about(
 ) -> Iterator[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], tuple[Part, ...], tuple[Part, ...]]]:
     """The frequencies, the place and the words about stability of each equilibrium that is not unstable."""
     for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
-        if linearization.copy_of(k) is not None or (numbers is not None and k in numbers.absent):
+        first = linearization.copy_of(k)
+        if first is not None:
+            at = linearization.at[first.of] if len(linearization.branches) <= MOST_PLACES else None
+        if numbers is not None and k in numbers.absent:
             continue
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
@@ -171,7 +178,8 @@ def _frequencies_about(
         open_ = stability.conditions or stability.presupposed
         implied = {(c.lhs, c.rhs) for c in open_} >= {(c.lhs, c.rhs) for c in b.conditions}
         if b.conditions and not existence_stated and not known and not (implied and words):
-            about = (*about, " where ", *sign_conditions(b.conditions))
+            short = [c for c in b.conditions if count_operations(c.lhs - c.rhs) <= LONGEST_WORDS]
+            about = (*about, *((" where ", *sign_conditions(short)) if short else ()))
         known = known if open_ or not words else ()
         words = (*words, *(("; ",) if words and known else ()), *known)
         several = len(squares) > 1

@@ -26,7 +26,7 @@ from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_DEGENER
 
 @record
 class UniformMotion:
-    """Stable but for a motion in which V stays the same (`but_for_uniform_motion` of linear_stability), where the conditions hold.
+    """Stable but for a motion in which V stays the same (`linear_stability`), where the conditions hold.
 
     coordinates  those that change in it
     others       those in which V has a strict minimum
