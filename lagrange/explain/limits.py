@@ -151,3 +151,6 @@ DIGITS_AS_STATED = 12
 
 MOST_PARTS_OF_PI = 12
 """An angle that is a multiple of π/12 is printed so: 15° and its multiples."""
+
+MOST_PLACES = 4
+"""Equilibria of which all are named beside a frequency that they share; of more only the first."""

@@ -14,7 +14,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, series
 from lagrange.document.derivation import Equation, Part, Rule
-from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
+from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_PLACES
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
@@ -25,10 +25,6 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.readable_equality import divisors
-
-MOST_PLACES = 4
-"""Equilibria of which all are named beside a frequency that they share; of more only the first."""
-
 
 def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates."""
