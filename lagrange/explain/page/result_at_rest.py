@@ -26,6 +26,7 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
+
 def result_at_rest(view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates."""
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
