@@ -140,14 +140,12 @@ def _frequencies(
 
     existence_stated  whether the conditions for the equilibria stand beside them already
     """
-    found: dict[tuple[object, ...], list[tuple[Part, ...]]] = {}
-    for squares, about, words in _frequencies_about(linearization, numbers, existence_stated):
-        found.setdefault((squares, words), []).append(about)
+    found: dict[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], tuple[Part, ...]], list[tuple[Part, ...]]] = {}
+    for squares, place, words in _frequencies_about(linearization, numbers, existence_stated):
+        found.setdefault((squares, words), []).append(place)
     for (squares, words), places in found.items():
-        assert isinstance(squares, tuple)
-        assert isinstance(words, tuple)
         joined = series(places, " and " if all(len(p) == 1 for p in places) else ", and about ")
-        about = ("about ", *joined) if any(places) else ()
+        about: tuple[Part, ...] = ("about ", *joined) if any(places) else ()
         condition = (*about, ", " if about and words else "", *words)
         for n, (name, square) in enumerate(squares, start=1):
             yield Equation((name**2, square), condition=condition if n == len(squares) else ())
