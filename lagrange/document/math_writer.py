@@ -226,7 +226,9 @@ class Writer:
                 )  # m g cos α/(M + m sin²α), W sin β/sin(α + β): the coefficient would outweigh cos α
             if others and all(isinstance(base, sp.Abs) or not power.is_Integer for base, power in others):
                 return [], scalars, last  # F |c − m ω²|/|Δ|, a √(...)/√(...)
-            return [], constant, others + last
+            fixed = [f for f in others if isinstance(f[0], sp.exp) and self.order.is_constant(f[0])]
+            above_line = [f for f in scalars if f in constant or f in fixed]  # M exp(μ β)/(...): a constant as well
+            return [], above_line, [f for f in others if f not in fixed] + last
         positions = [f for f in others if self._is_plain(f, _POSITION)]
         moving = [f for f in others if f not in positions]
         letters = (isinstance(f[0], sp.Symbol) and self._is_plain(f, _POSITION) for f in below)

@@ -194,3 +194,6 @@ LONGEST_PLAIN_FORCES = 30
 
 SHORTEST_REPEATED_LENGTH = 10
 """The fewest operations of the length of a spring that is a letter from its second appearance on."""
+
+MOST_PLACES = 4
+"""Equilibria of which all are named beside a frequency that they share; of more only the first."""

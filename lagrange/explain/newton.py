@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import sympy as sp
 
@@ -49,7 +49,7 @@ def explain_newton(
     if newton.bodies is None:
         body += _without_bodies(newton, bool(configuration.rotations))
     else:
-        body.append(paragraph(*(s for r in newton.reactions for s in nature(r))))
+        body.append(paragraph(*natures(newton.reactions)))
         for b in newton.bodies:
             body += _free_body(b, field_called(configuration), {r.friction.name for r in friction_forces})
         body += explain_friction(friction_forces)
@@ -66,7 +66,7 @@ def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     words = f"{'The' if one else 'Each'} constraint is maintained by a reaction, whose generalized forces are the "
     words += f"coefficients of its form times an unknown multiplier{' ' if one else ': '}"
     shared = f" How {'it is' if one else 'they are'} distributed among the particles, the coordinates do not determine."
-    known = [s for r in newton.reactions if r.single is not None for s in nature(r)]
+    known = natures(r for r in newton.reactions if r.single is not None)
     return [prose(words, *multipliers, "." if rigid else f".{shared}"), *known]
 
 
@@ -90,6 +90,41 @@ def nature(reaction: Reaction) -> list[Prose]:
     if by is None or is_said or _is_tension(reaction):
         return _force(reaction)
     return [prose(f"{capital(constraints_called([reaction.name]))} is maintained by {KEEPERS[by]}."), *_force(reaction)]
+
+
+def natures(reactions: Iterable[Reaction]) -> list[Prose]:
+    """What maintains each constraint; of several on the same bodies, known by their forms only, in one sentence."""
+    said: list[Prose] = []
+    alike: dict[tuple[object, ...], list[Reaction]] = {}
+    for r in reactions:
+        by_form = _is_of_form(r) and r.constraint.by is None and r.row.nonlinear is None
+        alike.setdefault((r.acts_on, str(_why_no_force(r))) if by_form else (r.name,), []).append(r)
+    for group in alike.values():
+        first, *others = group
+        said += _by_their_forms(group) if others else nature(first)
+    return said
+
+
+def _is_of_form(reaction: Reaction) -> bool:
+    """Whether all that is said is: λ times the coefficients of its form."""
+    named = reaction.single is not None and (reaction.given is not None or _is_tension(reaction))
+    normal = reaction.is_normal and bool(reaction.directions)
+    return reaction.rod is None and not named and not normal and bool(reaction.acts_on)
+
+
+def _by_their_forms(reactions: Sequence[Reaction]) -> list[Prose]:
+    """`The reactions of the rolling 1 and rolling 2 constraints on the ball are λ_1 and λ_2 times ...`."""
+    multipliers = listed(math(r.multiplier) for r in reactions)
+    words = f"The reactions of {constraints_called(r.name for r in reactions)} on "
+    words += f"{joined(map(the, reactions[0].acts_on))} are "
+    end: tuple[Part, ...] = ()
+    if why := _why_no_force(reactions[0]):
+        they = (
+            "They have moments and are no single forces: " if why == "has a moment" else "They act on several bodies: "
+        )
+        they = "They act on coordinates that move no particle: " if reactions[0].others else they
+        end = (f" {they}", *multipliers, " are the multipliers.")
+    return [prose(words, *multipliers, " times the coefficients of their forms.", *end)]
 
 
 def _is_tension(reaction: Reaction) -> bool:
@@ -193,15 +228,21 @@ def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
 
 def _not_a_force(reaction: Reaction) -> list[Part]:
     """Why the name that the file gives to a reaction is that of the multiplier."""
-    if reaction.given is None or reaction.single is not None:
+    why = _why_no_force(reaction)
+    if why is None or reaction.given is None:
         return []
-    if reaction.others:
-        why = "acts on a coordinate that moves no particle"
-    elif reaction.directions is None or len(reaction.acts_on) > 2 or len(reaction.directions) > 1:
-        why = "acts on several bodies"
-    else:
-        why = "has a moment"
     return [" It ", why, " and is no single force: ", math(reaction.given), " is the multiplier."]
+
+
+def _why_no_force(reaction: Reaction) -> str | None:
+    """`has a moment`; None where it is a single force, or the file gives it no name."""
+    if reaction.given is None or reaction.single is not None:
+        return None
+    if reaction.others:
+        return "acts on a coordinate that moves no particle"
+    if reaction.directions is None or len(reaction.acts_on) > 2 or len(reaction.directions) > 1:
+        return "acts on several bodies"
+    return "has a moment"
 
 
 def field_called(configuration: Configuration) -> str:

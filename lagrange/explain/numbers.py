@@ -195,11 +195,31 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     right = measured.sides[-1]
     if not isinstance(right, sp.Expr) or not all(isinstance(s, UnitSymbol) for s in right.free_symbols):
         return equation  # with coordinates in it: the step has it
+    if (found := _frequency(equation, values)) is not None:
+        letter, omega = found
+        number_of = omega.formula_shown(digits)
+        measured = Equation((letter, omega.shown(digits)),
+                            relation="=" if is_exact(omega.formula, number_of) else "≈")  # fmt: skip
+        if omega.formula == 0:
+            return equation
     number: tuple[Part, ...] = (math(*measured.sides, relation=measured.relation),)
     if WITH_VALUES not in equation.condition:
         number = ("that is ", *number)
     number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
+
+
+def _frequency(equation: Equation, values: Values) -> tuple[sp.Expr, Quantity] | None:
+    """The ω of `ω² = ...`, if that is a frequency with a value that is not negative: nobody measures ω²."""
+    left, right = equation.sides[0], equation.sides[-1]
+    if not isinstance(left, sp.Pow) or left.exp != 2 or not isinstance(right, sp.Expr):
+        return None
+    if not str(left.base).lower().startswith("omega") or left.base in values.parameters:
+        return None
+    square = values.quantity(right)
+    if square is None or not square.is_number or square.formula.is_negative is not False:
+        return None
+    return left.base, Quantity(sp.sqrt(square.formula), "rad/s" if values.units else "")
 
 
 def _is_found_in_numbers(equation: Equation) -> bool:

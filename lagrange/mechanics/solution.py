@@ -449,10 +449,10 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
+    from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
-    from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
     problem, own = solution.problem, solution.own
@@ -474,7 +474,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         if view is own and solution.law is None:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
-        stability = second_variation(resting)
+        stability = stability_at_rest(resting)
         checks += check_stability(resting, stability)
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(

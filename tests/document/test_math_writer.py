@@ -421,3 +421,8 @@ def test_roots_that_may_both_be_imaginary_stay_apart():
     v, w = sp.symbols("v w", real=True)
     root = sp.Pow(v, sp.S.Half) * sp.Pow(w, sp.S.Half)
     assert unicode(root) == "√v √w"
+
+
+def test_a_constant_exponential_belongs_to_the_fraction():
+    mu, beta, r = sp.symbols("mu beta r", positive=True)
+    assert unicode(r * sp.exp(mu * beta) / (sp.exp(mu * beta) - 1)) == "r exp(μ β)/[exp(μ β) − 1]"

@@ -17,6 +17,11 @@ from tests.support.derivation_text import said_in
             Rule.REACTIONS,
             "At rest nothing is accelerated: by Newton's law applied force and reaction cancel",
         ),
+        (
+            "skewed-disc",
+            Rule.REACTIONS,
+            " times the coefficients of their forms. They have moments and are no single forces: ",
+        ),
         ("bead-on-any-wire", Rule.REACTIONS, ", in the direction in which the left side less the right side increases"),
         (
             "trolley-on-three-wheels",

@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.core.symbols import t
+from lagrange.explain.report import report
 from lagrange.mechanics.turning import turning
+from lagrange.render import terminal
 from tests.support.shared import solved
 
 
@@ -48,3 +51,17 @@ def test_a_ball_on_a_turntable_runs_in_circles() -> None:
 @pytest.mark.parametrize("name", ["coupled-oscillators", "thrown-stone"])
 def test_nothing_turns_in_other_systems(name: str) -> None:
     assert turning(solved(name).own) is None
+
+
+def test_a_circle_in_vectors() -> None:
+    """r'' = (2/7) Ω k × r', whose sign is that of the turning."""
+    made = report(
+        lagrange.loads("""title: Charge in a magnetic field
+parameters: [m, q, B]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces: {magnetic: {on: P, vector: "q*B*(y'*i - x'*j)"}}
+""")
+    )
+    page = " ".join(terminal.text(made.derivation, made.notation, 200).split())
+    assert "on a circle; in vectors, 𝐯̇ = −(B q/m) (𝐤 × 𝐯)." in page or "𝐯̇ = −(q B/m) (𝐤 × 𝐯)." in page, page

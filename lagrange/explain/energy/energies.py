@@ -12,7 +12,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Rule, Step
 from lagrange.explain.displacements import points_called
-from lagrange.explain.newton import explain_friction, nature
+from lagrange.explain.newton import explain_friction, natures
 from lagrange.explain.words import capital, joined, load_called, plural, spoken, suffix_of, the, title_in
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.energies import Energies, is_weight
@@ -252,10 +252,10 @@ def _masses(setup: LagrangeExposition) -> list[Block]:
 
 def explain_friction_first(setup: LagrangeExposition) -> Step:
     """The reaction on which the friction depends, before T and V."""
-    natures = [s for r in setup.rows for s in nature(setup.reaction(r))]
+    said = natures(setup.reaction(r) for r in setup.rows)
     depends = plural(len(setup.friction_forces), "The friction depends on this reaction, which follows",
                      "The friction forces depend on these reactions, which follow")  # fmt: skip
-    body = [*([paragraph(*natures)] if natures else []), *explain_friction(setup.friction_forces)]
+    body = [*([paragraph(*said)] if said else []), *explain_friction(setup.friction_forces)]
     body.append(prose(f"{depends} from Lagrange's equations with multipliers, given below."))
     return Step(
         Rule.REACTIONS, plural(len(setup.rows), "The reaction and friction", "Reactions and friction"), tuple(body)

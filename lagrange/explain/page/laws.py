@@ -17,7 +17,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
-from lagrange.explain.newton import law_of, nature
+from lagrange.explain.newton import law_of, natures
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
@@ -102,7 +102,7 @@ def in_forces(step: Step, newton: Newton) -> Step:
 def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
     """Along which lines rods pull, in one sentence; otherwise a sentence for each constraint."""
     if not all(r.rod is not None and r.tension is not None and r.named for r in reactions):
-        return [paragraph(*(s for r in reactions for s in nature(r)), prose("So"))]
+        return [paragraph(*natures(reactions), prose("So"))]
     lines = series((_along(r), " by ", constraints_called([r.name])) for r in reactions)
     tensions = listed(math(r.force) for r in reactions)
     if len(reactions) == 1:

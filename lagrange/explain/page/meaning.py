@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import CONSTANT, Unspecified, base, prime
+from lagrange.core.symbols import CONSTANT, CrossProduct, UnitVector, Unspecified, VectorSymbol, base, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
@@ -26,6 +26,7 @@ from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
 from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
+from lagrange.mechanics.turning import Turning
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
@@ -284,8 +285,8 @@ def _turning(meaning: ResultMeaning) -> Iterator[Block]:
         yield prose(
             *(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity),
             *(" turns at the constant rate ", math(turning.rate), " and keeps its size, so the motion is uniform, "),
-            "on a circle.",
-        )
+            "on a circle", *_as_a_product(meaning, turning), ".",
+        )  # fmt: skip
         return
     order: tuple[Part, ...] = () if turning.small is None else (", to first order in ", math(turning.small))
     letters = [sp.Symbol(name, real=True) for name in _unused(meaning, ("xi", "eta", "X", "Y", "u", "v"))]
@@ -295,6 +296,21 @@ def _turning(meaning: ResultMeaning) -> Iterator[Block]:
         *(*order, ": there ", *laws, ". "),
         "An oscillation along one of these axes stays along it, and turns with it.",
     )
+
+
+def _as_a_product(meaning: ResultMeaning, turning: Turning) -> tuple[Part, ...]:
+    """`; in vectors, v̇ = c k × v`, if the two coordinates are those of a point along two of the fixed unit vectors."""
+    pair = (turning.first, turning.second)
+    if meaning.view.configuration.slots.prescribed or not _unused(meaning, ("v",)):
+        return ()
+    for point in meaning.view.configuration.points:
+        x, y, z = point.position.components
+        for axis, (a, b) in zip("kij", ((x, y), (y, z), (z, x)), strict=True):
+            for sign, plane in ((1, (a, b)), (-1, (b, a))):
+                if plane == pair:
+                    v, normal = VectorSymbol("v"), UnitVector(axis)
+                    return ("; in vectors, ", math(VectorSymbol("v'"), sign * turning.rate * CrossProduct(normal, v)))
+    return ()
 
 
 def _unused(meaning: ResultMeaning, names: Sequence[str]) -> list[str]:

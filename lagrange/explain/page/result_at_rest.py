@@ -12,16 +12,16 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
-from lagrange.document.builders import listed, math
+from lagrange.document.builders import listed, math, series
 from lagrange.document.derivation import Equation, Part, Rule
-from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS
+from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_PLACES
 from lagrange.explain.page.meaning import verdict_on
-from lagrange.explain.rest.equilibrium import stability_in_short
+from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
-from lagrange.mechanics.equilibrium.linearization import Linearization
+from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
@@ -41,7 +41,8 @@ def result_at_rest(view: InCoordinates, *, held: bool = False) -> Iterator[tuple
     if view.steady is not None:
         yield Rule.STEADY, [e for e in _steady(view.steady) if e.operations <= LONGEST_FREQUENCY]
     if view.linearization is not None:
-        yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers)]
+        stated = view.equilibrium is not None
+        yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
 
 
 def _equilibria(view: InCoordinates) -> Iterator[Equation]:
@@ -147,31 +148,68 @@ def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tupl
     return ()
 
 
-def _frequencies(linearization: Linearization, numbers: EquilibriaInNumbers | None) -> Iterator[Equation]:
-    """The squares of the frequencies, `about θ = 0`."""
+def _frequencies(
+    linearization: Linearization, numbers: EquilibriaInNumbers | None, *, existence_stated: bool = False
+) -> Iterator[Equation]:
+    """The squares of the frequencies, `about θ = 0`; equal ones about several equilibria in one line.
+
+    existence_stated  whether the conditions for the equilibria stand beside them already
+    """
+    found: dict[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], tuple[Part, ...]], list[tuple[Part, ...]]] = {}
+    for squares, place, words in _frequencies_about(linearization, numbers, existence_stated):
+        found.setdefault((squares, words), []).append(place)
+    for (squares, words), places in found.items():
+        joined = series(places, " and " if all(len(p) == 1 for p in places) else ", and about ")
+        about: tuple[Part, ...] = ("about ", *joined) if any(places) else ()
+        condition = (*about, ", " if about and words else "", *words)
+        for n, (name, square) in enumerate(squares, start=1):
+            yield Equation((name**2, square), condition=condition if n == len(squares) else ())
+
+
+def _frequencies_about(
+    linearization: Linearization, numbers: EquilibriaInNumbers | None, existence_stated: bool
+) -> Iterator[tuple[tuple[tuple[sp.Symbol, sp.Expr], ...], tuple[Part, ...], tuple[Part, ...]]]:
+    """The frequencies, the place and the words about stability of each equilibrium that is not unstable."""
     for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
-        if linearization.copy_of(k) is not None or (numbers is not None and k in numbers.absent):
+        first = linearization.copy_of(k)
+        if first is not None:
+            at = linearization.at[first.of] if len(linearization.branches) <= MOST_PLACES else None
+        if numbers is not None and k in numbers.absent:
             continue
         if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
             continue
         squares = [f.square for f in at.frequencies]
         if any(s is None or count_operations(s) > LONGEST_FREQUENCY for s in squares):
             continue
-        about = listed(math(r.lhs, r.rhs) for r in b.equations)
-        words: tuple[Part, ...] = ("about ", *about) if about else ()
-        conditions = at.judgement.stability.conditions
-        verdict = verdict_on(at)
-        firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
-        stable = "stable where " if firm else "stable to first order where "
-        stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
-        stability = stability or ((verdict,) if verdict else ())
-        known = _with_values(numbers, k) if conditions or b.conditions else ()
-        stability = (*stability, *(("; ",) if stability and known else ()), *known)
-        words += (", " if words and stability else "", *stability)
-        for n, square in enumerate(squares, start=1):
-            name = f"{at.unknown.name}_{n}" if len(squares) > 1 else at.unknown.name
-            last = n == len(squares)
-            yield Equation((sp.Symbol(name, real=True) ** 2, square), condition=words if last else ())
+        about = tuple(listed(math(r.lhs, r.rhs) for r in b.equations))
+        stability = at.judgement.stability
+        words = _stability_of(at)
+        known = _with_values(numbers, k)
+        open_ = stability.conditions or stability.presupposed
+        implied = {(c.lhs, c.rhs) for c in open_} >= {(c.lhs, c.rhs) for c in b.conditions}
+        if b.conditions and not existence_stated and not known and not (implied and words):
+            short = [c for c in b.conditions if count_operations(c.lhs - c.rhs) <= LONGEST_WORDS]
+            about = (*about, *((" where ", *sign_conditions(short)) if short else ()))
+        known = known if open_ or not words else ()
+        words = (*words, *(("; ",) if words and known else ()), *known)
+        several = len(squares) > 1
+        names = [f"{at.unknown.name}_{n}" if several else at.unknown.name for n in range(1, len(squares) + 1)]
+        lines = [(sp.Symbol(name, real=True), x) for name, x in zip(names, squares, strict=True) if x is not None]
+        yield tuple(lines), about, words
+
+
+def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
+    """`stable where a > b`, `stable to first order where c > d`, `stable but for a uniform motion of X`."""
+    stability = at.judgement.stability
+    if stability.drift is not None:
+        return but_for_drift(stability.drift)
+    firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
+    if stability.conditions:
+        return ("stable where " if firm else "stable to first order where ", *sign_conditions(stability.conditions))
+    if stability.presupposed and firm and stability.verdict is StabilityVerdict.STABLE:
+        return ("stable where ", *sign_conditions(stability.presupposed))
+    verdict = verdict_on(at)
+    return (verdict,) if verdict else ()
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

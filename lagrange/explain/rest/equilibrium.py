@@ -27,6 +27,7 @@ from lagrange.explain.words import (
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.equilibrium.degenerate import UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
 from lagrange.mechanics.rewriting.factors import has_common_factor
@@ -385,7 +386,7 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     judged = [(Ref(f"equilibrium{suffix}-{n}"), s) for n, s in enumerate(second.verdicts, start=1) if s.minors]
     alike: dict[tuple[Part, ...], list[Ref]] = {}
     for place, s in judged:
-        alike.setdefault((*_freely(s), " ", *_verdict(s, one)), []).append(place)
+        alike.setdefault((*_freely(s), " ", *_verdict(s, one, V)), []).append(place)
     sentences = paragraph(*(prose("At ", *listed(places), *words) for words, places in alike.items()))
     short = paragraph(*(prose("Equilibrium ", place, ": ", *_in_brief(s), ".") for place, s in judged))
     yield brief(sentences, short)
@@ -406,12 +407,32 @@ def stability_in_short(s: Stability) -> tuple[Part, ...]:
     match s.verdict:
         case StabilityVerdict.CONDITIONAL:
             return ("stable where ", *sign_conditions(s.conditions))
-        case StabilityVerdict.UNDECIDED if s.unstable:
+        case StabilityVerdict.UNDECIDED if s.unstable and s.drift is None:
             return ("unstable where ", *sign_conditions(s.unstable, " or "))
+        case StabilityVerdict.UNDECIDED if s.drift is not None:
+            return but_for_drift(s.drift)
         case StabilityVerdict.UNDECIDED:
             return ("stability undecided",)
     where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
     return (s.verdict.value, *where)
+
+
+def but_for_drift(drift: UniformMotion) -> tuple[Part, ...]:
+    """`stable but for a uniform motion of X`, `of x_1 and x_2 together`, `where k > m g`."""
+    together = " together" if len(drift.coordinates) > 1 and not drift.several else ""
+    motion = "uniform motions of " if drift.several else "a uniform motion of "
+    where = (" where ", *sign_conditions(drift.conditions)) if drift.conditions else ()
+    return (f"stable but for {motion}", *listed(math(q) for q in drift.coordinates), together, *where)
+
+
+def why_it_drifts(drift: UniformMotion, V: Part) -> tuple[Part, ...]:
+    """`V does not contain X, and has a strict minimum in s`, as the beginning of a sentence."""
+    others = listed(math(q) for q in drift.others)
+    if len(drift.coordinates) > 1 and not drift.several:
+        moved = listed(math(q) for q in drift.coordinates)
+        return (V, " stays the same when ", *moved, " change together, and has otherwise a strict minimum")
+    return (V, " does not contain ", *listed(math(q) for q in drift.coordinates), ", and has a strict minimum in ",
+            *others)  # fmt: skip
 
 
 def _freely(s: Stability) -> tuple[Part, ...]:
@@ -421,7 +442,7 @@ def _freely(s: Stability) -> tuple[Part, ...]:
     return (", ", *listed(math(variation(q)) for q in s.free), " being free,")
 
 
-def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
+def _verdict(s: Stability, one: bool, V: Part) -> tuple[Part, ...]:
     long = not one and sum(count_operations(m) for m in s.minors) > LONGEST_MINORS
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
@@ -451,6 +472,8 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
             return (*what, *((", negative",) if one else ()), *where, ": unstable.")
         case StabilityVerdict.CONDITIONAL:
             return _conditional(s, one, () if long else what)
+        case StabilityVerdict.UNDECIDED if s.drift is not None:
+            return (*why_it_drifts(s.drift, V), ": ", *but_for_drift(s.drift), ".")
         case StabilityVerdict.UNDECIDED if s.unstable:
             where = sign_conditions(s.unstable, " or ")
             return (*what, ": unstable where ", *where, "; elsewhere the second variation does not decide.")

@@ -15,7 +15,7 @@ from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
-from lagrange.explain.rest.equilibrium import full_turns, outside_ranges, singular_places
+from lagrange.explain.rest.equilibrium import but_for_drift, full_turns, outside_ranges, singular_places, why_it_drifts
 from lagrange.explain.words import (
     branch_conditions,
     capital,
@@ -198,6 +198,13 @@ def explain_about(
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
     rest = "every position of rest" if noun == "equilibrium" else f"every such {noun}"
     named = (f"the {noun} ", place) if is_stated else (rest,)
+    drift = s.judgement.stability.drift
+    if drift is not None:
+        V = "the potential energy" if not linearization.driven else "the potential energy of the turning system"
+        several = "Each root zero corresponds" if drift.several else "The root zero corresponds"
+        yield prose(f"{several} to a uniform motion: ", *why_it_drifts(drift, V), ". So ", *named, " is ",
+                    *but_for_drift(drift), ".", detail=Detail.BRIEF)  # fmt: skip
+        return
     yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=is_linear(linearization))
 
 

@@ -18,8 +18,25 @@ from math import factorial, prod
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.operations import count_operations
+from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_DEGENERATE, MOST_IN_A_VALLEY
+
+
+@record
+class UniformMotion:
+    """Stable but for a motion in which V stays the same (`linear_stability`), where the conditions hold.
+
+    coordinates  those that change in it
+    others       those in which V has a strict minimum
+    several      whether there are several such motions
+    """
+
+    coordinates: tuple[sp.Symbol, ...]
+    others: tuple[sp.Symbol, ...]
+    conditions: tuple[SignCondition, ...] = ()
+    several: bool = False
 
 
 def along_valley(

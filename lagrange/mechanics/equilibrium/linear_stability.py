@@ -14,6 +14,12 @@ and for any K:
 A sign that the parameters leave open becomes a condition. If the answer depends on a root p = 0, it is undecided: the
 neglected terms would have to be examined.
 
+A wedge that is free to slide, two carts joined by a spring: if V does not change in a displacement n of constant
+components, Σ n_k ∂V/∂q_k = 0 everywhere, the second variation is singular along n. But if V_kj is positive definite in
+the other coordinates, these stay near the equilibrium and all velocities small, by the energy T + V, while the system
+may drift along n: it is stable but for that uniform motion (Routh, Stability of Motion, 1877). In the strict sense its
+stability stays undecided.
+
 Reference: N. G. Chetaev, The Stability of Motion, 1961.
 """
 
@@ -29,14 +35,18 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.records import record
+from lagrange.mechanics.equilibrium.degenerate import UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.limits import MOST_MINORS
 from lagrange.mechanics.equilibrium.stability import (
+    SecondVariation,
     Stability,
     StabilityVerdict,
     by_signs,
     definiteness,
     known_positive,
     on_branch,
+    second_variation,
     sign_on,
     where_positive,
     with_critical_loads,
@@ -99,6 +109,8 @@ def has_uniform_motion(s: LinearSystem) -> bool | None:
 def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:
     """The verdict on stability at one equilibrium."""
     judgement = _undecided_in_part(_judged(s, b, resting), s, b)
+    if s.kind is VelocityTerms.NONE and s.symmetric:
+        judgement = replace(judgement, stability=but_for_uniform_motion(judgement.stability, b, resting))
     return replace(judgement, stability=with_critical_loads(judgement.stability, resting))
 
 
@@ -231,3 +243,62 @@ def _if_positive(
     stability = by_signs(expressions, b, resting)
     decided = stability.verdict in (StabilityVerdict.STABLE, StabilityVerdict.CONDITIONAL)
     return StabilityJudgement(stability, ground, dies and decided)
+
+
+def stability_at_rest(e: Equilibrium) -> SecondVariation | None:
+    """The second variation; its undecided verdicts with the uniform motion that they leave open, where it is one."""
+    second = second_variation(e)
+    if second is None or all(s.verdict is not StabilityVerdict.UNDECIDED for s in second.verdicts):
+        return second
+    verdicts = (but_for_uniform_motion(s, b, e) for b, s in zip(e.branches, second.verdicts, strict=True))
+    return replace(second, verdicts=tuple(verdicts))
+
+
+def but_for_uniform_motion(s: Stability, b: Branch, e: Equilibrium) -> Stability:
+    """An undecided verdict; with the motion that it leaves open, where V has a minimum in the other coordinates."""
+    if s.verdict is not StabilityVerdict.UNDECIDED or b.left or b.special or e.forces or any(map(any, e.idle)):
+        return s
+    directions = free_directions(e)
+    size = len(e.independent_forces)
+    if not directions or len(directions) == size:
+        return s
+    q = e.configuration.slots.coordinates
+    pivots = sp.Matrix(directions).rref()[1]
+    others = [k for k in range(size) if k not in pivots]
+    second = [[on_branch(b, -e.independent_forces[k].diff(q[j]), e) for j in others] for k in others]
+    if any(x is None for row in second for x in row):
+        return s
+    inner = definiteness([[x for x in row if x is not None] for row in second], b, e)
+    if inner.verdict not in (StabilityVerdict.STABLE, StabilityVerdict.CONDITIONAL):
+        return s
+    inner = with_critical_loads(inner, e)
+    moving = tuple(q[k] for k in range(size) if any(n[k] != 0 for n in directions))
+    conditions = (*inner.conditions, *inner.presupposed)
+    return replace(s, drift=UniformMotion(moving, tuple(q[k] for k in others), conditions, len(directions) > 1))
+
+
+def free_directions(e: Equilibrium) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The displacements n of constant components, shape (f,), in which V does not change; none with constraints."""
+    q, forces = e.configuration.slots.coordinates, e.independent_forces
+    size = len(forces)
+    if e.elimination.dependent or len(q) != size or not 1 < size <= MOST_MINORS:
+        return ()
+    second = sp.Matrix(size, size, lambda k, j: forces[k].diff(q[j]))
+    if _vanishes(second - second.T) is not True:
+        return ()
+    lone = [j for j in range(size) if all(second[k, j] == 0 for k in range(size))]
+    if lone:
+        candidates = [sp.Matrix([sp.Integer(int(k == j)) for k in range(size)]) for j in lone]
+    else:
+        candidates = second.nullspace(iszerofunc=lambda x: is_zero(x) is True)
+    constant = [sp.Matrix([sp.cancel(x) for x in n]) for n in candidates]
+    free = [n for n in constant if not n.free_symbols & {*q}]
+    work = [sum((a * f for a, f in zip(n, forces, strict=True)), sp.S.Zero) for n in free]
+    zero = all(is_zero(w) is True for w in work) and all(_vanishes(second * n) is True for n in free)
+    return tuple(tuple(n) for n in free) if zero and len(free) == len(candidates) else ()
+
+
+def _vanishes(m: sp.Matrix) -> bool | None:
+    """Whether all entries are zero; None where that is undecided."""
+    verdicts = [is_zero(x) for x in m]
+    return None if None in verdicts else all(verdicts)

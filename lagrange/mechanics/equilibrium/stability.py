@@ -39,7 +39,7 @@ from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
-from lagrange.mechanics.equilibrium.degenerate import along_valley
+from lagrange.mechanics.equilibrium.degenerate import UniformMotion, along_valley
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
@@ -68,6 +68,7 @@ class Stability:
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
     valley      the coordinate along a valley of V (`degenerate`), if the derivative of that order is one along it
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
+    drift       if undecided: the uniform motion that alone keeps it from being stable
     """
 
     verdict: StabilityVerdict
@@ -80,6 +81,7 @@ class Stability:
     free: tuple[sp.Symbol, ...] = ()
     valley: sp.Symbol | None = None
     pole: tuple[sp.Symbol, ...] = ()
+    drift: UniformMotion | None = None
 
     @property
     def is_always_stable(self) -> bool:
@@ -109,12 +111,10 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
     if e.forces or not 0 < len(free) <= MOST_MINORS or not e.branches:
         return None
     q = e.configuration.slots.coordinates
-    matrix = []
-    for force in e.independent_forces:
-        row = []
-        for column in range(len(free)):
-            row.append(e.work.textbook.form(-_along(force, column, e)))
-        matrix.append(tuple(row))
+    matrix = [
+        tuple(e.work.textbook.form(-_along(force, column, e)) for column in range(len(free)))
+        for force in e.independent_forces
+    ]
     if not _is_symmetric(matrix, e):
         return None
     verdicts = tuple(with_critical_loads(_verdict(b, matrix, e), e) for b in e.branches)

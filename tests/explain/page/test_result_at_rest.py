@@ -30,8 +30,12 @@ find: [motion, linearization]
 @pytest.mark.parametrize(
     ("rate", "said", "not_said"),
     [
-        ("8", ["with the given values unstable, ω² = −44", "with the given values stable, ω² = 57.75"], []),
-        ("3", ["with the given values stable, ω² = 11"], ["(R W² − g)"]),  # cos θ = g/(R W²) > 1
+        ("8", ["with the given values unstable, ω² = −44", "with the given values stable, ω ≈ 7.599"], []),
+        (
+            "3",
+            ["stable where g > R W²; with the given values stable, ω ≈ 3.317"],
+            ["(R W² − g)"],
+        ),  # cos θ = g/(R W²) > 1
     ],
 )
 def test_the_values_decide_in_the_head(rate: str, said: list[str], not_said: list[str]) -> None:
@@ -78,3 +82,39 @@ def test_the_head_of_rest_with_friction(text: str, said: list[str], not_said: li
     head = " ".join(terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0].split())
     assert all(s in head for s in said)
     assert not any(s in head for s in not_said)
+
+
+def _head(text: str) -> str:
+    made = report(lagrange.loads(text))
+    shown = terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0]
+    return " ".join(shown.replace("│", "").split())
+
+
+TURNING_TABLE = """title: Mass on a turning table
+parameters: PARAMETERS
+coordinates: {r: {range: [0, 10]}}
+particles: {P: {mass: m, position: r*cos(W*t)*i + r*sin(W*t)*j}}
+forces: {s: {spring: k, between: [P, 0*i], length: l}}
+find: [motion, linearization]
+"""
+
+
+def test_a_frequency_has_the_existence_of_its_equilibrium_beside_it() -> None:
+    assert "about r = k l/(k − m W²) where k > m W²" in _head(TURNING_TABLE.replace("PARAMETERS", "[m, k, l, W]"))
+
+
+def test_values_that_settle_the_existence_take_the_place_of_the_condition() -> None:
+    values = "{m: 2 kg, k: 50 N/m, l: 0.4 m, W: 2 rad/s}"
+    assert "about r = k l/(k − m W²), stable, that is ω ≈ 4.583 rad/s" in _head(
+        TURNING_TABLE.replace("PARAMETERS", values)
+    )
+
+
+def test_equal_frequencies_about_several_equilibria_have_one_line() -> None:
+    head = _head("""title: Two wells
+parameters: [m, c]
+coordinates: [x]
+lagrangian: "m*x'^2/2 - c*(x^2 - 1)^2/4"
+find: [motion, linearization]
+""")
+    assert "ω² = 2c/m about x = −1 and x = 1, stable" in head or "ω² = 2c/m about x = 1 and x = −1, stable" in head

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.linear_stability import LinearSystem, has_uniform_motion, kind_of
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
 from tests.support import shared
@@ -106,3 +109,39 @@ def test_a_charge_at_rest_in_a_magnetic_field_does_not_drift() -> None:
 def linear_system(**matrices: sp.Matrix) -> LinearSystem:
     tables = {name: tuple(map(tuple, m.tolist())) for name, m in matrices.items()}
     return LinearSystem(**tables, kind=kind_of(tables["damping"], True), symmetric=True, roots=None, frequencies=())
+
+
+DRIFTING = """title: A system that can move as a whole
+parameters: {m: positive, M: positive, k: positive, l: positive, c: real}
+coordinates: [X, s]
+lagrangian: "M*X'^2/2 + m*(X'^2 + s'^2 + X'*s')/2 - POTENTIAL"
+find: [motion, equilibrium, linearization]
+"""
+
+
+@pytest.mark.parametrize(
+    ("potential", "coordinates", "conditions"),
+    [
+        ("k*(s - l)^2/2", "X", 0),
+        ("k*(s - X - l)^2/2", "X s", 0),  # the change of both together
+        ("c*(s - l)^2/2", "X", 1),  # a minimum where c > 0
+        ("k*(s - l)^2*(1 + X^2)/2", None, 0),  # singular only at the equilibrium: X is not free of V
+        ("k*(s - l)^3/3", None, 0),  # no minimum
+        ("k*(s - l)^2/2 + k*X^4", None, 0),
+    ],
+)
+def test_stable_but_for_a_uniform_motion(potential: str, coordinates: str | None, conditions: int) -> None:
+    """By the energy: V does not change along a direction, and has a strict minimum in the other coordinates."""
+    view = solve(lagrange.loads(DRIFTING.replace("POTENTIAL", potential))).own
+    assert view.linearization is not None
+    assert view.stability is not None
+    at = next(s for s in view.linearization.at if s is not None)
+    for stability in (at.judgement.stability, view.stability.verdicts[0]):
+        drift = stability.drift
+        if coordinates is None:
+            assert drift is None
+            continue
+        assert stability.verdict is StabilityVerdict.UNDECIDED or conditions
+        assert drift is not None
+        assert " ".join(q.name for q in drift.coordinates) == coordinates
+        assert len(drift.conditions) == conditions
