@@ -208,7 +208,10 @@ def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] 
 
 
 def _without_common_power(e: sp.Expr) -> sp.Expr:
-    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c."""
+    """a − b as a^p − b^p, of the same sign, where a and b have roots and that has none: b > c for ∛b > ∛c.
+
+    Square roots stay: what is known of a value that contains them is known of them as they are.
+    """
     terms = e.args if e.is_Add and len(e.args) == 2 else ()
     signs = [sign_of(term) for term in terms]
     if sorted(s or 0 for s in signs) != [-1, 1]:
@@ -217,7 +220,7 @@ def _without_common_power(e: sp.Expr) -> sp.Expr:
     if not all(p.is_Rational and base.is_positive for factors in powers for base, p in factors):
         return e
     exponents = [p for factors in powers for base, p in factors if not base.is_number]
-    if all(p.is_Integer for p in exponents):
+    if all(p.q <= 2 for p in exponents):
         return e
     whole = lcm(*(int(p.q) for p in exponents))
     raised = sp.Rational(whole, gcd(*(int(p * whole) for p in exponents)))
