@@ -36,6 +36,7 @@ RESULTS = (
     Rule.IMPACT,
 )
 """The steps whose boxed equations are results."""
+_BOUNDS = ("≤", "≥")
 Sides = tuple[object, ...]
 Angles = Mapping[Sides, Math]
 """The angle in degrees for an answer by its sides, sin θ = 2/3 sin α."""
@@ -157,7 +158,7 @@ def _blocks(
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
             lines = [_in_numbers(e, values, digits, bare) for e in possible]
-            if any(e.relation == "≤" for e in possible):
+            if any(e.relation in _BOUNDS for e in possible):
                 lines = [line for line in lines if line is not None]  # a condition without values stands as it is
             shown = [e for e in lines if e is not None]
             if len(possible) < len(block.equations):
@@ -181,7 +182,7 @@ def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sid
 
 
 def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:
-    if equation.relation == "≤" and (bound := _in_numbers(equation, values, digits)) is not None:
+    if equation.relation in _BOUNDS and (bound := _in_numbers(equation, values, digits)) is not None:
         same = bound.sides == equation.sides
         more = bound.condition[1:] if bound.condition[:1] == ("that is ",) else bound.condition
         said = (math(*bound.sides, relation=bound.relation), ", " if more else "", *more)
@@ -239,7 +240,7 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
     """
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
     if equation.relation != "=":
-        return _bound(equation, values, digits) if equation.relation == "≤" and len(sides) == 2 else None
+        return _bound(equation, values, digits) if equation.relation in _BOUNDS and len(sides) == 2 else None
     if len(sides) != len(equation.sides):
         return None
     if not _is_found_in_numbers(equation) and not any(s.free_symbols & values.parameters for s in sides):
@@ -265,7 +266,7 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
 
 def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
     """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
-    left, right = equation.sides
+    left, right = equation.sides if equation.relation == "≤" else equation.sides[::-1]
     assert isinstance(left, sp.Expr)
     assert isinstance(right, sp.Expr)
     bound = bound_with(left, right, values)

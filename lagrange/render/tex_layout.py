@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.document.derivation import Block, Equation, Mathematics
 from lagrange.document.math_writer import Writer
-from lagrange.render.limits import LONG_FORMULA, SHORT_BRACKET, SHORT_RIGHT_SIDE, TEX_LEFT_SIDE
+from lagrange.render.limits import LATEX_LINE, LONG_FORMULA, SHORT_BRACKET, SHORT_RIGHT_SIDE, TEX_LEFT_SIDE
 from lagrange.render.line_breaking import Breaker, MathLine
 from lagrange.render.selection import written_out
 
@@ -152,8 +152,8 @@ def unbroken(code: str) -> str:
         breakable = any(sign in inner for sign in "+-=<>")
         return f"{first}{{{inner}}}{last}" if closed and breakable and ems(inner) < SHORT_BRACKET else bracket[0]
 
-    if ems(code) < LONG_FORMULA:
-        return code
+    if not LONG_FORMULA <= ems(code) <= LATEX_LINE:
+        return code  # one of several lines needs every place at which it may be broken
     before, sign, last = _BRACKETS.sub(grouped, code).rpartition(" = ")
     return rf"{before} = \nobreak {last}" if sign and ems(last) < SHORT_RIGHT_SIDE else before + sign + last
 

@@ -75,9 +75,9 @@ def test_time_is_that_of_the_processor() -> None:
 LITTLE = """
 import sys
 from lagsolve.output import Destination
-from lagsolve.solve_task import Task
+from lagsolve.solve_task import SolveTask
 pretty = Destination.of("pretty", None, False, "steps", None)
-sys.exit(Task((sys.argv[1],), None, "dalembert", pretty, megabytes=2).run())
+sys.exit(SolveTask((sys.argv[1],), None, "dalembert", pretty, megabytes=2).run())
 """
 
 

@@ -74,6 +74,7 @@ def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
         "lagrange.problem.library",
         *(f"lagrange.problem.{m}" for m in ("keys", "yaml", "yaml.kinds") if arguments == "schema"),
         "lagrange.core",
+        "lagrange.core.limits",
         "lagrange.core.printable",
         "lagrange.core.records",
     }

@@ -42,12 +42,13 @@ def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
     again = step(display(Equation((z, x / D)), Equation((D, z)), boxed=True))
     other = step(display(Equation((z, x / D)), Equation((D, x)), boxed=True))
     short = step(prose(Emphasis("In short"), ","), display(Equation((x, y)), Equation((y, z)), boxed=True))
-    _, a, b, c = said_before([head, first, again, other, short])  # the last has nothing else
+    _, a, b, c, d = said_before([head, first, again, other, short])
     assert a == first
     [box] = b.body
     assert isinstance(box, Display)
     assert box.equations == (Equation((z, x / D), condition=("with ", math(D), " as above")),)
     assert c == other
+    assert len(d.body) == 1  # a sentence that refers to the head
 
 
 def test_a_form_in_short_that_the_head_does_not_have_stays() -> None:

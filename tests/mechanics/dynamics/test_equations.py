@@ -133,9 +133,7 @@ def test_what_is_put_in_is_said(problem: Read) -> None:
     text = latex.render([(shown.derivation, shown.notation)])
     step = text[text.index("equation of motion") :]
     for line in (
-        "for the velocities, and differentiating, gives",
-        r"\dot{\phi} = \frac{\dot{y}}{R}",
-        r"\ddot{\phi} = \frac{\ddot{y}}{R}",
+        r"$\dot{\phi} = \dot{y}/R$ and $\ddot{\phi} = \ddot{y}/R$",
         "Substituting these leaves (multiplying by $R$):",
         r"(m R^{2} + J) \ddot{y} - m g R^{2} = 0",
     ):

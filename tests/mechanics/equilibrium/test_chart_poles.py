@@ -76,7 +76,7 @@ def test_it_is_said() -> None:
     """Without a horizontal force every φ serves at the pole; with one the pole is no equilibrium of a free particle."""
     assert "the coordinates are singular there" in words(SPHERICAL)
     assert "fixed by other means" not in words(SPHERICAL)
-    assert "it is no equilibrium" in words(CYLINDRICAL)
+    assert "no equilibri" in words(CYLINDRICAL)
     assert "fixed by other means" in words(SPHERICAL + TORSION)
     assert "singular" not in words(CHAIN)
 
@@ -144,7 +144,7 @@ def test_the_poles_of_a_choice_are_no_equilibria_where_the_forces_do_not_balance
     said = " ".join(
         p for b in explain_virtual_work(e, None).body if isinstance(b, Prose) for p in b.parts if isinstance(p, str)
     )
-    assert "it is no equilibrium" in said
+    assert "no equilibri" in said
 
 
 def test_without_a_horizontal_force_the_poles_of_a_choice_are_equilibria() -> None:

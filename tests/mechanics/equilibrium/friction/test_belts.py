@@ -135,7 +135,7 @@ def test_what_is_written(problem: Read) -> None:
     assert in_json.as_object(explained)["rest"]["conditions"] == ["m*g*exp(-mu*beta) <= P"]
     page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
     assert "It does not slip towards its tight side as long as T ≤ P exp(μ β)" in page
-    assert "Then the tensions of the belt drum satisfy T = P exp(μ β)" in page
+    assert "Then the tensions of the drum satisfy T = P exp(μ β)" in page
 
 
 @pytest.mark.parametrize(
