@@ -457,6 +457,11 @@ def _verdict(s: Stability, one: bool, V: Part) -> tuple[Part, ...]:
                       "respect to ")  # fmt: skip
             return (valley, math(s.valley), " is ", *values, order, *where, f": {s.verdict.value}.")
         return ("it is zero, and the first nonzero derivative is ", *values, order, *where, f": {s.verdict.value}.")
+    if s.even_powers:
+        return (
+            *(() if long else (*what, "; but ")),
+            "V rises from there as a sum of even powers with positive coefficients, a strict minimum: stable.",
+        )
     match s.verdict:
         case StabilityVerdict.STABLE if long:
             return ("all of them are positive", *where, ": stable.")

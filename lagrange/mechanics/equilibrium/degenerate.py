@@ -7,6 +7,9 @@ r(z) near the equilibrium, the bottom of a valley, and V has a strict minimum th
 
 has one (splitting lemma): V = c (x⁴ + y²) has the valley y = 0 with g = c x⁴. Since g' = ∂V/∂z on the valley, r(z) and
 g' follow power by power from the derivatives of V at the equilibrium; the first that does not vanish decides.
+In more directions V is decided only where it has no other terms than c Π q_j^(2n_j) with c > 0, q measured from the
+equilibrium, and among them a power of each coordinate alone: V = c (x⁴ + y⁴) is a strict minimum by itself.
+
 Reference: Poston and Stewart, Catastrophe Theory and its Applications, ch. 4.
 """
 
@@ -18,7 +21,7 @@ from math import factorial, prod
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_DEGENERATE, MOST_IN_A_VALLEY
@@ -96,3 +99,28 @@ def _power(
     for by, value in terms:
         total += value * sp.expand(sp.Mul(*(place[j] for j in by))).coeff(t, degree)
     return sp.expand(total)
+
+
+def rises_in_even_powers(gradient: Sequence[sp.Expr], place: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
+    """Whether V is a sum of even powers with positive coefficients at a place; False where that is not seen.
+
+    gradient  ∂V/∂q_k, k = 1, ..., n
+    place     q_k and its value at the equilibrium
+    """
+    symbols = [q for q, _ in place]
+    shifted = {q: q + value for q, value in place}
+    for k, slope in enumerate(gradient):
+        alone = False
+        if count_operations(slope) > LONGEST_DEGENERATE:
+            return False
+        try:
+            terms = sp.Poly(slope.xreplace(shifted), *symbols).terms()
+        except sp.PolynomialError:
+            return False
+        for powers, value in terms:
+            if sign_of(value) != 1 or any((n + (j == k)) % 2 for j, n in enumerate(powers)):
+                return False
+            alone = alone or sum(powers) == powers[k]
+        if not alone:
+            return False
+    return True

@@ -32,6 +32,7 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
+from lagrange.algebra.closed_forms.positive_conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.records import record
@@ -47,8 +48,6 @@ from lagrange.mechanics.equilibrium.stability import (
     known_positive,
     on_branch,
     second_variation,
-    sign_on,
-    where_positive,
     with_critical_loads,
 )
 

@@ -29,9 +29,17 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
+from lagrange.algebra.closed_forms.positive_conditions import (
+    NeverPositiveError,
+    conditions_for,
+    positive_part,
+    sign_on,
+    where_positive,
+)
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
+from lagrange.algebra.closed_forms.tangent_equation import slope
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.operations import count_operations
@@ -39,11 +47,12 @@ from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
-from lagrange.mechanics.equilibrium.degenerate import UniformMotion, along_valley
+from lagrange.mechanics.equilibrium.degenerate import UniformMotion, along_valley, rises_in_even_powers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
+from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
 
 class StabilityVerdict(StrEnum):
@@ -67,6 +76,7 @@ class Stability:
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
     valley      the coordinate along a valley of V (`degenerate`), if the derivative of that order is one along it
+    even_powers whether V is a sum of even powers with positive coefficients (`degenerate`), which decides
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
     drift       if undecided: the uniform motion that alone keeps it from being stable
     """
@@ -80,6 +90,7 @@ class Stability:
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
     valley: sp.Symbol | None = None
+    even_powers: bool = False
     pole: tuple[sp.Symbol, ...] = ()
     drift: UniformMotion | None = None
 
@@ -212,6 +223,8 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
         valley = _on_valley(b, matrix, e)
         if valley is not None:
             return valley
+        if _rises(b, matrix, e):
+            return Stability(StabilityVerdict.STABLE, judged.minors, even_powers=True)
         verdict = by_numbers(matrix, e, b)
         minors = judged.minors or tuple(_in_coordinates(matrix, n, e) for n in range(1, len(matrix) + 1))
         judged = replace(judged, verdict=verdict, minors=minors if verdict is not judged.verdict else judged.minors)
@@ -285,6 +298,11 @@ def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -
 def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     """The verdict at equations that are not solved: the conditions are in the coordinates, if they are short."""
     undecided = Stability(StabilityVerdict.UNDECIDED)
+    if b.occupied and len(matrix) == 1 and e.configuration.ranges.get(e.solution.unknowns[0]) == QUARTER:
+        rise = slope(-e.independent_forces[0], e.solution.unknowns[0])
+        if rise is not None:
+            verdict = StabilityVerdict.STABLE if rise[1] == 1 else StabilityVerdict.UNSTABLE
+            return Stability(verdict, (rise[0],))
     if any(x.has(sp.DiracDelta) for row in matrix for x in row):
         return undecided
     minors = [_minor(matrix, range(n), b, e) for n in range(1, len(matrix) + 1)]
@@ -342,6 +360,16 @@ def _on_valley(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> 
                 along = e.configuration.slots.coordinates[e.elimination.independent[z]]
                 return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order, valley=along)
     return None
+
+
+def _rises(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
+    """Whether V is a sum of even powers with positive coefficients, there being no constraints."""
+    q = e.configuration.slots.coordinates
+    if e.binding or len(matrix) < len(q) or len(q) < 2:
+        return False
+    values = [on_branch(b, x, e) for x in q]
+    place = [(x, v) for x, v in zip(q, values, strict=True) if v is not None and not v.free_symbols & {*q}]
+    return len(place) == len(q) and rises_in_even_powers([-f for f in e.independent_forces], place)
 
 
 def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
@@ -446,7 +474,7 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
         return Stability(StabilityVerdict.UNSTABLE, values)
     if conditions is None:
         return Stability(StabilityVerdict.UNDECIDED, values)
-    presupposed = not_vanishing(expressions, b, e, [sp.factor(_positive_part(c)) for c in conditions])
+    presupposed = not_vanishing(expressions, b, e, [sp.factor(positive_part(c)) for c in conditions])
     return _shortest(Stability(StabilityVerdict.CONDITIONAL, values, (*conditions, *presupposed)), b)
 
 
@@ -507,10 +535,6 @@ def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
             yield base, bool(exponent.is_odd)
 
 
-class NeverPositiveError(Exception):
-    """Some expressions are positive for no values of the parameters."""
-
-
 def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
     """Expressions that are positive on a branch, or zero at its ends, by the conditions for its existence.
 
@@ -529,72 +553,7 @@ def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
     return [*known, *numerators]
 
 
-def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...] | None:
-    """The conditions under which all expressions are positive; None if they are too long to be of use.
-
-    Raises NeverPositiveError if they cannot be, one being negative where those before it are positive.
-    """
-    known = list(known)
-    conditions = []
-    for e in expressions:
-        sign = sign_on(e, known)
-        if sign in (-1, 0):
-            raise NeverPositiveError
-        if sign is None:
-            condition = more_than_zero(e, known)
-            conditions.append(condition)
-            known.append(sp.factor(condition.lhs - condition.rhs) * (-1 if condition.relation == "<" else 1))
-    if any(count_operations(c.lhs - c.rhs) > LARGEST_FACTORED for c in conditions):
-        return None
-    kept = _without_weaker(conditions)
-    return tuple(SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) for c in kept)
-
-
-def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
-    """The conditions without those implied by another one: of e > 2a and e > 4a, with a > 0, the second.
-
-    Raises NeverPositiveError if two of them exclude each other.
-    """
-    above = [_positive_part(c) for c in conditions]
-    if any(sign_of(sp.expand(x + y)) in (-1, 0) for x, y in combinations(above, 2)):
-        raise NeverPositiveError
-    kept = list(range(len(conditions)))
-    for n in range(len(conditions)):
-        others = [k for k in kept if k != n]
-        if any(sign_of(sp.expand(above[n] - above[k])) in (0, 1) for k in others):
-            kept = others
-    return [conditions[k] for k in kept]
-
-
-def _positive_part(c: SignCondition) -> sp.Expr:
-    """What a condition says to be positive."""
-    return (c.lhs - c.rhs) * (-1 if c.relation == "<" else 1)
-
-
-def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...]:
-    """Conditions one of which must hold for one of the expressions to be positive: without those that imply another."""
-    conditions: list[SignCondition] = []
-    for e in expressions:
-        try:
-            conditions += conditions_for([e], known) or ()
-        except NeverPositiveError:
-            continue
-    conditions = list(dict.fromkeys(conditions))
-    implied = (
-        any(sign_of(sp.expand(_positive_part(other) - _positive_part(c))) == 1 for other in conditions if other != c)
-        for c in conditions
-    )
-    return tuple(c for c, weaker in zip(conditions, implied, strict=True) if not weaker)
-
-
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:
     """Whether a pivot is zero, or may be, on a branch: then other δq are the free ones there."""
     value = on_branch(b, pivot, e)
     return value is None or is_zero(value) is not False
-
-
-def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
-    """The sign of an expression, given others that are positive; None if it is not determined."""
-    if e == 0 or is_zero(e):
-        return 0
-    return sign_of(e, known)

@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
+from lagrange.algebra.closed_forms.tangent_equation import beside_zero
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.operations import count_operations
@@ -23,9 +24,13 @@ from lagrange.core.ranges import sign_between
 from lagrange.mechanics.equilibrium.limits import LONGEST_RANGE_CONDITION
 from lagrange.problem.model import Range
 
+QUARTER = Range(-sp.pi / 2, sp.pi / 2)
+
 
 def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> Branch | None:
     """The branch without the points outside of the ranges; None where all of them are."""
+    if b.left and not b.special and len(solution.unknowns) == 1 and ranges.get(q := solution.unknowns[0]) == QUARTER:
+        return beside_zero(b, q)
     if b.left or b.special or not b.points:
         return b
     positive = [c.lhs - c.rhs for c in b.conditions if c.relation == ">"]

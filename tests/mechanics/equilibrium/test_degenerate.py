@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.explain.report import report
-from lagrange.mechanics.equilibrium.degenerate import along_valley
+from lagrange.mechanics.equilibrium.degenerate import along_valley, rises_in_even_powers
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
@@ -63,3 +63,20 @@ find: equilibrium
     page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
     assert "Along the valley of V in that direction" in page
     assert "with respect to x is 24c, of order 4, even, and positive: stable." in page
+
+
+def test_sums_of_even_powers() -> None:
+    x, y = sp.symbols("x y", real=True)
+    c = sp.Symbol("c", positive=True)
+    cases = {
+        c * (x**4 + y**4 + x**2 * y**2): True,
+        c * (x**4 + y**2): True,
+        c * (x**4 - y**4): False,
+        c * (x**4 + y**4 - 3 * x**2 * y**2): False,
+        c * x**2 * y**2 + x**4: False,
+        c * (x**4 + y**4) + x * y**5: False,
+    }
+    for v, expected in cases.items():
+        assert rises_in_even_powers([v.diff(x), v.diff(y)], [(x, sp.S.Zero), (y, sp.S.Zero)]) is expected
+    there = c * ((x - 2) ** 4 + (y + 1) ** 6)
+    assert rises_in_even_powers([there.diff(x), there.diff(y)], [(x, sp.Integer(2)), (y, sp.Integer(-1))])
