@@ -154,6 +154,21 @@ def without_common_squares(equations: Sequence[sp.Expr], unknowns: Sequence[sp.S
     return tuple(kept)
 
 
+def zeros_of_even_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:
+    """The unknowns that all vanish where a sum of even powers with coefficients of one sign does: 2x² + y² = 0.
+
+    None of them where it is no such sum, or one of them has no power of its own.
+    """
+    if len(unknowns) < 2 or not e.is_polynomial(*unknowns):
+        return ()
+    terms = sp.Poly(e, *unknowns).terms()
+    signs = {sign_of(c) for _, c in terms}
+    if signs not in ({1}, {-1}) or any(n % 2 for powers, _ in terms for n in powers):
+        return ()
+    alone = [[n > 0 for n in powers] for powers, _ in terms]
+    return tuple(unknowns) if all([k == j for k in range(len(unknowns))] in alone for j in range(len(unknowns))) else ()
+
+
 def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Expr]:
     """The part of the second degree of an equation of that degree, as a number and the rest; 0 where it is none."""
     none = (sp.S.Zero, sp.S.One)
@@ -257,8 +272,8 @@ class _BranchSearch:
                     return None
                 state = replace(state, special=True, relations=(*state.relations, relation))
                 continue
-            if e not in kept:
-                kept.append(e)
+            zero_each = zeros_of_even_sum(e, sorted(self.letters.unknowns_in(e), key=str))
+            kept += [x for x in zero_each or (e,) if x not in kept]
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (count_operations(e), str(e)))))
 
     def _vanishes(self, divisor: sp.Expr, state: _State) -> bool:
