@@ -45,8 +45,8 @@ class Rule(StrEnum):
     RESPONSE = "forced-oscillations"  # m ξ'' + c ξ' + k ξ = F cos ωt, A = F/√((k − m ω²)² + c² ω²)
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
     CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
-    STEADY = "steady-motions"  # cos θ = g/(l φ'²)
     HAMILTON = "hamilton-equations"  # H = p_θ²/(2 m l²) − m g l cos θ, p_θ' = −∂H/∂θ
+    STEADY = "steady-motions"  # cos θ = g/(l φ'²)
     IMPACT = "impact"  # Σ (m Δv − J)·δr = 0: x' = J/m, energy lost m v²/4
     QUESTION = "question"  # N = 0: cos θ = 2/3
     FRICTION_AT_REST = "friction-at-rest"  # |F| ≤ μ_s N: tan α ≤ μ_s
