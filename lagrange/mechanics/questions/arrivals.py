@@ -155,9 +155,25 @@ def while_slipping(
             if lasts not in (0, 1):
                 if end.conditions and len(ends) > 1:
                     raise SlipEndUndecidedError
+                by_size = _greatest_not_reached(end.value, until) if end.conditions else None
                 before = SignCondition(t, "≤", end.value) if until == t else _not_below(end.value - until)
-                conditions.append(before)
+                conditions.append(by_size or before)
     return tuple(dict.fromkeys(conditions))
+
+
+def _greatest_not_reached(end: sp.Expr, until: sp.Expr) -> SignCondition | None:
+    """z ≥ sin c, where z − sin(w t) ends at t = arcsin(z)/w, or never for z > 1, and has to last until c/w.
+
+    For c ≥ π/2 the sine has been 1: z ≥ 1. None where the end is no arc sine, or c no number.
+    """
+    arcs = end.atoms(sp.asin)
+    if len(arcs) != 1 or until == t:
+        return None
+    [arc] = arcs
+    phase = sp.cancel(sp.powdenest(until * arc / end, force=True))
+    if not phase.is_number or not phase.is_positive:
+        return None
+    return _not_below(arc.args[0] - sp.sin(sp.Min(phase, sp.pi / 2)))
 
 
 def while_it_begins(

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.diagnostics import ProblemError
+from lagrange.core.symbols import t
 from lagrange.explain.report import report
+from lagrange.mechanics.questions.arrivals import while_slipping
 from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
 from lagrange.render.json import as_object
@@ -64,3 +68,15 @@ def test_a_system_that_stays_at_rest_never_gets_anywhere(problem: Read) -> None:
     with pytest.raises(ProblemError) as error:
         solve(problem(text))
     assert [d.code for d in error.value.diagnostics] == ["never-holds"]
+
+
+@pytest.mark.parametrize(
+    ("until", "least"),
+    [(sp.pi / 2, 1), (sp.pi / 6, sp.Rational(1, 2)), (2, 1)],
+)
+def test_what_is_never_reached_ends_nothing(until: sp.Expr, least: sp.Expr) -> None:
+    """l − A sin(w t) > 0 up to w t = π/2 for l ≥ A, where arcsin(l/A) need not exist."""
+    length, size, w = sp.symbols("l A w", positive=True)
+    [condition] = while_slipping([length - size * sp.sin(w * t)], until / w, sign_of)
+    assert condition.relation == "≥"
+    assert sp.simplify((condition.lhs - condition.rhs) / (length - least * size)).is_positive
