@@ -35,10 +35,11 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
 from lagrange.algebra.closed_forms.positive_conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
+from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.degenerate import UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import MOST_MINORS
+from lagrange.mechanics.equilibrium.limits import LONGEST_SECOND_VARIATION, MOST_MINORS
 from lagrange.mechanics.equilibrium.stability import (
     SecondVariation,
     Stability,
@@ -283,6 +284,8 @@ def free_directions(e: Equilibrium) -> tuple[tuple[sp.Expr, ...], ...]:
     if e.elimination.dependent or len(q) != size or not 1 < size <= MOST_MINORS:
         return ()
     second = sp.Matrix(size, size, lambda k, j: forces[k].diff(q[j]))
+    if sum(count_operations(x) for x in second) > LONGEST_SECOND_VARIATION:
+        return ()
     if _vanishes(second - second.T) is not True:
         return ()
     lone = [j for j in range(size) if all(second[k, j] == 0 for k in range(size))]
