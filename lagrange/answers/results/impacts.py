@@ -133,17 +133,21 @@ def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, prob
             for d, c in zip(draws, claims, strict=True)
         ):
             return f"without `{group}`, as if nothing were held there"
+    for changed, clause in _with_other_inertias(m):
+        if all(
+            (v := d.velocity(changed, number)) is not None and _close(v, c) for d, c in zip(draws, claims, strict=True)
+        ):
+            return clause
+    return _about_another_point(m, motion, number, claims, draws)
+
+
+def _with_other_inertias(m: Mechanics) -> Iterator[tuple[Mechanics, str]]:
+    """The system with each mistake in an inertia, and the end of the sentence that names the mistake."""
     for model in MODELS:
         for variation in model.changes(m):
             changed = variation.mechanics
-            if changed is None or changed.inertias == m.inertias or changed.kept != m.kept:
-                continue
-            if all(
-                (v := d.velocity(changed, number)) is not None and _close(v, c)
-                for d, c in zip(draws, claims, strict=True)
-            ):
-                return variation.clause
-    return _about_another_point(m, motion, number, claims, draws)
+            if changed is not None and changed.inertias != m.inertias and changed.kept == m.kept:
+                yield changed, variation.clause
 
 
 def _about_another_point(
@@ -163,15 +167,11 @@ def _about_another_point(
         others = replace(m, inertias=tuple(i for i in m.inertias if i.name != name))
         if all(_close(c * d.energy(others), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)):
             return f"without the inertia of `{name}` just after the impact"
-    for model in MODELS:
-        for variation in model.changes(m):
-            changed = variation.mechanics
-            if changed is None or changed.inertias == m.inertias or changed.kept != m.kept:
-                continue
-            if all(
-                _close(c * d.energy(changed), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)
-            ):
-                return f"from the right momentum just before, and an inertia {variation.clause}"
+    for changed, clause in _with_other_inertias(m):
+        if all(
+            _close(c * d.energy(changed), d.after[number] * d.energy(m)) for d, c in zip(draws, claims, strict=True)
+        ):
+            return f"from the right momentum just before, and an inertia {clause}"
     return None
 
 
