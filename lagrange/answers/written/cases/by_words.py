@@ -1,10 +1,10 @@
-r"""The sense of a motion that is told by a word or by the sign alone: as a condition, or as the sign of the velocity.
+r"""The sense of a motion that a word or a lone sign gives: as a condition, or as the sign of the velocity.
 
     m x'' = -k x - mu m g  (moving right)       m x'' = -k x - mu m g  (x' > 0)
     m x'' + k x = ∓ mu m g                      m x'' + k x = - sign(x') mu m g
 
 The velocity is that of the one acceleration in the line. To the right is the positive sense of a coordinate. The upper
-sign of a ∓ is for a positive velocity; which case comes first in a ± cannot be told, and it stays as it is.
+sign of a ∓ is for a positive velocity; which case comes first in a ± is not known, and it stays as it is.
 """
 
 from __future__ import annotations
