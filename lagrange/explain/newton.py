@@ -311,6 +311,8 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
         while_: tuple[Part, ...] = ("the slip is not zero",)
         if r.speed is not None and r.sense in (1, -1):
             while_ = (math(r.speed, ZERO, relation=">" if r.sense == 1 else "<"),)
+        elif r.speed is not None and r.friction.slip is not None:
+            while_ = (math(r.sense * r.speed, ZERO, relation=">"),)
         second: tuple[Part, ...] = (
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
             "while ", *while_, "; without slip, static friction takes whatever value prevents it, up to a limit.",

@@ -233,8 +233,8 @@ def _friction_force(
     direction = direction.xreplace(rule)
     slip = _slip(friction, reaction, direction, configuration, place, opposite)
     speed, along, sense = _sense(friction, slip, direction, configuration)
-    if friction.slip is not None and not _along_own(along, friction, opposite, original, configuration):
-        sense = -sense
+    if friction.slip is not None:
+        sense *= _sign_along_own(along, friction, opposite, original, configuration)
     along = _without_moduli(along, configuration)
     side = reaction.constraint.side
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
@@ -517,12 +517,13 @@ def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tup
     return speed + textbook_form(rest.dot(w) / square), (w / textbook_form(sp.sqrt(square))).map(textbook_form)
 
 
-def _along_own(
+def _sign_along_own(
     along: Vector, friction: Friction, opposite: str, original: Configuration, configuration: Configuration
-) -> bool:
-    """Whether a direction is that in which the file's own coordinate increases, and not one that depends on it.
+) -> sp.Expr:
+    """The sign of a direction along that in which the file's own coordinate increases: it may turn with the position.
 
-    With x_A + x_B = L the slip of B is −x_A' too, and its sense in the file is that of x_B.
+    With x_A + x_B = L the slip of B is −x_A' too, and its sense in the file is that of x_B. On a circle x = R cos θ
+    increases against θ in the upper half and with θ in the lower: the sign is −sgn(sin θ).
     """
     place = friction.at if friction.at is not None else _point(original, friction.on).position
     slip = velocity_at(original, friction.on, place)
@@ -532,9 +533,18 @@ def _along_own(
     velocities = [v for v in original.slots.velocities if v in _symbols(slip)]
     first = next((v for v in sorted(velocities, key=lambda v: v in of_surface)), None)
     if first is None:
-        return True
+        return sp.S.One
     own = slip.map(lambda c: c.diff(first).xreplace(configuration.substitution)).fixed()
-    return not textbook_form(own.dot(along.fixed())).is_negative
+    share = _without_roots(textbook_form(own.dot(along.fixed())))
+    turning = share.free_symbols & set(configuration.slots.coordinates)
+    sign = 1 if share.is_positive else -1 if share.is_negative else sign_in_range(share)
+    return sp.Integer(sign) if sign is not None else sp.sign(share) if turning else sp.S.One
+
+
+def _without_roots(product: sp.Expr) -> sp.Expr:
+    """A product without its factors that cannot be negative where they exist: roots, magnitudes, even powers."""
+    odd = (f for f in sp.Mul.make_args(product) if not isinstance(f, sp.Abs))
+    return sp.Mul(*(f for f in odd if not (f.is_Pow and (f.exp.is_integer is False or f.exp.is_even))))
 
 
 def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:

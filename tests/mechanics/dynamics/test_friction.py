@@ -417,6 +417,32 @@ def test_a_coefficient_that_varies_is_rewritten_in_a_choice(
     assert verdict(found, right) is Verdict.EQUIVALENT
 
 
+def test_a_sense_of_slip_along_x_turns_with_the_position_on_a_circle(problem: Read) -> None:
+    """Where x' < 0 the bead goes with theta in the upper half and against it in the lower: friction opposes both."""
+    found = solve(
+        problem(
+            "title: Rough hoop\nparameters: {m: positive, R: positive, g: positive, mu: positive}\ngravity: -g*j\n"
+            "coordinates: [x, y]\nparticles: {ring: {mass: m, position: x*i + y*j}}\n"
+            "constraints: {hoop: {equation: x^2 + y^2 = R^2, reaction: N, by: wire}}\n"
+            "forces: {rub: {friction: mu, constraint: hoop, on: ring, slip: negative}}\n"
+            "generalized_coordinates:\n"
+            "  angle: {coordinates: [theta], substitute: {x: R*cos(theta), y: -R*sin(theta)}}\n"
+        )
+    )
+    assert all(check.passed for check in found.checks)
+    [chosen] = found.choices
+    assert chosen.motion is not None
+    [equation] = chosen.motion.expressions
+    names = {s.name: s for s in equation.free_symbols}
+    at = {names["R"]: 2, names["g"]: 10, names["mu"]: sp.Rational(1, 2), names["theta'"]: 3}
+    for angle in (sp.Rational(1, 2), -sp.Rational(1, 2)):
+        here = {**at, names["theta"]: angle}
+        [value] = sp.solve(equation.xreplace(here), names["theta''"])
+        normal = abs(2 * 9 + 10 * sp.sin(angle))
+        by_hand = (10 * sp.cos(angle) - sp.sign(angle) * normal / 2) / 2
+        assert abs((value - by_hand).evalf(20)) < 1e-15
+
+
 @pytest.mark.parametrize(("slip", "sign"), [("negative", -1), ("positive", 1)])
 def test_the_sense_of_slip_is_that_of_the_coordinate_of_the_file(problem: Read, slip: str, sign: int) -> None:
     """x_A + x_B = 0: the block B that slides to −x is held back to +x, and so is A to −x, in every coordinate."""
