@@ -312,7 +312,8 @@ def measured(quantity: Quantity, digits: int) -> Math:
 def _equilibria(view: InCoordinates, in_numbers: EquilibriaInNumbers, digits: int, start: str) -> Iterator[Block]:
     """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
     suffix = suffix_of(view.name)
-    kind = "at-rest" if view.linearization is not None else "equilibrium"
+    rest, about = view.equilibrium, view.linearization
+    kind = "equilibrium" if about is None or (rest is not None and about.is_about_all_of(rest)) else "at-rest"
 
     def called(n: int) -> Ref:
         return Ref(f"{kind}{suffix}-{n + 1}")

@@ -313,7 +313,7 @@ def _small_oscillations(view: InCoordinates) -> Step | None:
         return None
     from lagrange.explain.rest.oscillations import explain_linearization
 
-    return explain_linearization(view.linearization, after_equilibrium=view.equilibrium is not None)
+    return explain_linearization(view.linearization, after=view.equilibrium)
 
 
 def _forced(view: InCoordinates) -> Step | None:

@@ -33,7 +33,13 @@ from lagrange.explain.words import as_stated, constraints_called, in_words, plur
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
-from lagrange.mechanics.rewriting.held_coordinates import held_values, where_held, without_given_rates
+from lagrange.mechanics.rewriting.held_coordinates import (
+    given_rates,
+    held_values,
+    where_held,
+    without_given_rates,
+)
+from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.valued import values_in
 
@@ -115,7 +121,7 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
     if freed is not None and all((e.label or "").startswith(("motion", "with")) for e in equations or ()):
         constraints = [e for e in equations or () if (e.label or "").startswith("with")]
         kept[Rule.EQUATIONS_OF_MOTION] = [Equation((e.expression, sp.S.Zero)) for e in freed.equations] + constraints
-    held = held_values(view.configuration)
+    held = held_values(view.configuration) | given_rates(view.configuration)
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
         kept[rule] = _where_held(kept.get(rule, []), held)
     equations = kept[Rule.EQUATIONS_OF_MOTION]
@@ -130,10 +136,21 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         if whole and (short or all(e.operations <= LONGEST_ACCELERATION for e in unknown)):
             kept[Rule.EQUATIONS_OF_MOTION] = unknown
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
-        if not (others := [e for e in kept.get(rule, ()) if e.sides not in asked]):
+        if not (others := [e for e in kept.get(rule, ()) if not any(_say_the_same(e.sides, a) for a in asked)]):
             kept.pop(rule, None)
         else:
             kept[rule] = others
+
+
+def _say_the_same(sides: Sequence[object], others: Sequence[object]) -> bool:
+    """Whether two lines give one quantity the same value, in whatever form."""
+    if sides == others:
+        return True
+    (left, *values), (same, *wanted) = sides, others
+    if left != same or not isinstance(left, sp.Symbol) or not len(values) == len(wanted) == 1:
+        return False
+    [a], [b] = values, wanted
+    return isinstance(a, sp.Expr) and isinstance(b, sp.Expr) and are_same_formulas(a, b, {})
 
 
 def _where_held(lines: list[Equation], held: Mapping[sp.Symbol, sp.Expr]) -> list[Equation]:
@@ -240,6 +257,10 @@ def _from_steps(
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
             continue  # with a denominator that has a letter of its own
+        if rule is Rule.SOLVED_REACTIONS and solution.law is not None:
+            unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named}
+            lines = [e for e in lines if e.sides[0] not in unnamed or e.sides[1] != 0]
+            lines = [e for e in lines if e.sides[0] not in unnamed] or lines
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(e.operations for e in lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines

@@ -14,6 +14,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
+from lagrange.document.references import referring_to
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
 from lagrange.explain.rest.equilibrium import but_for_drift, full_turns, outside_ranges, singular_places, why_it_drifts
 from lagrange.explain.words import (
@@ -26,6 +27,7 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.equilibrium.damped_modes import DampedMode, DampedModes
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms, has_uniform_motion
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
@@ -36,11 +38,12 @@ ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
 
 
-def explain_linearization(linearization: Linearization, *, after_equilibrium: bool = False) -> Step:
-    """The step on small oscillations in one set of coordinates; `after_equilibrium`: that on equilibrium precedes."""
+def explain_linearization(linearization: Linearization, *, after: Equilibrium | None = None) -> Step:
+    """The step on small oscillations in one set of coordinates; `after`: the equilibria of the step that precedes."""
     name = linearization.configuration.name
-    body = [*_rest(linearization)]
-    if after_equilibrium:
+    listed_before = after is not None and linearization.is_about_all_of(after)
+    body = [_as_before(linearization)] if listed_before else [*_rest(linearization)]
+    if after is not None:
         said = [*singular_places(linearization.equilibrium), *outside_ranges(linearization.equilibrium)]
         body = [b for b in body if b not in said]
     if any(s is not None for s in linearization.at):
@@ -53,7 +56,17 @@ def explain_linearization(linearization: Linearization, *, after_equilibrium: bo
     if linearization.turning:
         rates = listed(math(prime(q)) for q in linearization.turning)
         body.append(prose("There are steady motions as well, in which ", *rates, " are constant and not zero."))
+    if listed_before:
+        suffix, numbers = suffix_of(name), range(1, len(linearization.branches) + 1)
+        body = [*referring_to(body, {f"at-rest{suffix}-{n}": f"equilibrium{suffix}-{n}" for n in numbers})]
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
+
+
+def _as_before(linearization: Linearization) -> Block:
+    """`At rest the equation of motion is satisfied at (9) and (10).`"""
+    refs = listed(Ref(label_of(linearization, "at-rest", n + 1)) for n in range(len(linearization.branches)))
+    equation = plural(len(linearization.motion.final), "equation of motion is", "equations of motion are")
+    return prose(f"At rest the {equation} satisfied at ", *refs, ".")
 
 
 def explain_omitted(

@@ -170,6 +170,11 @@ class Linearization:
         """The earlier equilibrium that the nth one, counted from 0, is a copy of."""
         return self.copies[n] if self.copies else None
 
+    def is_about_all_of(self, equilibrium: Equilibrium) -> bool:
+        """Whether its equilibria, all of them known, are those of the principle of virtual work, in the same order."""
+        same = self.complete and self.branches == equilibrium.branches
+        return same and bool(self.branches) and all(b.equations for b in self.branches)
+
     @property
     def originals(self) -> tuple[SmallOscillations, ...]:
         """The linear equations that are known, without copies."""

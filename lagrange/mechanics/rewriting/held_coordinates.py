@@ -52,6 +52,22 @@ def held_values(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     return values
 
 
+def given_rates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The constant rates that a moving constraint gives by itself: φ = Ω t turns at Ω, without acceleration."""
+    coordinates = {*configuration.slots.coordinates}
+    rates: dict[sp.Symbol, sp.Expr] = {}
+    for f in configuration.finite_constraints:
+        turning = f.free_symbols & coordinates
+        if t not in f.free_symbols or len(turning) != 1 or f.free_symbols & {*configuration.slots.prescribed}:
+            continue
+        [q] = turning
+        slope = partial(f, q)
+        rate = -textbook_form(f.diff(t) / slope) if slope.is_nonzero and not slope.has(q) else t
+        if not rate.has(t, q):
+            rates |= {prime(q): rate, prime(q, 2): sp.S.Zero}
+    return rates
+
+
 def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     """An expression with `held_values` substituted, unless it has unspecified functions, whose arguments are kept."""
     return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))

@@ -71,3 +71,29 @@ def test_small_oscillations_of_a_spinning_body_name_its_steady_motions() -> None
     found = report(read_problem(Source("top.yaml", text)), complete=False)
     page = " ".join(terminal.text(found.derivation, found.notation, 80).split())
     assert "There are steady motions as well, in which φ̇ and ψ̇ are constant and not zero." in page
+
+
+DOOR = """
+title: Door on a tilted line
+parameters: {m: positive, b: positive, g: {value: 9.81 m/s^2}, beta: acute}
+gravity: -g*(cos(beta)*k + sin(beta)*i)
+coordinates: {phi: angle of the door}
+bodies: {door: {mass: m, inertia: m*b^2/12, position: b/2*(cos(phi)*i + sin(phi)*j), angle: phi}}
+find: [motion, equilibrium, linearization]
+"""
+
+
+def test_equilibria_are_listed_once() -> None:
+    """The linear equations are about those that the principle of virtual work has given."""
+    found = report(read_problem(Source("door", DOOR)))
+    labels = [
+        e.label
+        for s in found.derivation.steps
+        for b in s.body
+        if isinstance(b, Display)
+        for e in b.equations
+        if e.label
+    ]
+    assert {"equilibrium-1", "equilibrium-2"} <= {*labels} and not any(x.startswith("at-rest") for x in labels)
+    page = terminal.text(found.derivation, found.notation, 80)
+    assert "At rest the equation of motion is satisfied at (9) and (10)." in page and "(?)" not in page
