@@ -14,5 +14,7 @@ def test_references_are_relabelled_in_prose_and_conditions() -> None:
         display(Equation((x, x), condition=("by ", Ref("old")))),
     ]
     said, shown = referring_to(blocks, {"old": "new"})
-    assert isinstance(said, Prose) and said.parts == ("By ", Ref("new"), " and ", Ref("kept"), ".")
-    assert isinstance(shown, Display) and shown.equations[0].condition == ("by ", Ref("new"))
+    assert isinstance(said, Prose)
+    assert said.parts == ("By ", Ref("new"), " and ", Ref("kept"), ".")
+    assert isinstance(shown, Display)
+    assert shown.equations[0].condition == ("by ", Ref("new"))
