@@ -226,6 +226,8 @@ class Writer:
                 )  # m g cos α/(M + m sin²α), W sin β/sin(α + β): the coefficient would outweigh cos α
             if others and all(isinstance(base, sp.Abs) or not power.is_Integer for base, power in others):
                 return [], scalars, last  # F |c − m ω²|/|Δ|, a √(...)/√(...)
+            if others and all(self.order.is_constant(base) for base, _ in others) and any(map(_is_nested, constant)):
+                return [], scalars, last  # v [√(2g h + v² sin²α) + v sin α] cos α/g
             fixed = [f for f in others if isinstance(f[0], sp.exp) and self.order.is_constant(f[0])]
             above_line = [f for f in scalars if f in constant or f in fixed]  # M exp(μ β)/(...): a constant as well
             return [], above_line, [f for f in others if f not in fixed] + last
@@ -401,6 +403,14 @@ def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:
         for function in expression.atoms(Unspecified):
             lists.setdefault(function.name, set()).add(function.arguments)
     return frozenset(name for name, arguments in lists.items() if len(arguments) > 1)
+
+
+def _is_nested(factor: BasePower) -> bool:
+    """Whether it is a sum with roots or functions: in front of the line of a fraction it would need braces."""
+    base, _ = factor
+    return isinstance(base, sp.Add) and any(
+        a.is_Function or (a.is_Pow and not a.exp.is_Integer) for a in base.atoms(sp.Pow, sp.Function)
+    )
 
 
 def _is_slope(factor: BasePower) -> bool:

@@ -274,6 +274,14 @@ def test_a_denominator_with_sines_takes_the_constants_above_it():
     assert unicode(W * sp.sin(beta) / sp.sin(alpha + beta)) == "W sin β/sin(α + β)"
 
 
+def test_a_bracket_with_a_root_stands_in_one_fraction_with_what_follows():
+    v, h, alpha = sp.symbols("v h alpha", positive=True)
+    bracket = v * sp.sin(alpha) + sp.sqrt(2 * g * h + v**2 * sp.sin(alpha) ** 2)
+    written = unicode(v * bracket * sp.cos(alpha) / g)
+    assert "{" not in written
+    assert written.endswith("] cos α/g")
+
+
 def test_angles_that_are_numbers_stand_in_degrees():
     ninth = sp.cos(sp.pi / 9)
     assert unicode(2 - 3 * ninth) == "2 − 3 cos 20°"

@@ -18,6 +18,7 @@ from itertools import chain
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, vanishes
@@ -85,6 +86,7 @@ def _of_square(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | None:
     work = antiderivative(sp.expand(w * f), q)
     if work is None:
         return None
+    work = factored_quotient(work) if w != 1 else work
     return UsedIntegral(IntegralKind.WORK, w * v**2 / 2 - work, sp.S.Zero, None, q, w, a)
 
 
@@ -125,12 +127,12 @@ def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
 
 def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: MotionView) -> bool:
     """Whether an integral tells more about the velocities than those that are known."""
-    if not used:
-        return True
     configuration = place.configuration
     slots = configuration.slots
     rows = [[i.expression.diff(v) for v in slots.velocities] for i in used]
     rows += [list(r.coefficients) for r in configuration.rows if r.nonlinear is None]
+    if not rows:
+        return True
     try:
         before = configuration.states.rank(rows)
         after = configuration.states.rank([*rows, [e.diff(v) for v in slots.velocities]])

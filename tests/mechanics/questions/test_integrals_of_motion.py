@@ -79,3 +79,25 @@ ask: {way: {quantity: x, when: x' = v_2}}
     [asked] = solve(problem(text)).asked
     m, p, v_1, v_2 = sp.symbols("m P v_1 v_2", positive=True)
     assert [sp.expand(v - m * (v_2**3 - v_1**3) / (3 * p)) for b in asked.branches for v in b.values] == [0]
+
+
+ROUGH_RING = """title: Ring on a rough hoop
+parameters: {m: positive, R: positive, g: positive, mu: positive}
+gravity: -g*j
+coordinates: [r, theta]
+particles: {ring: {mass: m, position: r*cos(theta)*i - r*sin(theta)*j}}
+constraints: {hoop: {equation: r = R, reaction: N, by: wire}}
+forces: {rub: {friction: mu, constraint: hoop, on: ring, slip: positive, contact: negative}}
+initial: {theta: 0, theta': 0}
+ask: {speed: {quantity: "R*theta'", when: theta = pi/2}}
+"""
+
+
+def test_a_coordinate_that_is_held_has_no_integral_to_tell(problem: Read) -> None:
+    """r'' = 0 tells nothing where r = R. By hand, v² = 2 g R (e^{πμ} − 3μ − 2μ² e^{πμ}) e^{−πμ}/(1 + 4μ²)."""
+    [speed] = solve(problem(ROUGH_RING)).asked
+    assert [i.coordinate.name for i in speed.integrals if i.coordinate is not None] == ["theta"]
+    at = {"R": 2, "g": 10, "mu": 0.1}
+    value = float(speed.branches[0].rhs.xreplace({s: at[s.name] for s in speed.branches[0].rhs.free_symbols}))
+    e = math.exp(0.1 * math.pi)
+    assert value**2 == pytest.approx(40 * (e - 0.3 - 0.02 * e) / e / 1.04)
