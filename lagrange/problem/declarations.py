@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, nearest
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified
-from lagrange.core.units import has_unit
+from lagrange.core.units import has_unit, unit_of
 from lagrange.expressions.reader import RESERVED, FunctionDeclaration, Scope
 from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
@@ -181,6 +181,8 @@ def _assumption(scalar: Scalar) -> Assumption:
     listed = ", ".join(f"`{a}`" for a in Assumption)
     near = None if scalar.text == "negative" else nearest(scalar.text, [*Assumption])
     help_ = f"did you mean `{near}`?" if near else f"write {listed}, or a value with its unit, `2 kg`"
+    if near is None and unit_of(scalar.text) is not None:
+        help_ = f"write `{{unit: {scalar.text}}}` for its unit, or a value with it, `2 {scalar.text}`"
     if scalar.text == "negative":
         help_ = "name its positive size, and write a minus where it is used; or write `real`"
     raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))

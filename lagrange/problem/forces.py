@@ -123,7 +123,10 @@ def _force(
     if kind is None:
         listed = ", ".join(f"`{k}`" for k in forms)
         message = f"{what} does not say what acts"
-        raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"give it one of {listed}"))
+        help_ = f"give it one of {listed}"
+        if section.has("static"):
+            help_ = "add `friction: mu`, the coefficient while it slides; at rest only that of `static` is used"
+        raise ProblemError(Diagnostic("force-kind", message, key.span, help=help_))
     section.form = forms[kind]
     return _READERS[kind](_Entry(name, what, key, section, context, tensions))
 

@@ -241,6 +241,8 @@ HELPS = {
     ALL + "find: motion, equilibrium": "`find: [equilibrium, motion]`",
     ALL + "answers: {classification: [holonomous]}": "did you mean `holonomic`?",
     "title: T\nparameters: {m: negative}\ncoordinates: [x]": "minus",
+    "title: T\nparameters: {m: kg}\ncoordinates: [x]": "`{unit: kg}`",
+    ALL + "forces: {a: {static: m, constraint: s, on: P}}": "add `friction: mu`",
     "title: T\ncoordinates: x, y": "`coordinates: [x, y]`",
     "title: T\ncoordinates: [x y]": "`[x, y]`",
 }
