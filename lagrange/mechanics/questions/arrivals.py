@@ -145,6 +145,13 @@ def while_slipping(
             return None
         if beginning is None:
             conditions.append(more_than_zero(start))
+        least = _least_of_wave(speed, until, sign)
+        if least is not None:
+            signs = [sign(e) for e in least]
+            if -1 in signs:
+                return None
+            conditions += [_not_below(e) for e, s in zip(least, signs, strict=True) if s is None]
+            continue
         ends = times(speed)
         if ends is None:
             raise SlipEndUndecidedError
@@ -155,25 +162,35 @@ def while_slipping(
             if lasts not in (0, 1):
                 if end.conditions and len(ends) > 1:
                     raise SlipEndUndecidedError
-                by_size = _greatest_not_reached(end.value, until) if end.conditions else None
                 before = SignCondition(t, "≤", end.value) if until == t else _not_below(end.value - until)
-                conditions.append(by_size or before)
+                conditions.append(before)
     return tuple(dict.fromkeys(conditions))
 
 
-def _greatest_not_reached(end: sp.Expr, until: sp.Expr) -> SignCondition | None:
-    """z ≥ sin c, where z − sin(w t) ends at t = arcsin(z)/w, or never for z > 1, and has to last until c/w.
+def _least_of_wave(speed: sp.Expr, until: sp.Expr, sign: Callable[[sp.Expr], int | None]) -> list[sp.Expr] | None:
+    """The least values of A + B cos ωt, or with the sine, between t = 0 and a time, without that at t = 0.
 
-    For c ≥ π/2 the sine has been 1: z ≥ 1. None where the end is no arc sine, or c no number.
+    Two where the sign of B is open. None where the speed is no such wave, or ω times the time no number: for
+    z − sin ωt up to t = c/ω this is z − sin c, or z − 1 if c ≥ π/2.
     """
-    arcs = end.atoms(sp.asin)
-    if len(arcs) != 1 or until == t:
+    e = sp.expand(speed)
+    waves = [f for f in e.atoms(sp.sin, sp.cos) if t in f.free_symbols]
+    if len(waves) != 1 or until == t:
         return None
-    [arc] = arcs
-    phase = sp.cancel(sp.powdenest(until * arc / end, force=True))
-    if not phase.is_number or not phase.is_positive:
+    [wave] = waves
+    size, phase = e.coeff(wave, 1), sp.cancel(sp.powdenest(wave.args[0].xreplace({t: until}), force=True))
+    mean = sp.expand(e - size * wave)
+    if t in mean.free_symbols | size.free_symbols or not phase.is_number or not phase.is_positive:
         return None
-    return _not_below(arc.args[0] - sp.sin(sp.Min(phase, sp.pi / 2)))
+    if wave.args[0].xreplace({t: sp.S.Zero}) != 0:
+        return None
+    first = 0 if isinstance(wave, sp.cos) else sp.pi / 2
+    turns = [first, first + sp.pi]  # one more period tells nothing new
+    heights = [wave.func(0), *(wave.func(x) for x in turns if x < phase), wave.func(phase)]
+    low, high = sp.Min(*heights), sp.Max(*heights)
+    known = sign(size)
+    needed = [low] if known == 1 else [high] if known == -1 else [low, high]
+    return [mean + size * h for h in needed if h != heights[0]]
 
 
 def while_it_begins(

@@ -80,6 +80,7 @@ class Meanings:
     sides     the signs with which coordinates and their differences start, likewise for |q| and |x − y|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
+    fixed     the coordinates and velocities that constraints hold at their initial values
     """
 
     accelerations: SymbolValues
@@ -89,6 +90,7 @@ class Meanings:
     sides: Senses = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
     held: bool = False
+    fixed: SymbolValues = field(default_factory=dict)
 
     def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
         """The reactions in an expression that are not known."""
@@ -96,7 +98,12 @@ class Meanings:
 
     def on_side(self, e: sp.Expr) -> sp.Expr:
         """An expression with |q| and sgn q as at the start."""
-        rule = {f: v for q, s in self.sides.items() for f, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
+        rule: dict[sp.Basic, sp.Expr] = {}
+        for f in e.atoms(sp.Abs, sp.sign) if self.sides else ():
+            inside = f.args[0].xreplace(dict(self.fixed))  # |x − y| is |y| where x = 0
+            side = self.sides.get(inside) or -self.sides.get(-inside, 0)
+            if side:
+                rule[f] = side * f.args[0] if isinstance(f, sp.Abs) else sp.Integer(side)
         return textbook_form(e.xreplace(rule)) if rule else e
 
     def applied(self, e: sp.Expr) -> sp.Expr:
@@ -212,6 +219,7 @@ def held_in_place(known: Meanings, fixed: SymbolValues) -> Meanings:
         accelerations=accelerations,
         reactions=reactions,
         energies={s: e.xreplace(rule) for s, e in known.energies.items()},
+        fixed=fixed,
     )
 
 

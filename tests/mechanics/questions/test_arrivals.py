@@ -80,3 +80,10 @@ def test_what_is_never_reached_ends_nothing(until: sp.Expr, least: sp.Expr) -> N
     [condition] = while_slipping([length - size * sp.sin(w * t)], until / w, sign_of)
     assert condition.relation == "≥"
     assert sp.simplify((condition.lhs - condition.rhs) / (length - least * size)).is_positive
+
+
+def test_a_wave_that_starts_at_its_least_value_lasts() -> None:
+    """l − d cos(w t) > 0 where it begins, l > d, holds ever after, also for l > d where arccos(l/d) does not exist."""
+    length, d, w = sp.symbols("l d w", positive=True)
+    [condition] = while_slipping([length - d * sp.cos(w * t)], sp.pi / (2 * w), sign_of)
+    assert (condition.lhs - condition.rhs) * (1 if condition.relation == ">" else -1) == length - d

@@ -101,3 +101,27 @@ def test_a_coordinate_that_is_held_has_no_integral_to_tell(problem: Read) -> Non
     value = float(speed.branches[0].rhs.xreplace({s: at[s.name] for s in speed.branches[0].rhs.free_symbols}))
     e = math.exp(0.1 * math.pi)
     assert value**2 == pytest.approx(40 * (e - 0.3 - 0.02 * e) / e / 1.04)
+
+
+AGAINST_A_WALL = """title: Two blocks and a spring, one against a wall
+parameters: {m_1: {value: 1 kg}, m_2: {value: 2 kg}, k: {value: 300 N/m}, d: {value: 5 cm}, l: {value: 20 cm}}
+coordinates: [x, y]
+particles: {A: {mass: m_1, position: x*i}, B: {mass: m_2, position: y*i}}
+constraints: {wall: {equation: x >= 0, reaction: N}}
+forces: {spring: {spring: k, between: [A, B], length: l}}
+initial: {x: 0, x': 0, y: l - d, y': 0}
+ask: {v: {quantity: "y'", when: N = 0}, time: {quantity: t, when: N = 0}}
+"""
+
+
+def test_the_spring_between_a_held_block_and_another_has_one_side(problem: Read) -> None:
+    """By hand: v = d √(k/m), after a quarter of a period; l/d > 1 has no arc cosine, and ends nothing."""
+    speed, time = solve(problem(AGAINST_A_WALL)).asked
+    names = {s.name: s for s in speed.branches[0].rhs.free_symbols}
+    assert sp.simplify(speed.branches[0].rhs - names["d"] * sp.sqrt(names["k"] / names["m_2"])) == 0
+    assert not speed.branches[0].conditions
+    [quarter] = time.branches
+    assert not quarter.conditions
+    assert float(quarter.rhs.xreplace({s: {"m_2": 2, "k": 300}[s.name] for s in quarter.rhs.free_symbols})) == (
+        pytest.approx(math.pi / 2 * math.sqrt(2 / 300))
+    )
