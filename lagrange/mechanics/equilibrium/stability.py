@@ -521,8 +521,8 @@ def not_vanishing(
 def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | None:
     """x² without coordinates, if it is the same at all points of a branch: cos² θ where tan θ = a."""
     squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
-    squares = {s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}}
-    return squares.pop() if len(squares) == 1 else None
+    known = sorted((s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}), key=str)
+    return known[0] if known and all(is_zero(s - known[0]) is True for s in known[1:]) else None
 
 
 def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:

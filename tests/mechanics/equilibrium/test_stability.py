@@ -259,3 +259,19 @@ def test_an_equilibrium_of_a_sinusoidal_potential_is_judged_without_a_condition(
         assert stability is not None
         [found] = stability.verdicts
         assert (found.verdict, found.presupposed) == (verdict, ())
+
+
+def test_what_keeps_a_sine_from_vanishing_is_stated_in_parameters() -> None:
+    """cos θ = [a + √(a² + 32R²)]/(8R) exists for a ≤ 2R, and for a = 2R the rod lies flat on the rim: sin θ = 0."""
+    found = solve(
+        read(
+            "title: Rod in a bowl\nparameters: {W: positive, R: positive, a: positive}\n"
+            "coordinates: {theta: {range: [0, pi/2]}}\n"
+            "particles: {G: {mass: 0, "
+            'position: "(-R*cos(2*theta) + a*cos(theta))*i + (-R*sin(2*theta) + a*sin(theta))*j"}}\n'
+            "forces: {weight: {on: G, vector: -W*j}}\nfind: equilibrium\n"
+        )
+    )
+    assert found.own.stability is not None
+    [stability] = found.own.stability.verdicts
+    assert [(str(c.lhs), c.relation, str(c.rhs)) for c in stability.presupposed] == [("2*R", ">", "a")]
