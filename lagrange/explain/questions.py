@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import t
+from lagrange.core.symbols import base, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
@@ -259,7 +259,10 @@ def _answer(asked: Asked) -> Iterator[Block]:
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if angles := [*_angles(asked)]:
         yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
-    if any(b.limit for b in asked.branches):
+    if any(b.limit and not _is_at_rest(b) for b in asked.branches):
+        yield prose("The motion approaches this in the limit ", math(t, sp.oo, relation="→"), ", and is never there.",
+                    detail=Detail.BRIEF)  # fmt: skip
+    elif any(b.limit for b in asked.branches):
         yield prose("There the velocity and the acceleration vanish: a motion that starts elsewhere only approaches "
                     "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
     if any(b.provided for b in asked.branches):
@@ -271,6 +274,11 @@ def _answer(asked: Asked) -> Iterator[Block]:
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
         yield prose(*_dropped(b, because))
+
+
+def _is_at_rest(b: AnswerBranch) -> bool:
+    """Whether all velocities that are known at the states of a branch are zero."""
+    return bool(b.states) and not any(v for s in b.states for q, v in s.items() if base(q) != q)
 
 
 def _angles(asked: Asked) -> Iterator[Math]:

@@ -11,16 +11,22 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.questions.branches import InitialMotion
+from lagrange.mechanics.questions.closed_motions import ClosedMotion
 from lagrange.mechanics.questions.reach import Path, Reach, Reached
+from lagrange.mechanics.questions.rest.refusals import never_holds
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import SymbolValues
-from lagrange.mechanics.questions.times import times
+from lagrange.mechanics.questions.times import fades, limit_in_time, times
+from lagrange.problem.model import Question
 
 
 @record
@@ -122,6 +128,21 @@ class Arrivals:
             return False
         values = [known.accelerations.get(prime(q, 2), sp.S.One).xreplace(dict(state)) for q in resting]
         return all(is_zero(e) is True for e in values)
+
+
+def approached(
+    question: Question, quantity: sp.Expr, when: Sequence[sp.Expr], rule: SymbolValues, motions: Sequence[ClosedMotion]
+) -> AnswerBranch:
+    """The value for t → ∞ of a quantity, where a condition holds in this limit only: the final speed of a fall.
+
+    Raises ProblemError where the condition never holds, or the limit is not known.
+    """
+    is_approached = any(fades(m.at_time(e.xreplace(dict(rule)))) for m in motions for e in when)
+    value = limit_in_time(motions[0].at_time(quantity)) if is_approached and len(motions) == len(when) == 1 else None
+    if value is None or question.quantity == t:
+        raise ProblemError(never_holds(question, is_approached))
+    value = shortest_form(factored_quotient(value))
+    return AnswerBranch(question.quantity, value, (value,), limit=True)
 
 
 def while_slipping(

@@ -26,7 +26,13 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import numerical
-from lagrange.mechanics.questions.arrivals import Arrivals, SlipEndUndecidedError, while_it_begins, while_slipping
+from lagrange.mechanics.questions.arrivals import (
+    Arrivals,
+    SlipEndUndecidedError,
+    approached,
+    while_it_begins,
+    while_slipping,
+)
 from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, reduced
@@ -47,7 +53,7 @@ from lagrange.mechanics.questions.states import (
     meanings_at,
     without,
 )
-from lagrange.mechanics.questions.times import TimeRoot, fades, in_order, keeps_sign, times
+from lagrange.mechanics.questions.times import TimeRoot, in_order, keeps_sign, times
 from lagrange.problem.model import Condition, Problem, Question
 
 
@@ -299,8 +305,8 @@ class _Search:
             branches = [replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *begins)))) for b in branches]
         if self.setting.stated_slips:
             branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
-        if len(branches) == 1 and branches[0].provided:
-            branches = [self._confirmed_in_time(branches[0])]
+        if branches and all(b.provided for b in branches):
+            branches = self._confirmed_in_time(branches)
         dropped = (*((b, Reason.SENSE) for b in against), *chosen.dropped)
         return replace(
             self._asked(route, How.EXACT, used),
@@ -322,15 +328,15 @@ class _Search:
                 values.append(b.at(states))
         return values
 
-    def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
-        """The branch without a doubt, where the solution in time comes to the same value."""
+    def _confirmed_in_time(self, branches: Sequence[AnswerBranch]) -> Sequence[AnswerBranch]:
+        """The branch without a doubt to whose value the solution in time comes; all where none is seen to be that."""
         asked = self._in_time() if self.parameter is None else None
-        if asked is None or len(asked.branches) != 1 or len(b.values) != 1:
-            return b
-        [other] = asked.branches
-        if is_zero(other.values[0] - b.values[0]) is not True:
-            return b
-        return replace(b, provided=False, conditions=tuple(dict.fromkeys((*b.conditions, *other.conditions))))
+        [other] = asked.branches if asked is not None and len(asked.branches) == 1 else [None]
+        for b in branches if other is not None else ():
+            if len(b.values) == 1 and is_zero(other.values[0] - b.values[0]) is True:
+                conditions = tuple(dict.fromkeys((*b.conditions, *other.conditions)))
+                return [replace(b, provided=False, limit=b.limit or other.limit, conditions=conditions)]
+        return branches
 
     def _with_stated_slip(self, b: AnswerBranch) -> AnswerBranch | None:
         """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
@@ -456,9 +462,7 @@ class _Search:
         if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
         branches = [replace(b, states=tuple(without(s, places.values()) for s in b.states)) for b in branches]
-        if not branches:
-            approached = any(fades(m.at_time(e.xreplace(rule))) for m in motions for e in self.when)
-            raise ProblemError(never_holds(self.question, approached))
+        branches = branches or [approached(self.question, self.quantity.xreplace(rule), self.when, rule, motions)]
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
             branches=tuple(shown(b) for b in branches),

@@ -239,17 +239,36 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
 
 
 def fades(e: sp.Expr) -> bool:
-    """Whether a function of time is a sum of terms that all decay exponentially."""
-    terms = sp.Add.make_args(sp.expand(e)) if count_operations(e) <= LONGEST_EQUATION else ()
-    return bool(terms) and all(_decays(term) for term in terms)
+    """Whether a function of time vanishes in the limit t → ∞, and only there, because exponentials decay."""
+    limit = limit_in_time(e)
+    return limit is not None and is_zero(limit) is True
 
 
-def _decays(term: sp.Expr) -> bool:
-    waves = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.exp) and t in f.free_symbols]
-    rest = sp.Mul(*(f for f in sp.Mul.make_args(term) if f not in waves))
-    rate = sp.Add(*(f.args[0] for f in waves)).diff(t)
-    bounded = rest.xreplace(dict.fromkeys(rest.atoms(sp.cos, sp.sin), sp.S.One))
-    return t not in rate.free_symbols and sign_of(rate) == -1 and bounded.is_polynomial(t)
+def limit_in_time(e: sp.Expr) -> sp.Expr | None:
+    """The limit for t → ∞ of a function of decaying exponentials, tanh x among them; None for others.
+
+    e^{−rt} is a letter that becomes zero: waves and powers of t beside it do not matter, but must not stand alone.
+    """
+    if count_operations(e) > LONGEST_EQUATION:
+        return None
+    e = e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh | sp.tanh), lambda f: f.rewrite(sp.exp))
+    waves = [f for f in e.atoms(sp.exp) if t in f.free_symbols]
+    letters: dict[sp.Expr, sp.Expr] = {}
+    for f in waves:
+        rate = sp.factor(f.args[0].diff(t))
+        sign = sign_of(rate)
+        if t in rate.free_symbols or sign not in (1, -1) or f.args[0].xreplace({t: sp.S.Zero}) != 0:
+            return None
+        decay = sp.expand(sign * rate)
+        letter = letters.setdefault(decay, sp.Dummy(positive=True))
+        e = e.xreplace({f: letter ** (-sign)})
+    above, below = sp.fraction(sp.cancel(sp.together(e))) if letters else (e, sp.S.One)
+    gone = dict.fromkeys(letters.values(), sp.S.Zero)
+    if t in below.free_symbols or not letters or below.xreplace(gone) == 0:
+        return None
+    limit = above.xreplace(gone) / below.xreplace(gone)
+    bounded = above.xreplace(dict.fromkeys(above.atoms(sp.cos, sp.sin), sp.S.One))
+    return limit if t not in limit.free_symbols and bounded.is_polynomial(t, *gone) else None
 
 
 def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 import sympy as sp
 
@@ -87,3 +89,22 @@ def test_a_wave_that_starts_at_its_least_value_lasts() -> None:
     length, d, w = sp.symbols("l d w", positive=True)
     [condition] = while_slipping([length - d * sp.cos(w * t)], sp.pi / (2 * w), sign_of)
     assert (condition.lhs - condition.rhs) * (1 if condition.relation == ">" else -1) == length - d
+
+
+@pytest.mark.parametrize(
+    ("force", "final"), [("c*v'^2", lambda m, g, c: sp.sqrt(m * g / c)), ("c*v'", lambda m, g, c: m * g / c)]
+)
+def test_a_final_speed_is_the_limit_of_the_fall(problem: Read, force: str, final: Callable[..., sp.Expr]) -> None:
+    """With v² drag v'' = 0 has two roots: the fall from rest comes to one of them, and is never there."""
+    text = (
+        "title: Stone that falls\nparameters: {m: positive, g: positive, c: positive}\ngravity: -g*j\n"
+        "coordinates: [v]\nparticles: {stone: {mass: m, position: -v*j}}\n"
+        f'forces: {{drag: {{on: stone, vector: "{force}*j"}}}}\ninitial: {{v: 0, v\': 0}}\n'
+        "ask: {final: {quantity: v', when: \"v'' = 0\"}}\n"
+    )
+    [asked] = solve(problem(text)).asked
+    [branch] = asked.branches
+    assert branch.limit
+    assert not branch.provided
+    symbols = {s.name: s for s in branch.rhs.free_symbols}
+    assert sp.simplify(branch.rhs - final(symbols["m"], symbols["g"], symbols["c"])) == 0

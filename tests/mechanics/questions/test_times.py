@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.mechanics.questions.times import in_order, times
+from lagrange.mechanics.questions.times import fades, in_order, limit_in_time, times
 
 w, a, b, c = sp.symbols("w a b c", positive=True)
 NUMBERS = {w: 1.3, a: 0.4, b: 1.7, c: 0.9}
@@ -49,3 +49,14 @@ def test_the_first_root_is_the_first_one_in_numbers(function: sp.Expr, number: i
 )
 def test_what_has_no_closed_form_is_left_open(function: sp.Expr) -> None:
     assert times(function) is None
+
+
+def test_the_limit_of_decaying_exponentials() -> None:
+    c, m, g, w = sp.symbols("c m g w", positive=True)
+    assert limit_in_time(m * g / c * (1 - sp.exp(-c * t / m))) == m * g / c
+    assert limit_in_time(sp.sqrt(m * g / c) * sp.tanh(c * t)) == sp.sqrt(m * g / c)
+    assert limit_in_time(t * sp.exp(-c * t) * sp.cos(w * t) + g) == g
+    for endless in (t + sp.exp(-c * t), sp.exp(c * t), sp.cos(w * t) + sp.exp(-c * t), sp.exp(-w * t + c * t)):
+        assert limit_in_time(endless) is None
+    assert fades(g * sp.exp(-c * t))
+    assert not fades(g * sp.exp(-c * t) + m)
