@@ -28,6 +28,7 @@ Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimar
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -177,6 +178,10 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
             *([family({}, with_position)] if with_position.branches or not alone else []),
             *(family(rate, resting(rate)) for rate in alone),
         )
+        by_position = _rate_at_position(conditions, rates, general) if len(families) == 1 else None
+        if by_position is not None:
+            other = family(by_position, resting(by_position))
+            families = (other,) if 2 * _length(other) < _length(families[0]) else families
     else:
         [(rate, value)] = solved.items()
         complete = complete or _determines(condition, rate, general)
@@ -289,6 +294,25 @@ def _rate_from(condition: sp.Expr, rates: Sequence[sp.Symbol], degree: int) -> d
         if of_square != 0 and rate not in of_square.free_symbols:
             return {rate: sp.sqrt(textbook_form(-condition.xreplace({rate: ZERO}) / of_square))}
     return None
+
+
+def _rate_at_position(
+    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], general: Equilibrium
+) -> dict[sp.Symbol, sp.Expr] | None:
+    """The rate at which a coordinate keeps a value, φ'² = F(r), where the value is r = G(φ'²) and no angle."""
+    if len(conditions) != 1 or len(rates) != 1 or any(b.left for b in general.branches):
+        return None
+    placed = [r for b in general.branches for r in b.relations]
+    if not all(r.lhs.is_Symbol and sp.fraction(sp.together(r.rhs))[1].has(*rates) for r in placed):
+        return None
+    [condition] = conditions
+    solved = _rate_from(condition, rates, 2) if placed else None
+    return solved if solved is not None and _determines(condition, rates[0], general) else None
+
+
+def _length(family: Family) -> int:
+    """How long the linear equations about the motions of a family are."""
+    return sum(count_operations(e) for s in family.about.originals for e in s.equations) or sys.maxsize
 
 
 def _determines(condition: sp.Expr, rate: sp.Symbol, general: Equilibrium) -> bool:

@@ -394,3 +394,29 @@ def test_where_the_coordinates_fail_is_said_of_the_angle_that_fails() -> None:
     found = solve(read(text)).own.steady
     assert found is not None
     assert {str(r.lhs) for b in found.general.poles for r in b.relations} == {"beta"}
+
+
+def test_a_distance_in_a_steady_motion_gives_the_rate() -> None:
+    """φ'² = F(r) for beads on a turning rod: about r = G(φ'²) the linear equation would be three times as long."""
+    found = solve(
+        read(
+            "title: Beads on a rod\nparameters: {m: positive, k: positive, l: positive, I: positive}\n"
+            "coordinates: [r, phi]\nlet: {u: cos(phi)*i + sin(phi)*j}\n"
+            "particles: {A: {mass: m, position: r*u}, B: {mass: m, position: -r*u}}\n"
+            "bodies: {rod: {inertia: I, position: 0*i, angle: phi}}\n"
+            'forces: {spring: {potential: "2*k*(r - l)^2"}}\nfind: steady\n'
+        )
+    )
+    assert found.own.steady is not None
+    [family] = found.own.steady.families
+    [value] = family.rates.values()
+    at = {"k": 3, "l": 2, "m": 1, "r": 4}
+    assert value.xreplace({s: sp.Integer(at[s.name]) for s in value.free_symbols}) == sp.sqrt(3)  # 2·3 (4 − 2)/4
+    [small] = family.about.originals
+    [frequency] = small.frequencies
+    at["I"] = 5
+    square = frequency.square.xreplace({s: sp.Integer(at[s.name]) for s in frequency.square.free_symbols})
+    # by hand, V'' of the effective potential p²/(2 (2 m r² + I)) + 2 k (r − l)² over the mass 2 m
+    p, r = (2 * 16 + 5) * sp.sqrt(3), sp.Symbol("r")
+    by_hand = (p**2 / (2 * (2 * r**2 + 5)) + 6 * (r - 2) ** 2).diff(r, 2).subs(r, 4) / 2
+    assert sp.simplify(square - by_hand) == 0
