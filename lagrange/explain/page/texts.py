@@ -13,10 +13,11 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.diagnostics import Fragment, ProblemError
-from lagrange.core.symbols import UnitVector
+from lagrange.core.symbols import UnitSymbol, UnitVector
+from lagrange.core.units import split_number, unit_of
 from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
-from lagrange.document.derivation import Part
+from lagrange.document.derivation import Math, Part
 from lagrange.explain.limits import MOST_FORMULAS
 from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.problem.model import Problem
@@ -45,6 +46,11 @@ def set_text(text: str, problem: Problem) -> tuple[Part, ...]:
 
 def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
     """A formula, which may have letters that only the description uses; the text as it is if it cannot be read."""
+    name, equals, right = text.rpartition("=")
+    quantity = _with_unit(right, problem)
+    if quantity is not None:
+        [left] = _formula(name, problem) if equals else (math(quantity),)
+        return (math(*left.sides, quantity) if equals and isinstance(left, Math) else math(quantity),)
     try:
         return _read(text, problem.scope)
     except ProblemError as error:
@@ -54,6 +60,20 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
         return _read(text, replace(problem.scope, scalars={**known, **problem.scope.scalars}))
     except ProblemError:
         return (text,)
+
+
+def _with_unit(text: str, problem: Problem) -> sp.Expr | None:
+    """`60 N` as a number with its unit; None where there is none, or all its letters are declared."""
+    parts = split_number(text)
+    if parts is None or not re.fullmatch(r"\s*\d+(?:\.\d+)?\s*", parts[0]) or unit_of(parts[1]) is None:
+        return None
+    if {*problem.scope.names()} >= {*re.findall(r"[^\W\d]+", parts[1])}:
+        return None
+    digits = parts[0].strip()
+    number = (
+        sp.Float(digits, dps=len(digits.replace(".", "").lstrip("0")) or 1) if "." in digits else sp.Integer(digits)
+    )
+    return sp.Mul(number, UnitSymbol(parts[1], positive=True), evaluate=False)
 
 
 def _read(text: str, scope: Scope) -> tuple[Part, ...]:

@@ -34,6 +34,8 @@ def written(text: str) -> str:
         ("where `l*sin(theta) = x` holds", "where ‹l sin θ=x› holds"),
         ("$\\sqrt{3} \\sin\\alpha$ times", "‹√3 sin α› times"),
         ("beta is not declared", "beta is not declared"),
+        ("$F = 60 N$ and $k = 400 N/m$ at $0.5 s$", "‹F=60 N› and ‹k=400 N/m› at ‹0.5 s›"),
+        ("a rod of $2 m$", "a rod of ‹2m›"),  # m is a mass here
         ("shaken as $u = a \\cos \\Omega t$", "shaken as ‹u=a cos Ωt›"),  # letters of the description alone
         ("`sin(` cannot be read, $5 neither", "sin( cannot be read, $5 neither"),
         ("formal is no m, lm neither", "formal is no ‹m›, lm neither"),
