@@ -13,15 +13,15 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
-from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
-from lagrange.mechanics.questions.branches import InitialMotion
+from lagrange.mechanics.questions.branches import InitialMotion, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion
 from lagrange.mechanics.questions.reach import Path, Reach, Reached
-from lagrange.mechanics.questions.rest.refusals import never_holds
+from lagrange.mechanics.questions.rest.refusals import contact_has_ended, never_holds
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import SymbolValues
@@ -37,6 +37,7 @@ class Arrivals:
     when       the conditions, each zero
     parameter  the parameter that is asked for, if it is one
     quantity   what is asked for
+    question   for messages
     """
 
     setting: Setting
@@ -45,10 +46,15 @@ class Arrivals:
     when: tuple[sp.Expr, ...]
     parameter: sp.Symbol | None
     quantity: sp.Expr
+    question: Question
 
     def reached(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
-        """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch."""
+        """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch.
+
+        Raises ProblemError where it gets there only after a contact has ended.
+        """
         kept: list[AnswerBranch] = []
+        parted: list[str] = []
         for b in branches:
             if self._is_value_at_start(b):
                 kept.append(replace(b, conditions=()))
@@ -61,11 +67,43 @@ class Arrivals:
                     break
             if reach.verdict is Reached.NEVER:
                 continue
-            conditions = tuple(c for c in reach.conditions if c not in b.conditions)
+            in_contact = self._in_contact(b)
+            if isinstance(in_contact, str):
+                parted.append(in_contact)
+                continue
+            conditions = tuple(c for c in (*reach.conditions, *in_contact) if c not in b.conditions)
             limit = any(self._is_equilibrium(s) for s in b.states[:1])
             is_open = reach.verdict is Reached.OPEN
-            kept.append(replace(b, conditions=(*b.conditions, *conditions), provided=is_open, limit=limit))
+            own = (c for c in b.conditions if not _follows(c, in_contact))
+            kept.append(replace(b, conditions=(*own, *conditions), provided=is_open, limit=limit))
+        if parted and not kept:
+            raise ProblemError(contact_has_ended(self.question, parted[0]))
         return kept
+
+    def _in_contact(self, b: AnswerBranch) -> tuple[SignCondition, ...] | str:
+        """The conditions under which one-sided constraints still push, or pull, at a state; the first that does not.
+
+        A force of the wrong sign means that contact has ended before: the ball has left the dome.
+        """
+        moving, known = {*self.setting.place.moving}, self.setting.known
+        if self.parameter is not None or not b.states:
+            return ()
+        conditions: list[SignCondition] = []
+        for r in self.setting.place.law.newton.reactions:
+            force = known.reactions.get(r.force) if r.constraint.side is not None and r.force.is_Symbol else None
+            if force is None:
+                continue
+            value = force.xreplace(dict(b.states[0]))
+            if value.free_symbols & moving:
+                continue
+            sign = self.beginning.sign(value, b.conditions)
+            if sign == -1:
+                return r.name
+            needed = not_negative(factored_quotient(value)) if sign is None else ()
+            if needed is None:
+                return r.name
+            conditions += needed
+        return tuple(conditions)
 
     def _reach_of(self, state: SymbolValues, b: AnswerBranch) -> Reach:
         """Whether the motion gets to a state: along the one coordinate that moves, or that the conditions are about."""
@@ -128,6 +166,20 @@ class Arrivals:
             return False
         values = [known.accelerations.get(prime(q, 2), sp.S.One).xreplace(dict(state)) for q in resting]
         return all(is_zero(e) is True for e in values)
+
+
+def _follows(c: SignCondition, known: Sequence[SignCondition]) -> bool:
+    """Whether a condition follows from one of others, because its margin is larger: 4 g l ≥ v² from 2 g l ≥ v²."""
+    margin = _margin(c)
+    return margin is not None and any(
+        (other := _margin(k)) is not None and sign_of_value(sp.expand(margin - other)) in (0, 1) for k in known
+    )
+
+
+def _margin(c: SignCondition) -> sp.Expr | None:
+    """What must not be negative; None for an equation or the like."""
+    way = {">": 1, "≥": 1, "<": -1, "≤": -1}.get(c.relation)
+    return None if way is None else way * (c.lhs - c.rhs)
 
 
 def approached(

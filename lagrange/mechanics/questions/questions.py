@@ -291,9 +291,8 @@ class _Search:
             return self._after_turning(route, used)
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
-            arrivals = Arrivals(
-                self.setting, self._beginning, self.rule, tuple(self.when), self.parameter, self.quantity
-            )
+            asked = (tuple(self.when), self.parameter, self.quantity, self.question)
+            arrivals = Arrivals(self.setting, self._beginning, self.rule, *asked)
             branches = arrivals.reached(branches) or self._at_the_start(lasting)
         if not branches:
             raise ProblemError(never_holds(self.question))

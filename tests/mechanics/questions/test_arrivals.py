@@ -108,3 +108,37 @@ def test_a_final_speed_is_the_limit_of_the_fall(problem: Read, force: str, final
     assert not branch.provided
     symbols = {s.name: s for s in branch.rhs.free_symbols}
     assert sp.simplify(branch.rhs - final(symbols["m"], symbols["g"], symbols["c"])) == 0
+
+
+DOME = """title: Ball on a dome
+parameters: {m: positive, R: positive, g: positive}
+gravity: -g*j
+coordinates: [r, theta]
+particles: {ball: {mass: m, position: "r*(sin(theta)*i + cos(theta)*j)"}}
+constraints: {dome: {equation: r >= R, reaction: N}}
+initial: {theta: 0, theta': 0}
+"""
+
+
+def test_no_answer_after_contact_has_ended(problem: Read) -> None:
+    """The ball leaves the dome where cos θ = 2/3: there is no speed on it at θ = π/2."""
+    before = DOME + "ask: {v: {quantity: R*theta', when: theta = pi/4}}\n"
+    assert len(solve(problem(before)).asked[0].branches) == 1
+    with pytest.raises(ProblemError) as error:
+        solve(problem(DOME + "ask: {v: {quantity: R*theta', when: theta = pi/2}}\n"))
+    assert [d.code for d in error.value.diagnostics] == ["never-holds"]
+    assert "contact with `dome`" in error.value.diagnostics[0].message
+
+
+def test_a_string_must_be_taut_where_a_swing_turns(problem: Read) -> None:
+    """v² ≤ 4 g l would do for a rod; on a string the bob turns within the lower half only, v² ≤ 2 g l."""
+    text = (
+        "title: Load on a rope\nparameters: {m: positive, v_0: positive, l: positive, g: positive}\ngravity: -g*j\n"
+        "coordinates: [r, theta]\nparticles: {load: {mass: m, position: 'r*(sin(theta)*i - cos(theta)*j)'}}\n"
+        "constraints: {rope: {equation: r <= l, reaction: T}}\ninitial: {theta: 0, theta': v_0/l}\n"
+        "ask: {angle: {quantity: theta, when: theta' = 0}}\n"
+    )
+    [asked] = solve(problem(text)).asked
+    [condition] = asked.branches[0].conditions
+    assert sp.expand(condition.lhs - condition.rhs - sp.sympify("2*g*l - v_0**2", {s.name: s for s in (
+        condition.lhs.free_symbols | condition.rhs.free_symbols)})) == 0  # fmt: skip

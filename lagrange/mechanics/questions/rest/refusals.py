@@ -45,3 +45,11 @@ def slip_has_ended(question: Question, holds: str = "holds only after the slip h
     message = f"the `when` of the question `{question.name}` {holds}"
     help_ = "the friction is not that of slipping then: ask for the rolling, or for rest, in a file of its own"
     return Diagnostic("never-holds", message, first, help=help_)
+
+
+def contact_has_ended(question: Question, constraint: str) -> Diagnostic:
+    """The state comes after a one-sided constraint has ceased to act: its force would have the wrong sign there."""
+    first = question.when[0].span if question.when else question.span
+    message = f"the `when` of the question `{question.name}` holds only after contact with `{constraint}` has ended"
+    help_ = "ask for the place where its force is zero; what follows is a motion without it, for a file of its own"
+    return Diagnostic("never-holds", message, first, help=help_)
