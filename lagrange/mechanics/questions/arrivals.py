@@ -6,7 +6,7 @@ has the sense for which they were found: a ball that has begun to roll goes on i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -20,6 +20,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.questions.branches import InitialMotion, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion
+from lagrange.mechanics.questions.limits import MOST_TURNS
 from lagrange.mechanics.questions.reach import Path, Reach, Reached
 from lagrange.mechanics.questions.rest.refusals import contact_has_ended, never_holds
 from lagrange.mechanics.questions.results import AnswerBranch
@@ -71,39 +72,55 @@ class Arrivals:
             if isinstance(in_contact, str):
                 parted.append(in_contact)
                 continue
-            conditions = tuple(c for c in (*reach.conditions, *in_contact) if c not in b.conditions)
+            others = [c for c in (*b.conditions, *reach.conditions) if not _follows(c, in_contact)]
+            conditions = tuple(dict.fromkeys((*others, *in_contact)))
             limit = any(self._is_equilibrium(s) for s in b.states[:1])
             is_open = reach.verdict is Reached.OPEN
-            own = (c for c in b.conditions if not _follows(c, in_contact))
-            kept.append(replace(b, conditions=(*own, *conditions), provided=is_open, limit=limit))
+            kept.append(replace(b, conditions=conditions, provided=is_open, limit=limit))
         if parted and not kept:
             raise ProblemError(contact_has_ended(self.question, parted[0]))
         return kept
 
     def _in_contact(self, b: AnswerBranch) -> tuple[SignCondition, ...] | str:
-        """The conditions under which one-sided constraints still push, or pull, at a state; the first that does not.
+        """The conditions under which one-sided constraints push, or pull, all the way to a state; the first that fails.
 
         A force of the wrong sign means that contact has ended before: the ball has left the dome.
         """
-        moving, known = {*self.setting.place.moving}, self.setting.known
         if self.parameter is not None or not b.states:
             return ()
         conditions: list[SignCondition] = []
         for r in self.setting.place.law.newton.reactions:
-            force = known.reactions.get(r.force) if r.constraint.side is not None and r.force.is_Symbol else None
-            if force is None:
-                continue
-            value = force.xreplace(dict(b.states[0]))
-            if value.free_symbols & moving:
-                continue
-            sign = self.beginning.sign(value, b.conditions)
-            if sign == -1:
-                return r.name
-            needed = not_negative(factored_quotient(value)) if sign is None else ()
-            if needed is None:
-                return r.name
-            conditions += needed
-        return tuple(conditions)
+            force = self.setting.known.reactions.get(r.force) if r.constraint.side is not None else None
+            for value in () if force is None else self._values_on_the_way(force, b.states[0]):
+                sign = self.beginning.sign(value, b.conditions)
+                needed = not_negative(factored_quotient(value)) if sign is None else ()
+                if sign == -1 or needed is None:
+                    return r.name
+                conditions += needed
+        return tuple(dict.fromkeys(conditions))
+
+    def _values_on_the_way(self, force: sp.Expr, state: SymbolValues) -> Iterator[sp.Expr]:
+        """A reaction where the state is, and where it has an extreme on the way: at multiples of a right angle."""
+        moving = {*self.setting.place.moving}
+        at_end = force.xreplace(dict(state))
+        if not at_end.free_symbols & moving:
+            yield at_end
+        involved = {base(s) for s in force.free_symbols & moving}
+        if len(involved) != 1:
+            return
+        [q] = involved
+        ends = [self.setting.initial.get(q), state.get(q)]
+        square = self.setting.square_of(q)
+        if square is None or any(e is None or not (e / sp.pi).is_Rational for e in ends):
+            return
+        along = sp.expand(force).subs(prime(q) ** 2, square)
+        if along.free_symbols & moving - {q}:
+            return
+        low, high = sorted(int(sp.floor(2 * e / sp.pi)) for e in ends if e is not None)
+        for k in range(low + 1, min(high, low + MOST_TURNS) + 1):
+            place = {q: k * sp.pi / 2}
+            if place[q] not in ends and is_zero(along.diff(q).xreplace(place)) is True:
+                yield along.xreplace(place)
 
     def _reach_of(self, state: SymbolValues, b: AnswerBranch) -> Reach:
         """Whether the motion gets to a state: along the one coordinate that moves, or that the conditions are about."""
@@ -170,9 +187,9 @@ class Arrivals:
 
 def _follows(c: SignCondition, known: Sequence[SignCondition]) -> bool:
     """Whether a condition follows from one of others, because its margin is larger: 4 g l ≥ v² from 2 g l ≥ v²."""
-    margin = _margin(c)
+    margin, enough = _margin(c), (0, 1) if c.relation in ("≥", "≤") else (1,)
     return margin is not None and any(
-        (other := _margin(k)) is not None and sign_of_value(sp.expand(margin - other)) in (0, 1) for k in known
+        (other := _margin(k)) is not None and sign_of_value(sp.expand(margin - other)) in enough for k in known
     )
 
 

@@ -142,3 +142,21 @@ def test_a_string_must_be_taut_where_a_swing_turns(problem: Read) -> None:
     [condition] = asked.branches[0].conditions
     assert sp.expand(condition.lhs - condition.rhs - sp.sympify("2*g*l - v_0**2", {s.name: s for s in (
         condition.lhs.free_symbols | condition.rhs.free_symbols)})) == 0  # fmt: skip
+
+
+def test_contact_lasts_all_the_way_round_a_loop(problem: Read) -> None:
+    """N is least at the top: v² ≥ 5 g R for the whole turn, where N = m v²/R + m g at its end is positive anyway."""
+    text = (
+        "title: Loop\nparameters: {m: positive, R: positive, g: positive, v: positive}\ngravity: -g*j\n"
+        "coordinates: [r, theta]\nparticles: {car: {mass: m, position: 'r*(sin(theta)*i - cos(theta)*j)'}}\n"
+        "constraints: {track: {equation: r <= R, reaction: N}}\ninitial: {theta: 0, theta': v/R}\n"
+        "ask: {after: {quantity: R*theta', when: theta = 2*pi}}\n"
+    )
+    [asked] = solve(problem(text)).asked
+    [condition] = asked.branches[0].conditions
+    at = {"R": 2, "g": 10}
+    margin = (condition.lhs - condition.rhs).xreplace(
+        {s: at[s.name] for s in (condition.lhs - condition.rhs).free_symbols if s.name in at}
+    )
+    [least] = [v for v in sp.solve(margin) if v.is_positive]
+    assert least == 10  # v² = 5 g R
