@@ -51,4 +51,4 @@ TIMES_ASKED = 3
 """How often it is asked whether a solution that is put back gives zero: each time at other points of another field."""
 
 MOST_TURNS = 16
-"""Right angles on the way to a state at which a contact is looked at: four turns of a loop, where all turns are alike."""
+"""Right angles on the way to a state at which a contact is looked at: four turns of a loop, all of them alike."""
