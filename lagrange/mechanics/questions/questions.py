@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 import sympy as sp
 
@@ -292,8 +293,8 @@ class _Search:
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
             asked = (tuple(self.when), self.parameter, self.quantity, self.question)
-            arrivals = Arrivals(self.setting, self._beginning, self.rule, *asked)
-            branches = arrivals.reached(branches) or self._at_the_start(lasting)
+            reached = Arrivals(self.setting, self._beginning, self.rule, *asked).reached(branches)
+            branches = reached or self._at_the_start(lasting)
         if not branches:
             raise ProblemError(never_holds(self.question))
         if self._is_at_start:
@@ -327,11 +328,11 @@ class _Search:
                 values.append(b.at(states))
         return values
 
-    def _confirmed_in_time(self, branches: Sequence[AnswerBranch]) -> Sequence[AnswerBranch]:
+    def _confirmed_in_time(self, branches: list[AnswerBranch]) -> list[AnswerBranch]:
         """The branch without a doubt to whose value the solution in time comes; all where none is seen to be that."""
         asked = self._in_time() if self.parameter is None else None
-        [other] = asked.branches if asked is not None and len(asked.branches) == 1 else [None]
-        for b in branches if other is not None else ():
+        found = asked.branches if asked is not None else ()
+        for b, other in product(branches, found if len(found) == 1 else ()):
             if len(b.values) == 1 and is_zero(other.values[0] - b.values[0]) is True:
                 conditions = tuple(dict.fromkeys((*b.conditions, *other.conditions)))
                 return [replace(b, provided=False, limit=b.limit or other.limit, conditions=conditions)]
