@@ -4,13 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from typing import TypeGuard
 
-from lagrange.document.derivation import Detail, Display, Equation, Math, Mathematics, Part, Prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Mathematics, Part, Prose
+from lagrange.document.roles import Phrase, Role
 
 
-def prose(*parts: Part, detail: Detail = Detail.STEPS) -> Prose:
+def prose(*parts: Part, detail: Detail = Detail.STEPS, role: Role | None = None) -> Prose:
     """A paragraph from text and mathematics."""
-    return Prose(parts, detail)
+    return Prose(parts, detail, role=role)
+
+
+def has_role(block: Block | None, role: Role) -> TypeGuard[Prose]:
+    """Whether it is a paragraph of that role."""
+    return isinstance(block, Prose) and block.role is role
+
+
+def place_of(role: Role, parts: Sequence[Part]) -> int | None:
+    """Where the first words of that role are; None if there are none."""
+    return next((n for n, part in enumerate(parts) if isinstance(part, Phrase) and part.role is role), None)
 
 
 def math(*sides: Mathematics, relation: str = "=") -> Math:
@@ -19,11 +31,11 @@ def math(*sides: Mathematics, relation: str = "=") -> Math:
 
 
 def paragraph(*sentences: Prose) -> Prose:
-    """Sentences as one paragraph."""
+    """Sentences as one paragraph, with the role of the first."""
     parts: list[Part] = []
     for n, sentence in enumerate(sentences):
         parts += [" ", *sentence.parts] if n else sentence.parts
-    return Prose(tuple(parts), min(s.detail for s in sentences))
+    return Prose(tuple(parts), min(s.detail for s in sentences), role=sentences[0].role)
 
 
 def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:

@@ -10,6 +10,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part
+from lagrange.document.roles import Phrase, Role
 from lagrange.explain.limits import LONGEST_REACTIONS
 from lagrange.explain.words import constraints_called, plural
 from lagrange.mechanics.nearby.long_reactions import LongReactions
@@ -42,7 +43,8 @@ def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
                         "--detail full shows these.")  # fmt: skip
             yield prose("They are", detail=detail)
         else:
-            yield prose(f"{words} In terms of the accelerations, Newton's equations give")
+            reason = Phrase(f"{words} ", Role.REASON)
+            yield prose(reason, "In terms of the accelerations, Newton's equations give")
         yield display(
             *(
                 Equation((r.force, reactions.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")

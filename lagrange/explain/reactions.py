@@ -10,6 +10,7 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.roles import Role
 from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.limits import LONGEST_REACTION
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
@@ -134,7 +135,6 @@ def _signs(motion: Motion) -> list[Block]:
 
 CORDS = ("rope", "string", "cord", "thread", "chain")
 """What can only pull, by the names of constraints."""
-ONLY_PUSHES = "Where the support can only push, contact lasts as long as "
 BOTH_SIDES = ("wire", "hoop", "ring", "rail", "slot", "tube", "track")
 """What holds a particle from both sides, by the names of constraints."""
 
@@ -160,7 +160,11 @@ def explain_bounds(newton: Newton) -> list[Block]:
         slack = math(rods[0][0].tension, sp.S.Zero, relation="<")
         cord = next((word for word in CORDS if word in rods[0][0].name), None)
         if "rod" in rods[0][0].name:
-            blocks.append(prose("A rod may also push; a string in its place would go slack where ", slack, "."))
+            blocks.append(
+                prose(
+                    "A rod may also push; a string in its place would go slack where ", slack, ".", role=Role.MAY_PUSH
+                )
+            )
         elif cord is not None:
             blocks.append(prose(f"A {cord} can only pull, and stays taut as long as ", *tensions, "."))
         else:
@@ -172,7 +176,8 @@ def explain_bounds(newton: Newton) -> list[Block]:
     elif rods:
         blocks.append(
             prose(plural(len(rods), "A rod may also push; a string in its place would stay taut as long as ",
-                         "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".")
+                         "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".",
+                  role=Role.MAY_PUSH)
         )  # fmt: skip
     for r in pulling:
         if r.on_body and r not in strings and r.rod is not None and r.tension is not None:
@@ -187,7 +192,9 @@ def explain_bounds(newton: Newton) -> list[Block]:
     if normal:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign.", " keep their signs.")
-        blocks.append(prose(ONLY_PUSHES, *forces, keep))
+        blocks.append(
+            prose("Where the support can only push, contact lasts as long as ", *forces, keep, role=Role.ONLY_PUSHES)
+        )
     return blocks
 
 

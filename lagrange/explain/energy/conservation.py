@@ -10,6 +10,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.roles import Phrase, Role
 from lagrange.explain.limits import LONGEST_INTEGRAL, MOST_MULTIPLES
 from lagrange.explain.motion import label_of
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
@@ -219,4 +220,5 @@ def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) ->
         ]  # fmt: skip
     if energy.rate.has(Unspecified):  # the forces may, or may not, have a potential
         return [prose("Along the motion the energy changes at the rate"), display(line)]
-    return [prose(f"The energy is not conserved{why}. Along the motion"), display(line, boxed=True)]
+    along = Phrase(" Along the motion", Role.ALONG)
+    return [prose(f"The energy is not conserved{why}.", along), display(line, boxed=True)]

@@ -10,8 +10,9 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, CrossProduct, UnitVector, Unspecified, VectorSymbol, base, prime
-from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.builders import display, listed, math, place_of, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
+from lagrange.document.roles import Role
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_of
@@ -86,7 +87,7 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
         return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
-        yield prose(Emphasis("In short"), ",")
+        yield prose(Emphasis("In short"), ",", role=Role.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
@@ -160,7 +161,8 @@ def _conserved(
         called = quantity_of(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
         quantity = math(in_remaining_velocities(integral.expression, conserved.motion), CONSTANT)
-        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+        role = Role.CONSERVED if called in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI) else Role.MOMENTUM
+        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".", role=role)
 
 
 def _balances_loads(integral: Integral, conserved: Conserved) -> bool:
@@ -232,8 +234,8 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
         if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)
-            words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)
-            blocks[n - 1 : n + 1] = [replace(before, parts=words)]
+            along = place_of(Role.ALONG, before.parts)
+            blocks[n - 1 : n + 1] = [replace(before, parts=before.parts[:along])]
             break
     return iter(blocks)
 
@@ -342,9 +344,9 @@ def _rest(meaning: ResultMeaning) -> Iterator[Block]:
             q = _coordinate(meaning)
             near = math(q, branch.relations[0].rhs + xi) if branch.relations[0].lhs == q else place
             motion = (": ", near, ", ", equation, ", with the period ")
-            periods.append(prose(Emphasis("Small motion"), *motion, math(period), "."))
+            periods.append(prose(Emphasis("Small motion"), *motion, math(period), ".", role=Role.SMALL_MOTION))
     if places:
-        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".")
+        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".", role=Role.AT_REST)
     yield from periods
 
 
@@ -397,7 +399,7 @@ def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
     forces: tuple[Part, ...] = ()
     if limit.reactions:
         forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
-    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".")
+    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".", role=Role.LIMIT)
 
 
 def _units(meaning: ResultMeaning) -> Iterator[Block]:
@@ -405,7 +407,7 @@ def _units(meaning: ResultMeaning) -> Iterator[Block]:
         return
     first, other, unit = meaning.terms
     yield prose(Emphasis("Units"), ": in the equation of motion every term is in ", f"{raised(unit)}: ", math(other),
-                " like ", math(first), ".")  # fmt: skip
+                " like ", math(first), ".", role=Role.UNITS)  # fmt: skip
 
 
 def _caution(meaning: ResultMeaning) -> Iterator[Block]:

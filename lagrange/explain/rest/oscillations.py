@@ -14,6 +14,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
+from lagrange.document.roles import Phrase, Role
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
 from lagrange.explain.rest.equilibrium import but_for_drift, full_turns, outside_ranges, singular_places, why_it_drifts
 from lagrange.explain.words import (
@@ -259,9 +260,11 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
         yield display(Equation((c, ZERO), label=label_of(linearization, "frequencies", n)), detail=detail)
         yield prose("The roots are" if closed else _not_closed(s), detail=detail)
     else:
-        amplitude = ", with a constant amplitude" if closed and len(s.free) == 1 else ""
-        amplitude = ", with constant amplitudes" if closed and len(s.free) > 1 else amplitude
-        yield prose("There are solutions proportional to ", *wave, f"{amplitude}, where", detail=detail)
+        subject = Phrase("There are", Role.SUBJECT, plural(len(s.free), "It has", "They have"))
+        amplitude = plural(len(s.free), ", with a constant amplitude", ", with constant amplitudes") if closed else ""
+        ending = Phrase(f"{amplitude}, where", Role.WHERE, " with")
+        role = Role.WAVES if closed else None
+        yield prose(subject, " solutions proportional to ", *wave, ending, detail=detail, role=role)
     several = len(s.frequencies) > 1
     lines = []
     for k, f in enumerate(s.frequencies, start=1):
