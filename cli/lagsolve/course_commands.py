@@ -181,7 +181,7 @@ def variant(problem: str, seed: str, output: str | None) -> None:
 
     Exit status: 0 written; 2 the file has mistakes, or no `vary`, or the values leave no answer; 130 interrupted.
     """
-    from lagrange.api.variants import variant as drawn
+    from lagrange.api.classroom import variant as drawn
     from lagsolve.inputs import problem_source
 
     source = problem_source(problem)

@@ -38,8 +38,16 @@ from lagrange.document.math_writer import BOLD, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
 from lagrange.render.selection import ShownSteps, shown, written_out
-from lagrange.render.styled_text import Styled
-from lagrange.render.terminal_layout import Grid, StyledWords, fill, matrix_lines, pad, side_by_side, table_lines
+from lagrange.render.terminal_layout import (
+    Grid,
+    Styled,
+    StyledWords,
+    fill,
+    matrix_lines,
+    pad,
+    side_by_side,
+    table_lines,
+)
 from lagrange.render.walk import Emitter, block_lines
 
 if TYPE_CHECKING:

@@ -14,10 +14,9 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.shortest_form import shortest_form, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters

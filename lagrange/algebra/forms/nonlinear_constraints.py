@@ -26,7 +26,6 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
-from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.limits import (
     DEEPEST_REDUCTION,
     MOST_ALTERNATIVES,
@@ -39,6 +38,7 @@ from lagrange.algebra.forms.velocity_polynomials import (
     Polynomial,
     Square,
     degree,
+    is_affine,
     is_definite,
     polynomial,
     primitive,

@@ -22,10 +22,9 @@ from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
-from lagrange.mechanics.rewriting.held_coordinates import held_values, where_held
+from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
-from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.turning import Turning
 from lagrange.problem.model import Problem

@@ -30,7 +30,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
-from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
 from lagrange.algebra.forms.integrability import (
@@ -41,6 +40,7 @@ from lagrange.algebra.forms.integrability import (
     is_integrable,
     writer,
 )
+from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, is_many_waves, tidied, written
 from lagrange.core.records import record

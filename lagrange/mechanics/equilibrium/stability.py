@@ -26,16 +26,18 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
-from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
-from lagrange.algebra.closed_forms.positive_conditions import (
+from lagrange.algebra.closed_forms.conditions import (
     NeverPositiveError,
     conditions_for,
+    only_excludes_equality,
     positive_part,
+    reduced,
     sign_on,
+    solved_for,
     where_positive,
 )
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
+from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
