@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TypeGuard
 
@@ -18,6 +18,14 @@ def prose(*parts: Part, detail: Detail = Detail.STEPS, role: Role | None = None)
 def has_role(block: Block | None, role: Role) -> TypeGuard[Prose]:
     """Whether it is a paragraph of that role."""
     return isinstance(block, Prose) and block.role is role
+
+
+def parts_of(block: Block) -> Iterator[Part]:
+    """What a paragraph, or the conditions of displayed equations, are made of."""
+    if isinstance(block, Prose):
+        yield from block.parts
+    elif isinstance(block, Display):
+        yield from (p for e in block.equations for p in e.condition)
 
 
 def place_of(role: Role, parts: Sequence[Part]) -> int | None:

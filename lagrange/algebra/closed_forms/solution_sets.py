@@ -159,7 +159,7 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     def is_needed(c: SignCondition) -> bool:
         difference = sp.expand(c.lhs - c.rhs)
         linear = [s for s in sorted(difference.free_symbols, key=str) if s not in difference.diff(s).free_symbols]
-        if c.relation != "≠" or not linear or any(v.atoms(sp.Abs) or _has_root(v) for p in points for v in p.values()):
+        if c.relation != "≠" or not linear or any(v.atoms(sp.Abs) or has_root(v) for p in points for v in p.values()):
             return True
         s = linear[0]
         place = {s: sp.cancel(s - difference / difference.diff(s))}
@@ -172,7 +172,8 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))
 
 
-def _has_root(e: sp.Expr) -> bool:
+def has_root(e: sp.Expr) -> bool:
+    """Whether a root occurs in an expression."""
     return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 

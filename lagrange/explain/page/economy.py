@@ -16,7 +16,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import has_role, listed, math, paired, paragraph, place_of, prose
+from lagrange.document.builders import has_role, listed, math, paired, paragraph, parts_of, place_of, prose
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -221,7 +221,7 @@ def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
 
 def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps with short lines of one kind two by two: positions, forces, ω and H, accelerations, displacements."""
-    referred = {p.label for s in steps for b in s.body for p in _parts_of(b) if isinstance(p, Ref)}
+    referred = {p.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref)}
     for step in steps:
         blocks = (
             replace(b, equations=tuple(_paired(b.equations, referred))) if isinstance(b, Display) and not b.boxed else b
@@ -258,13 +258,6 @@ def _go_together(first: Equation, second: Equation) -> bool:
 
 def _kind(e: Equation) -> str:
     return next((k for k in sorted(_IN_PAIRS, key=len, reverse=True) if (e.label or "").startswith(f"{k}-")), "")
-
-
-def _parts_of(block: Block) -> Iterator[Part]:
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
 
 
 def _defined_once(block: Display, defined: dict[object, object]) -> Display:

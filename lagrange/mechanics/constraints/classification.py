@@ -25,8 +25,8 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.brackets import Manoeuvre, manoeuvre
 from lagrange.algebra.forms.combinations import combination
+from lagrange.algebra.forms.derived_flag import Manoeuvre, manoeuvre
 from lagrange.algebra.forms.hidden_relations import (
     CombinedRelation,
     HiddenRelations,

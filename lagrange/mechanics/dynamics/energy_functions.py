@@ -25,7 +25,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.forms.exact_forms import primitive
+from lagrange.algebra.forms.exact_forms import primitive, varies
 from lagrange.algebra.fourier.polynomials import unpack
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import Exponent, PowerProduct, as_term, common_powers, divided, multiplied, sum_of
@@ -337,7 +337,7 @@ class EnergyFunctions:
         doubled = _doubled(written)
         if len(varying) < len(element) and doubled:
             # 1 − cos 2θ without its constant would be −cos 2θ; with it, it is written 2 sin² θ.
-            with_constants = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
+            with_constants = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if varies(e, self._moving)))
             written = written if with_constants.has(*doubled) else with_constants
         return written
 
@@ -405,11 +405,11 @@ def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
 
     @cache
     def turns(index: int) -> bool:
-        return _moves(basis.angles[index], moving)
+        return varies(basis.angles[index], moving)
 
     @cache
     def moves(index: int) -> bool:
-        return _moves(basis.generators[index].expression, moving)
+        return varies(basis.generators[index].expression, moving)
 
     def is_constant(monomial: int, frequency: int) -> bool:
         return not any(turns(i) for i, _ in unpack(frequency)) and not any(moves(i) for i, _ in unpack(monomial))
@@ -418,16 +418,12 @@ def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
     return basis.element(kept, element.denominator)
 
 
-def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
-    return any(base(s) in moving for s in e.free_symbols)
-
-
 def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
     """Terms with the same constants, up to the sign, as one product with a bracket."""
     groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, Exponent]]], list[PowerProduct]] = {}
     for summand in sp.Add.make_args(e):
         term = as_term(summand)
-        constants = frozenset((f, n) for f, n in term.factors.items() if not _moves(f, moving))
+        constants = frozenset((f, n) for f, n in term.factors.items() if not varies(f, moving))
         groups.setdefault((abs(term.number), constants), []).append(term)
     gathered = []
     for (number, constants), terms in groups.items():

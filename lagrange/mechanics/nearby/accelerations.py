@@ -74,8 +74,8 @@ def at_state(configuration: Configuration, near: ReferenceState) -> StateInNumbe
     names = [row.name for row in rows]
     return StateInNumbers(
         {s: near.values[s] for s in (*slots.coordinates, *slots.velocities)},
-        {s: _number(x) for s, x in zip(slots.accelerations, accelerations[:n], strict=True)},
-        {name: _number(x) for name, x in zip(names, accelerations[n:], strict=True)},
+        {s: shown_number(x) for s, x in zip(slots.accelerations, accelerations[:n], strict=True)},
+        {name: shown_number(x) for name, x in zip(names, accelerations[n:], strict=True)},
         agrees,
     )
 
@@ -107,5 +107,6 @@ def check_state(state: StateInNumbers, what: str) -> Check:
     return Check(f"the {what} in numbers satisfy Lagrange's equations", state.agrees, "in numbers: T differentiated")
 
 
-def _number(x: Any) -> sp.Expr:
+def shown_number(x: Any) -> sp.Expr:
+    """A number with as many digits as are shown; one that is a remainder of rounding is zero."""
     return sp.S.Zero if abs(x) < CHECKED_REMAINDER else sp.Float(x, SHOWN_DIGITS)

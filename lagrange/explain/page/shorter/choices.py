@@ -11,11 +11,10 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.core.symbols import VectorSymbol
-from lagrange.document.builders import display, has_role, listed, math, place_of, prose
+from lagrange.document.builders import display, has_role, listed, math, parts_of, place_of, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Ref, Rule, Step
 from lagrange.document.roles import Phrase, Role
 from lagrange.explain.limits import LONGEST_PRINCIPLE, LONGEST_PRINCIPLE_OF_BODIES, LONGEST_SOLVED_RELATION
-from lagrange.explain.page.shorter.sentences import parts_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
 

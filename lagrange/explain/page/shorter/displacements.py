@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import has_role, listed, paragraph, place_of, prose
+from lagrange.document.builders import has_role, listed, paragraph, parts_of, place_of, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.roles import Role
-from lagrange.explain.page.shorter.sentences import parts_of
 
 
 def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:

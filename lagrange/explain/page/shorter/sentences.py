@@ -10,8 +10,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import has_role, listed, paired, place_of, prose
-from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.builders import has_role, listed, paired, parts_of, place_of, prose
+from lagrange.document.derivation import Block, Display, Equation, Math, Prose, Ref, Rule, Step
 from lagrange.document.roles import Phrase, Role
 from lagrange.explain.limits import LONGEST_PLAIN_FORCES
 from lagrange.explain.page.system import are_short
@@ -34,14 +34,6 @@ def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block
             yield replace(block, equations=tuple(_in_pairs(block.equations)))
         else:
             yield block
-
-
-def parts_of(block: Block) -> Iterator[Part]:
-    """What a paragraph, or the conditions of displayed equations, are made of."""
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
 
 
 def _words(block: Prose, follows: Block | None) -> Prose:
