@@ -17,7 +17,7 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.document.scene import Scene
 
 Mathematics: TypeAlias = sp.Expr | Vector
@@ -91,12 +91,12 @@ Part = str | Math | Ref | Emphasis
 
 @record
 class Prose:
-    """A paragraph; `short` replaces it where little detail is wanted, `role` says what it does in its step."""
+    """A paragraph; `short` replaces it where little detail is wanted, `purpose` says what it is for."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
     short: tuple[Part, ...] = ()
-    role: Role | None = field(default=None, compare=False)
+    purpose: Purpose | None = field(default=None, compare=False)
 
 
 @record

@@ -11,7 +11,7 @@ from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Matrices, Part
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import friction_called, plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
@@ -30,7 +30,7 @@ def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Blo
     """The unit vectors that turn with bodies, in i, j, k, each once."""
     lines = directions_of(stated_triads(configuration), problem)
     words = Phrase("The unit vectors that turn with the bodies are", instead="A unit vector that turns with a body is")
-    return [prose(words, role=Role.DEFINITIONS), display(*lines.values())] if lines else []
+    return [prose(words, purpose=Purpose.DEFINITIONS), display(*lines.values())] if lines else []
 
 
 def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
@@ -77,7 +77,7 @@ def explain_rotation(body: Body, rotation: Rotation, *, hinged: bool = False) ->
     if rotation.has_inertia:
         lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
     about = "about it" if hinged else "about the mass centre"
-    both = Phrase(plural(len(lines), " is", f" and its angular momentum {about} are"), Role.MOMENTA, " is")
+    both = Phrase(plural(len(lines), " is", f" and its angular momentum {about} are"), Purpose.MOMENTA, " is")
     if rotation.inertia.is_principal:
         return [prose(*_inertia(body, rotation, hinged), " Its angular velocity", both), display(*lines)]
     turns = _turns(body)

@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Prose, Ref, Rule, Step
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.forms import under_one_root
 from lagrange.mechanics.questions.from_start import FromStart
@@ -122,9 +122,9 @@ def _is_direct(asked: Asked) -> bool:
 def _terms_of(asked: Asked) -> Prose:
     values = [u.value for u in asked.used]
     if any(_moves(e) for e in values):
-        return prose("In terms of position and velocity,", role=Role.IN_TERMS_OF)
+        return prose("In terms of position and velocity,", purpose=Purpose.IN_TERMS_OF)
     if any(not s.is_positive for e in values for s in e.free_symbols):
-        return prose("In terms of the position,", role=Role.IN_TERMS_OF)
+        return prose("In terms of the position,", purpose=Purpose.IN_TERMS_OF)
     return prose("The equations of motion give")
 
 

@@ -11,7 +11,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.limits import LONGEST_REACTION, LONGEST_REACTIONS
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
@@ -165,7 +165,10 @@ def explain_bounds(newton: Newton) -> list[Block]:
         if "rod" in rods[0][0].name:
             blocks.append(
                 prose(
-                    "A rod may also push; a string in its place would go slack where ", slack, ".", role=Role.MAY_PUSH
+                    "A rod may also push; a string in its place would go slack where ",
+                    slack,
+                    ".",
+                    purpose=Purpose.MAY_PUSH,
                 )
             )
         elif cord is not None:
@@ -180,7 +183,7 @@ def explain_bounds(newton: Newton) -> list[Block]:
         blocks.append(
             prose(plural(len(rods), "A rod may also push; a string in its place would stay taut as long as ",
                          "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".",
-                  role=Role.MAY_PUSH)
+                  purpose=Purpose.MAY_PUSH)
         )  # fmt: skip
     for r in pulling:
         if r.on_body and r not in strings and r.rod is not None and r.tension is not None:
@@ -196,7 +199,9 @@ def explain_bounds(newton: Newton) -> list[Block]:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign.", " keep their signs.")
         blocks.append(
-            prose("Where the support can only push, contact lasts as long as ", *forces, keep, role=Role.ONLY_PUSHES)
+            prose(
+                "Where the support can only push, contact lasts as long as ", *forces, keep, purpose=Purpose.ONLY_PUSHES
+            )
         )
     return blocks
 
@@ -341,7 +346,7 @@ def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
                         "--detail full shows these.")  # fmt: skip
             yield prose("They are", detail=detail)
         else:
-            reason = Phrase(f"{words} ", Role.REASON)
+            reason = Phrase(f"{words} ", Purpose.REASON)
             yield prose(reason, "In terms of the accelerations, Newton's equations give")
         yield display(
             *(

@@ -53,7 +53,7 @@ from lagrange.programs.numerical_system import NumericalSystem, value_or_nan
 from lagrange.programs.special.poles import REASON, pole
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
-from lagrange.programs.sticking import at_rest, beginning, beginning_in_plane, growth
+from lagrange.programs.sticking import beginning, beginning_in_plane, growth, with_static_coefficients
 
 Watched = Callable[..., float]
 
@@ -452,7 +452,7 @@ class _Run:
         old = signs[watch.indicator]
         signs[watch.indicator] = -old
         other = self.system.with_signs(signs)
-        leaving = at_rest(other) if watch.indicator in other.slips else other
+        leaving = with_static_coefficients(other) if watch.indicator in other.slips else other
         if growth(leaving, watch.indicator, time, state) * -old <= 0:
             self._end(EventKind.HELD, watch.name, time, state)
             return math.inf, state

@@ -277,8 +277,8 @@ def _is_prose(text: str) -> bool:
 
 
 @pytest.mark.parametrize("name", [m for m in FILES if m.startswith("lagrange.explain.page")])
-def test_pages_find_paragraphs_by_their_roles(name: str) -> None:
-    """What a page shortens it finds by the role that is given where a sentence is made, never by its words."""
+def test_pages_find_paragraphs_by_their_purposes(name: str) -> None:
+    """What a page shortens it finds by the purpose that is given where a sentence is made, never by its words."""
     assert wordings(tree_of(name), vars(importlib.import_module(name))) == []
 
 

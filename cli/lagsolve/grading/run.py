@@ -25,7 +25,7 @@ from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.pool import Pool
 from lagsolve.grading.roster import Roster
 from lagsolve.grading.students import Attempts, attributed, identity
-from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries, one_entry
+from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, named_submissions, one_entry
 from lagsolve.grading.table import HEADER, TableRow, csv_text
 from lagsolve.grading.worker import Limits, SetupError
 from lagsolve.limits import AHEAD, PROGRESS_ELSEWHERE, PROGRESS_ON_TERMINAL, SETUP_SECONDS
@@ -93,14 +93,14 @@ def graded(run: GradingRun) -> list[TableRow]:
 
     Raises ProblemError where it cannot begin, InterruptedBatchError where it was interrupted.
     """
-    return results(run)[0]
+    return all_results(run)[0]
 
 
 Outcome = tuple[str, int, Graded]
 """The name of a submission, the problem it answers, and what came out."""
 
 
-def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
+def all_results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     """The same, with what came out of those that were graded now and not found in the journal."""
     asked = tuple(Asked(label, problem_of(source).title, source) for label, source in run.problems)
     if run.seeded and not any(problem_of(source).vary for source in run.sources):
@@ -108,7 +108,7 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
         raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
     _refuse_pages_among_answers(run)
     _refuse_overwrite(run.csv)
-    unread = [one_entry(run.answers)] if run.together else entries(run.answers, run.own_files)
+    unread = [one_entry(run.answers)] if run.together else named_submissions(run.answers, run.own_files)
     _make_folder(run.feedback)
     batch = Batch(run, asked, unread)
     complete = False

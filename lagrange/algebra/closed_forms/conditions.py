@@ -46,7 +46,7 @@ class _Bound:
     stated: SignCondition | None = None
 
 
-def reduced(
+def further_conditions(
     conditions: Sequence[SignCondition], known: Sequence[SignCondition] = ()
 ) -> tuple[SignCondition, ...] | None:
     """What the conditions say beside those `known` to hold, in fewer or shorter ones; None if they exclude each other.
@@ -73,7 +73,7 @@ def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
     """The branches whose conditions do not exclude each other, with the shortest form of these."""
     kept = []
     for b in branches:
-        shorter = reduced(b.conditions)
+        shorter = further_conditions(b.conditions)
         if shorter is not None:
             kept.append(
                 b if shorter == b.conditions else replace(b, conditions=shorter, implied=(*b.implied, *b.conditions))
@@ -84,8 +84,8 @@ def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
 def only_excludes_equality(conditions: Sequence[SignCondition], known: Sequence[SignCondition]) -> bool:
     """Whether conditions with > say no more than those known with ≥, apart from equality."""
     weaker = {">": "≥", "<": "≤"}
-    return all(c.relation == "≠" or reduced([replace(c, relation=weaker.get(c.relation, c.relation))], known) == ()
-               for c in conditions)  # fmt: skip
+    weakened = (replace(c, relation=weaker.get(c.relation, c.relation)) for c in conditions if c.relation != "≠")
+    return all(further_conditions([c], known) == () for c in weakened)
 
 
 class _ExcludedError(Exception):

@@ -15,7 +15,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors
 from lagrange.algebra.closed_forms.shortest_form import shortest_form, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
@@ -117,7 +117,7 @@ def denominators(equations: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     return tuple(dict.fromkeys(p.base for p in powers if not p.base.is_number))
 
 
-def separated(
+def split_at_divisors(
     branches: Sequence[Branch], divisors: Sequence[sp.Expr], letters: TrigLetters
 ) -> tuple[list[Branch], list[Branch]]:
     """The branches where no divisor vanishes, and those where one does."""
@@ -179,7 +179,7 @@ def has_root(e: sp.Expr) -> bool:
 
 def _vanishing_factors(e: sp.Expr) -> list[sp.Expr]:
     """The sums of which one is zero where an expression is; of √(a² − 2 a b + b²), the length of a spring, a − b."""
-    return [q for p in factors(e) or () for q in factors(p) or () if q.is_Add]
+    return [q for p in irreducible_factors(e) or () for q in irreducible_factors(p) or () if q.is_Add]
 
 
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:

@@ -20,12 +20,12 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, UnsupportedError
 from lagrange.algebra.forms.combinations import Combination, combination
-from lagrange.algebra.forms.exact_forms import cleared, differentiated
+from lagrange.algebra.forms.exact_forms import differentiated, without_constant_factor
 from lagrange.algebra.forms.first_integrals import (
     NoTrialError,
     SampledForms,
     Trial,
-    coefficients,
+    combination_constants,
     combined,
     integral_candidates,
 )
@@ -125,7 +125,7 @@ def _proposed(forms: Sequence[Form], known: Sequence[Form], surface: Surface, sl
             if tuple(values) in tried or not trial.is_new(values):
                 continue
             tried.add(tuple(values))
-            constants = coefficients(space, trial, values)
+            constants = combination_constants(space, trial, values)
             if constants is not None:
                 function = _as_written(combined(space.functions, constants), slots)
                 # Known from here on: what comes next must be independent of it.
@@ -171,7 +171,7 @@ def differential_of(function: sp.Expr, slots: Slots) -> Form:
 
 def _as_written(function: sp.Expr, slots: Slots) -> sp.Expr:
     """Without a common factor; x y² for (log x)/2 + log y."""
-    tidied = normalised(cleared(function, (*slots.coordinates, t), slots), slots.coordinates)
+    tidied = normalised(without_constant_factor(function, (*slots.coordinates, t), slots), slots.coordinates)
     parts = [term.as_coeff_Mul() for term in sp.Add.make_args(tidied)]
     if all(isinstance(f, sp.log) and n.is_Rational for n, f in parts):
         denominator = lcm(*(int(n.q) for n, _ in parts))

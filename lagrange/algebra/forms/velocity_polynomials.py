@@ -99,13 +99,13 @@ def is_definite(p: Polynomial) -> bool:
     return (highest, 0) in p and sp.Poly({(m[0],): c for m, c in p.items()}, sp.Dummy()).count_roots() == 0
 
 
-def written(p: Polynomial, velocities: Sequence[sp.Symbol]) -> sp.Expr:
+def polynomial_as_sum(p: Polynomial, velocities: Sequence[sp.Symbol]) -> sp.Expr:
     """A polynomial as a sum."""
     powers = (sp.Mul(*(v**e for v, e in zip(velocities, m, strict=True))) for m in p)
     return sp.Add(*(textbook_form(c) * power for c, power in zip(p.values(), powers, strict=True)))
 
 
-def primitive(form: sp.Expr) -> sp.Expr:
+def without_content(form: sp.Expr) -> sp.Expr:
     """An affine form without denominators and without what its terms have in common: x'/r + y'/r is x' + y'."""
     tidied = textbook_form(form)
     return normalised(textbook_form(common_factor(tidied).divide(tidied)))

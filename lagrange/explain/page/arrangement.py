@@ -15,9 +15,9 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
-from lagrange.document.builders import has_role, listed, math, paragraph, place_of, prose
+from lagrange.document.builders import has_purpose, index_of, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Rule, Step, Table
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
@@ -127,7 +127,7 @@ ABOUT_CONSTRAINTS = (
 )
 
 
-def page(
+def steps_of_page(
     solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
 ) -> Iterator[Step]:
     """The steps of the page.
@@ -403,7 +403,7 @@ def _with_measures(solution: Solution, step: Step) -> Step:
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):
         return step
-    noun = place_of(Role.NOUN, first.parts)
+    noun = index_of(Purpose.NOUN, first.parts)
     chosen = view.configuration.slots.coordinates
     measured = {s for p in measures.parts if isinstance(p, Math) for s in p.sides}
     if noun is not None and {*chosen} <= measured:
@@ -488,7 +488,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     normal = [sizes.get(r.name) for r in newton.reactions if r.is_normal and r.constraint.side is None]
     certain = bool(normal) and all(s is not None and has_one_sign(s) for s in normal)
     for block in body:
-        if not certain or not has_role(block, Role.ONLY_PUSHES):
+        if not certain or not has_purpose(block, Purpose.ONLY_PUSHES):
             yield block
 
 

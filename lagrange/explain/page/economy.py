@@ -16,7 +16,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import has_role, listed, math, paired, paragraph, parts_of, place_of, prose
+from lagrange.document.builders import has_purpose, index_of, listed, math, paired, paragraph, parts_of, prose
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -31,7 +31,7 @@ from lagrange.document.derivation import (
     Step,
     Table,
 )
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
@@ -114,7 +114,7 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
         body: list[Block] = []
         for block in step.body:
             before = body[-1] if body else None
-            if not isinstance(block, Display) or not has_role(before, Role.DEFINITIONS):
+            if not isinstance(block, Display) or not has_purpose(before, Purpose.DEFINITIONS):
                 body.append(block)
                 continue
             kept = []
@@ -196,13 +196,13 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             if isinstance(block, Display) and _is_kinematic(block):
                 sides = tuple(e.sides for e in block.equations)
                 same, last = kinematics.get(sides), blocks[-1] if blocks else None
-                if same is not None and has_role(last, Role.KINEMATICS):
+                if same is not None and has_purpose(last, Purpose.KINEMATICS):
                     blocks[-1] = replace(last, parts=(*last.parts, " given by ", *listed(map(Ref, same)), "."))
                     continue
                 if all(e.label for e in block.equations):
                     kinematics[sides] = [e.label for e in block.equations if e.label]
             before = blocks[-1] if blocks else None
-            if has_role(before, Role.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
+            if has_purpose(before, Purpose.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
                 blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
             else:
                 blocks.append(block)
@@ -283,7 +283,7 @@ def _defined_once(block: Display, defined: dict[object, object]) -> Display:
 def together_shortly(classification: Classification, block: Block) -> Block:
     """What the constraints imply together, in one sentence instead of the construction of derived systems."""
     flag = classification.flag
-    if not has_role(block, Role.FORMS_TOGETHER) or len(flag.ranks) < 2:
+    if not has_purpose(block, Purpose.FORMS_TOGETHER) or len(flag.ranks) < 2:
         return block
     several = sum(c.integrable is True for c in classification.constraints)
     if several == flag.integrable_rank == len(classification.constraints) - 1 and _rest_is_finite(classification):
@@ -358,12 +358,12 @@ class _FurtherForm:
 
     def is_like(self, other: _FurtherForm) -> bool:
         """Whether the products are the same, so that a paragraph can be about both."""
-        roles = {self.exactness.role, other.exactness.role}
-        return roles == {Role.NOT_EXACT_EITHER} and self.product == other.product
+        purposes = {self.exactness.purpose, other.exactness.purpose}
+        return purposes == {Purpose.NOT_EXACT_EITHER} and self.product == other.product
 
     def in_a_line(self) -> Prose:
         """The paragraph on this form alone."""
-        subject = place_of(Role.SUBJECT, self.verdict.parts)
+        subject = index_of(Purpose.SUBJECT, self.verdict.parts)
         rest = self.verdict.parts if subject is None else self.verdict.parts[subject + 1 :]
         return paragraph(self.exactness, prose(*self.question.parts, *self.product, ", ", self.does_not, *rest))
 
@@ -375,7 +375,7 @@ def _further_form(blocks: Sequence[Block]) -> _FurtherForm | None:
     exactness, question, shown, verdict = blocks
     if not isinstance(exactness, Prose) or not isinstance(shown, Display) or len(shown.equations) != 1:
         return None
-    if not has_role(question, Role.NEXT_PRODUCT) or not has_role(verdict, Role.NEXT_NOT_INTEGRABLE):
+    if not has_purpose(question, Purpose.NEXT_PRODUCT) or not has_purpose(verdict, Purpose.NEXT_NOT_INTEGRABLE):
         return None
     [e] = shown.equations
     value = e.sides[-1]
@@ -462,7 +462,7 @@ def without_momenta(step: Step) -> Step:
 
 
 def _without_momentum(part: Part) -> Part:
-    return part.instead if isinstance(part, Phrase) and part.role is Role.MOMENTA else part
+    return part.instead if isinstance(part, Phrase) and part.purpose is Purpose.MOMENTA else part
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:
@@ -486,7 +486,7 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
         before = body.pop() if body and isinstance(body[-1], Prose) else None
         if not simple or not short.equations or _longest(short) > LONGEST_STEP:
             continue
-        if has_role(before, Role.IN_TERMS_OF):
+        if has_purpose(before, Purpose.IN_TERMS_OF):
             given = listed(math(a, b) for a, b in simple.items() if not str(a).endswith("''"))
             before = prose("With ", *given, ", the equations of motion give")
         body += [before, short] if before is not None else [short]

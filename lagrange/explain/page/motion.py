@@ -10,9 +10,9 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, variation
 from lagrange.core.vectors import FIXED, Vector
-from lagrange.document.builders import display, has_role, listed, math, paired, place_of, prose
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.explain.displacements import conditions, of_points, solved_displacements
 from lagrange.explain.limits import LONGEST_DISPLACEMENT, LONGEST_SUM
 from lagrange.explain.motion import accelerations_of
@@ -41,9 +41,9 @@ def without_lecture(step: Step) -> Step:
 
 
 def _without_reasons(block: Block) -> Block:
-    if not has_role(block, Role.NOT_SUBSTITUTED):
+    if not has_purpose(block, Purpose.NOT_SUBSTITUTED):
         return block
-    end = place_of(Role.REASON, block.parts)
+    end = index_of(Purpose.REASON, block.parts)
     return block if end is None else prose(*block.parts[: end + 1])
 
 
@@ -53,7 +53,7 @@ def displacements_of_geometric(configuration: Configuration, elimination: Elimin
     lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
     body = (
         prose("Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
-              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", role=Role.TIMELESS),
+              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", purpose=Purpose.TIMELESS),
         display(*lines),
         *solved_displacements(elimination, configuration),
         *of_points(configuration, elimination),
@@ -85,7 +85,7 @@ def principle_shortly(step: Step, coordinates: frozenset[object], *, known: bool
         kinematic = all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
         if (known and kinematic) or all(_is_evident(e, coordinates) for e in block.equations):
             body[n - 1 : n + 1] = []
-            at = next(k for k, b in enumerate(body) if has_role(b, Role.WRITTEN_OUT))
+            at = next(k for k, b in enumerate(body) if has_purpose(b, Purpose.WRITTEN_OUT))
             before, after = body[at - 1], body[at + 1]
             if isinstance(before, Display) and isinstance(after, Display):
                 body[at - 1 : at + 2] = [display(*before.equations, *after.equations)]
@@ -209,7 +209,7 @@ def _is_kinematic(block: Display) -> bool:
 def without_multipliers(step: Step) -> Step:
     """The equations without those with multipliers, where Newton's law has given the same."""
     body = list(step.body)
-    at = next((n for n, b in enumerate(body) if has_role(b, Role.MULTIPLIERS)), None)
+    at = next((n for n, b in enumerate(body) if has_purpose(b, Purpose.MULTIPLIERS)), None)
     return step if at is None else replace(step, body=tuple(body[:at] + body[at + 2 :]))
 
 

@@ -28,7 +28,7 @@ from lagrange.document.derivation import (
     Step,
     Task,
 )
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import LEAST_ROOM, LINES_OF_EQUATION, MOST_ROOM
 from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
 from lagrange.explain.words import as_stated, constraints_called, plural, spoken
@@ -230,20 +230,22 @@ def _about_question(questions: Sequence[Question], step: Step) -> tuple[str, tup
 
 
 _OF_MEANING = {
-    Role.AT_REST: "Where can the system stay at rest, and is it stable there?",
-    Role.SMALL_MOTION: "How long is the period of small oscillations?",
-    Role.LIMIT: "Check a limit in which the result is plain.",
-    Role.UNITS: "Check the units.",
+    Purpose.AT_REST: "Where can the system stay at rest, and is it stable there?",
+    Purpose.SMALL_MOTION: "How long is the period of small oscillations?",
+    Purpose.LIMIT: "Check a limit in which the result is plain.",
+    Purpose.UNITS: "Check the units.",
 }
-"""What is asked where there is a paragraph of that role."""
+"""What is asked where there is a paragraph of that purpose."""
 
 
 def _about_meaning(step: Step) -> tuple[Part, ...]:
-    roles = {b.role for b in step.body if isinstance(b, Prose)}
+    purposes = {b.purpose for b in step.body if isinstance(b, Prose)}
     labels = (e.label or "" for b in step.body if isinstance(b, Display) for e in b.equations)
-    conserved = roles & {Role.CONSERVED, Role.MOMENTUM} or any(label.startswith("conserved") for label in labels)
+    conserved = purposes & {Purpose.CONSERVED, Purpose.MOMENTUM} or any(
+        label.startswith("conserved") for label in labels
+    )
     sentences = ["Which quantities does the motion conserve?"] if conserved else []
-    sentences += [sentence for role, sentence in _OF_MEANING.items() if role in roles]
+    sentences += [sentence for purpose, sentence in _OF_MEANING.items() if purpose in purposes]
     return (" ".join(sentences),) if sentences else ()
 
 

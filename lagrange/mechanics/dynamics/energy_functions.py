@@ -25,10 +25,18 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.forms.exact_forms import primitive, varies
+from lagrange.algebra.forms.exact_forms import potential_of, varies
 from lagrange.algebra.fourier.polynomials import unpack
 from lagrange.algebra.fourier.ring import Element, FourierRing
-from lagrange.algebra.fourier.terms import Exponent, PowerProduct, as_term, common_powers, divided, multiplied, sum_of
+from lagrange.algebra.fourier.terms import (
+    Exponent,
+    PowerProduct,
+    as_term,
+    common_powers,
+    multiplied,
+    quotient_of_powers,
+    sum_of,
+)
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -195,7 +203,7 @@ def _potential(forces: tuple[Element, ...], configuration: Configuration, ring: 
     if not _is_closed(forces, configuration, ring):
         return None
     slots = configuration.slots
-    return primitive([-f.to_sympy() for f in forces], slots.coordinates, slots)
+    return potential_of([-f.to_sympy() for f in forces], slots.coordinates, slots)
 
 
 @record
@@ -434,7 +442,9 @@ def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
         sign = 1 if sum(1 if term.number > 0 else -1 for term in terms) > 0 else -1
         first = terms[0].number / number
         sign = sign if sum(term.number for term in terms) else int(first)
-        rest = sum_of(PowerProduct(sign * term.number / number, divided(term.factors, common)) for term in terms)
+        rest = sum_of(
+            PowerProduct(sign * term.number / number, quotient_of_powers(term.factors, common)) for term in terms
+        )
         gathered.append(PowerProduct(sign * number, multiplied(common, {rest: 1})).to_sympy())
     return sp.Add(*gathered)
 

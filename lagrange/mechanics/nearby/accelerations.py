@@ -85,7 +85,7 @@ def has_numbers(problem: Problem) -> bool:
     return all(p.value is not None for p in problem.parameters) and not problem.functions
 
 
-def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
+def start_in_numbers(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
     """What happens at t = 0; None where parameters have no value, or `initial` does not determine the state."""
     if not problem.initial or not has_numbers(problem):
         return None

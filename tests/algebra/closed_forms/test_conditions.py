@@ -12,9 +12,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import (
     NeverPositiveError,
     conditions_for,
+    further_conditions,
     only_excludes_equality,
     positive_part,
-    reduced,
     sign_on,
     solved_for,
     where_positive,
@@ -63,7 +63,7 @@ CASES = [
 def test_conditions_are_shortened_and_say_the_same(
     given: list[SignCondition], shortest: list[SignCondition] | None
 ) -> None:
-    found = reduced(given)
+    found = further_conditions(given)
     assert found is not None
     assert [*found] == (given if shortest is None else shortest)
     rng = random.Random(3)
@@ -78,7 +78,7 @@ def test_conditions_are_shortened_and_say_the_same(
 
 def test_critical_loads() -> None:
     """Two bars with equal springs: λ = P l/k with λ² − 3 λ + 1 > 0 and λ < 2."""
-    found = reduced([condition(2 * k, ">", l * P), condition(k**2 + l**2 * P**2, ">", 3 * k * l * P)])
+    found = further_conditions([condition(2 * k, ">", l * P), condition(k**2 + l**2 * P**2, ">", 3 * k * l * P)])
     assert found is not None
     [critical] = solved_for(found, [P])
     assert (critical.lhs, critical.relation) == (P, "<")
@@ -88,15 +88,15 @@ def test_critical_loads() -> None:
 
 
 def test_conditions_that_exclude_each_other() -> None:
-    assert reduced([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
-    assert reduced([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
+    assert further_conditions([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
+    assert further_conditions([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
 
 
 def test_what_is_known_is_not_repeated() -> None:
     known = [condition(k * R, "≥", 2 * m * g)]
-    assert reduced([pulls], known) == ()
+    assert further_conditions([pulls], known) == ()
     strict = condition(k * R, ">", 2 * m * g)
-    assert reduced([strict, pulls], known) == (strict,)
+    assert further_conditions([strict, pulls], known) == (strict,)
     assert only_excludes_equality([strict], known)
     assert not only_excludes_equality([condition(k * R, ">", 3 * m * g)], known)
 

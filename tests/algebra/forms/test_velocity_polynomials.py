@@ -10,9 +10,9 @@ from lagrange.algebra.forms.velocity_polynomials import (
     is_affine,
     is_definite,
     polynomial,
-    primitive,
+    polynomial_as_sum,
     squares,
-    written,
+    without_content,
 )
 from lagrange.core.symbols import Slots
 
@@ -28,7 +28,7 @@ def test_exponents_and_coefficients() -> None:
     p = polynomial(x * u**2 - 2 * u * v + 3, (u, v), is_zero)
     assert p == {(2, 0): x, (1, 1): -2, (0, 0): 3}
     assert degree(p) == 2
-    assert sp.expand(written(p, (u, v)) - (x * u**2 - 2 * u * v + 3)) == 0
+    assert sp.expand(polynomial_as_sum(p, (u, v)) - (x * u**2 - 2 * u * v + 3)) == 0
     assert polynomial(sp.sin(u), (u,), is_zero) is None
 
 
@@ -55,7 +55,7 @@ def test_rank_one_is_one_square_and_common_denominators_go() -> None:
     p = polynomial(u**2 + v**2 - 2 * u * v, (u, v), is_zero)
     assert p is not None
     assert len(squares(p, (u, v), is_zero) or ()) == 1
-    assert primitive(u / r + v / r) == u + v
+    assert without_content(u / r + v / r) == u + v
 
 
 # -- Whether a function is affine in the velocities --------------------------------------------------------------------

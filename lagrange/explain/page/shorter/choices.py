@@ -11,9 +11,9 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.core.symbols import VectorSymbol
-from lagrange.document.builders import display, has_role, listed, math, parts_of, place_of, prose
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, parts_of, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Ref, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_PRINCIPLE, LONGEST_PRINCIPLE_OF_BODIES, LONGEST_SOLVED_RELATION
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
@@ -36,24 +36,24 @@ def in_few_lines(steps: Sequence[Step]) -> Iterator[Step]:
 
 def _without_announcement(body: list[Block]) -> list[Block]:
     """No `ψ is eliminated through its velocity`, where the velocity is then solved for."""
-    return [b for b in body if not has_role(b, Role.ELIMINATED)]
+    return [b for b in body if not has_purpose(b, Purpose.ELIMINATED)]
 
 
-def _place(role: Role, body: Sequence[Block]) -> int | None:
-    return next((n for n, b in enumerate(body) if has_role(b, role)), None)
+def _place(purpose: Purpose, body: Sequence[Block]) -> int | None:
+    return next((n for n, b in enumerate(body) if has_purpose(b, purpose)), None)
 
 
 def _displacements_solved(body: list[Block]) -> list[Block]:
     """`In a virtual displacement δψ = (1/R) δs` without the equation of which this is the solution."""
-    at = _place(Role.VIRTUAL, body)
+    at = _place(Purpose.VIRTUAL, body)
     if at is None or len(body) < at + 4:
         return body
     solving, solved = body[at + 2], body[at + 3]
-    if not has_role(solving, Role.SOLVING) or not isinstance(solved, Display) or solved.detail is Detail.FULL:
+    if not has_purpose(solving, Purpose.SOLVING) or not isinstance(solved, Display) or solved.detail is Detail.FULL:
         return body
     where = _condition(solving)
     rest = body[at + 4 :]
-    if rest and has_role(rest[0], Role.FREE):
+    if rest and has_purpose(rest[0], Purpose.FREE):
         rest = rest[1:]
     begins: tuple[Part, ...] = ("In a virtual displacement", *where)
     if len(solved.equations) == 1 and solved.operations <= LONGEST_SOLVED_RELATION:
@@ -63,13 +63,13 @@ def _displacements_solved(body: list[Block]) -> list[Block]:
 
 def _condition(solving: Prose) -> tuple[Part, ...]:
     """`, where x ≠ 0,` of `Solving for δx, where x ≠ 0, gives`."""
-    at = place_of(Role.WHERE, solving.parts)
+    at = index_of(Purpose.WHERE, solving.parts)
     return () if at is None else solving.parts[at:-1]
 
 
 def _velocities_solved(body: list[Block]) -> list[Block]:
     """Velocities and accelerations side by side, or in a sentence where there is one of each."""
-    at = _place(Role.RATES, body)
+    at = _place(Purpose.RATES, body)
     if at is None:
         return body
     solving, rates = body[at], body[at + 1]
@@ -95,7 +95,7 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
 
 def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     """A long principle not written out, where nothing is left to be done but to read off its brackets."""
-    at = _place(Role.PRINCIPLE, body)
+    at = _place(Purpose.PRINCIPLE, body)
     if at is None or len(body) < at + 4:
         return body
     reads, written, vanish, box = body[at : at + 4]
@@ -149,7 +149,7 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
 def _subject(lead: Block) -> str:
     """`the accelerations, the rates of change of the angular momenta`, whose values follow."""
     assert isinstance(lead, Prose)
-    subject = next(p for p in lead.parts if isinstance(p, Phrase) and p.role is Role.SUBJECT)
+    subject = next(p for p in lead.parts if isinstance(p, Phrase) and p.purpose is Purpose.SUBJECT)
     return subject.instead
 
 

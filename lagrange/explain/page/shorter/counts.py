@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import has_role, prose
+from lagrange.document.builders import has_purpose, prose
 from lagrange.document.derivation import Block, Rule, Step
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
@@ -29,7 +29,7 @@ def counted_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
 
 def _shortly(block: Block, newton: Newton) -> Block:
     before, after = newton.before, newton.after
-    if before is None or after is None or not has_role(block, Role.COUNT) or after.unknowns != after.equations:
+    if before is None or after is None or not has_purpose(block, Purpose.COUNT) or after.unknowns != after.equations:
         return block
     constraints = before.equations - sum(len(b.laws) for b in newton.bodies or ()) - len(newton.idle)
     bound = plural(constraints, "the constraint", f"the {constraints} constraints")

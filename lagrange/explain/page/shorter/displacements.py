@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import has_role, listed, paragraph, parts_of, place_of, prose
+from lagrange.document.builders import has_purpose, index_of, listed, paragraph, parts_of, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 
 
 def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
@@ -36,7 +36,7 @@ def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[
     if len(step.body) < 2:
         return []
     first, shown, *rest = step.body
-    if not has_role(first, Role.TIMELESS) or not isinstance(shown, Display):
+    if not has_purpose(first, Purpose.TIMELESS) or not isinstance(shown, Display):
         return []
     labels = [e.label or "" for e in shown.equations]
     if not labels or not all(label.startswith("virtual-") for label in labels):
@@ -84,7 +84,7 @@ def _referring(step: Step, rule: dict[str, str]) -> Step:
     def block(b: Block) -> Block:
         if isinstance(b, Prose):
             parts = tuple(map(part, b.parts))
-            if parts != b.parts and place_of(Role.LEFT_SIDES, parts[-1:]) is not None:
+            if parts != b.parts and index_of(Purpose.LEFT_SIDES, parts[-1:]) is not None:
                 parts = (*parts[:-1], ", with δ in place of d:")  # it is a left side with d now
             return replace(b, parts=parts, short=tuple(map(part, b.short)))
         if isinstance(b, Display):

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import has_role, prose
+from lagrange.document.builders import has_purpose, prose
 from lagrange.document.derivation import Block, Display, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 
 _RULES = (Rule.LINEARIZATION, Rule.STEADY)
 
@@ -26,10 +26,10 @@ def in_one_box(steps: Sequence[Step]) -> Iterator[Step]:
 def _in_one_box(body: Sequence[Block]) -> Iterator[Block]:
     for n, block in enumerate(body):
         follows = body[n + 1 : n + 3]
-        if _is_linear(block) and len(follows) == 2 and has_role(follows[0], Role.WAVES) and _is_box(follows[1]):
+        if _is_linear(block) and len(follows) == 2 and has_purpose(follows[0], Purpose.WAVES) and _is_box(follows[1]):
             assert isinstance(block, Display)
             yield replace(block, boxed=False)
-        elif has_role(block, Role.WAVES):
+        elif has_purpose(block, Purpose.WAVES):
             parts = (p.instead if isinstance(p, Phrase) else p for p in block.parts)
             yield prose(*parts, detail=block.detail)
         else:

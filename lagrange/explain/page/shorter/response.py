@@ -12,9 +12,9 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import prime
-from lagrange.document.builders import has_role, listed, math, prose
+from lagrange.document.builders import has_purpose, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Ref, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_RESONANCE
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations
@@ -73,7 +73,7 @@ def _with_roots(body: list[Block]) -> list[Block]:
     letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
                    for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
     before = body[at - 1] if at else None
-    if at is None or letter is None or not has_role(before, Role.RESONANCE):
+    if at is None or letter is None or not has_purpose(before, Purpose.RESONANCE):
         return body
     shown = body[at]
     assert isinstance(shown, Display)

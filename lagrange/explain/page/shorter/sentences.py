@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import has_role, listed, paired, parts_of, place_of, prose
+from lagrange.document.builders import has_purpose, index_of, listed, paired, parts_of, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Prose, Ref, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_PLAIN_FORCES
 from lagrange.explain.page.system import are_short
 
@@ -38,15 +38,15 @@ def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block
 
 def _words(block: Prose, follows: Block | None) -> Prose:
     first = block.parts[0] if block.parts else ""
-    if isinstance(first, Phrase) and first.role is Role.LAW:
+    if isinstance(first, Phrase) and first.purpose is Purpose.LAW:
         return prose(first.instead)
-    if has_role(block, Role.MULTIPLIERS) and place_of(Role.EVERY_COORDINATE, block.parts) is not None:
+    if has_purpose(block, Purpose.MULTIPLIERS) and index_of(Purpose.EVERY_COORDINATE, block.parts) is not None:
         letters = [p for p in block.parts if isinstance(p, Math)]
         multipliers = letters[: _count(block)]
         return prose("With ", "a multiplier " if len(multipliers) == 1 else "multipliers ", *listed(multipliers),
                      " of the constraint" if len(multipliers) == 1 else " of the constraints",
                      " instead, nothing is eliminated, and for every coordinate")  # fmt: skip
-    too_long = place_of(Role.REASON, block.parts[:1]) is not None
+    too_long = index_of(Purpose.REASON, block.parts[:1]) is not None
     if too_long and isinstance(follows, Display) and follows.operations <= LONGEST_PLAIN_FORCES:
         return replace(block, parts=block.parts[1:])
     return block
@@ -54,7 +54,7 @@ def _words(block: Prose, follows: Block | None) -> Prose:
 
 def _count(block: Prose) -> int:
     """How many multipliers a paragraph names before it says what becomes of them."""
-    end = place_of(Role.VERB, block.parts)
+    end = index_of(Purpose.VERB, block.parts)
     return sum(isinstance(p, Math) for p in block.parts[:end])
 
 

@@ -25,9 +25,9 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, CrossProduct, DotProduct, VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, has_role, math, prose
+from lagrange.document.builders import display, has_purpose, math, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Ref, Rule, Step
-from lagrange.document.roles import Role
+from lagrange.document.purposes import Purpose
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.results import Solution
@@ -210,7 +210,7 @@ def _reaction(link: RodLink, step: Step) -> Step:
         prose("With ", laws[1], " and ", laws[0], ", each divided by its mass, put into it:"),
         display(link.tension, boxed=True),
     ]
-    bounds: list[Block] = [b for b in step.body if has_role(b, Role.MAY_PUSH)]
+    bounds: list[Block] = [b for b in step.body if has_purpose(b, Purpose.MAY_PUSH)]
     if link.falls_as_one and bounds:
         bounds = [prose(math(link.reaction.force), " is never negative: a string would do as well as the rod.")]
     return replace(step, body=(*body, *bounds))
@@ -220,7 +220,7 @@ def meaning_of_link(link: RodLink, step: Step) -> Step:
     """What it says: the mass centre, the rod about it, the energy."""
     if not link.falls_as_one:
         return step
-    kept = [b for b in step.body if not has_role(b, Role.MOMENTUM)]
+    kept = [b for b in step.body if not has_purpose(b, Purpose.MOMENTUM)]
     parts: tuple[Part, ...] = (
         Emphasis("Mass centre"), ": by ", Ref("link-together"), " it moves as a single particle under both forces, "
         "whatever the rod does.",

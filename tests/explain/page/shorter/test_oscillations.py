@@ -7,7 +7,7 @@ import sympy as sp
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Prose, Rule, Step
-from lagrange.document.roles import Phrase, Role
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.page.shorter.oscillations import in_one_box
 
 xi, omega, k = sp.symbols("xi omega k", positive=True)
@@ -23,10 +23,10 @@ def said(*blocks: Block, rule: Rule = Rule.LINEARIZATION) -> tuple[Block, ...]:
 
 def waves(shorter: str) -> Prose:
     begins, ends = (
-        Phrase("There are", Role.SUBJECT, shorter),
+        Phrase("There are", Purpose.SUBJECT, shorter),
         Phrase(", with constant amplitudes, where", None, " with"),
     )
-    return prose(begins, " solutions proportional to ", *WAVE, ends, role=Role.WAVES)
+    return prose(begins, " solutions proportional to ", *WAVE, ends, purpose=Purpose.WAVES)
 
 
 def words_of(block: Block) -> str:

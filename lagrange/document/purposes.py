@@ -1,6 +1,6 @@
-"""What a paragraph does in its step, or a few words in their paragraph, as data beside the words.
+"""What a paragraph is for in its step, or a few words in their paragraph, as data beside the words.
 
-The full derivation says everything; a page says the same in fewer words. It finds what it shortens by these roles,
+The full derivation says everything; a page says the same in fewer words. It finds what it shortens by these purposes,
 which are given where a sentence is made, and never by its wording: the words may change without a page noticing.
 """
 
@@ -9,8 +9,8 @@ from __future__ import annotations
 from enum import Enum, auto
 
 
-class Role(Enum):
-    """A role; the example is what it is said with today."""
+class Purpose(Enum):
+    """What words are for; beside each an example."""
 
     # of paragraphs
     DEFINITIONS = auto()  # For brevity, write
@@ -65,16 +65,16 @@ class Role(Enum):
 
 
 class Phrase(str):
-    """Words of a paragraph that have a role in it; a plain text is one without.
+    """Words of a paragraph that have a purpose of their own in it.
 
     instead  what a page says in their place where it says less
     """
 
-    role: Role | None
+    purpose: Purpose | None
     instead: str
 
-    def __new__(cls, words: str, role: Role | None = None, instead: str = "") -> Phrase:
-        """The words with their role."""
+    def __new__(cls, words: str, purpose: Purpose | None = None, instead: str = "") -> Phrase:
+        """The words with their purpose."""
         phrase = super().__new__(cls, words)
-        phrase.role, phrase.instead = role, instead
+        phrase.purpose, phrase.instead = purpose, instead
         return phrase
