@@ -95,7 +95,7 @@ def grade(
     from lagsolve.grading.assignments import labelled, sorted_out
     from lagsolve.grading.pool import available_cores
     from lagsolve.grading.roster import Roster, read_roster, time_of
-    from lagsolve.grading.run import GradingRun, InterruptedBatchError, results
+    from lagsolve.grading.run import GradingRun, InterruptedBatchError, all_results
     from lagsolve.grading.students import Attempts
     from lagsolve.grading.worker import Limits
     from lagsolve.output import write_rows
@@ -124,7 +124,7 @@ def grade(
         tuple(written),
     )
     try:
-        rows, outcomes = results(run)
+        rows, outcomes = all_results(run)
     except InterruptedBatchError as interrupted:
         write_stderr(str(interrupted))
         sys.exit(INTERRUPTED)
@@ -181,7 +181,7 @@ def variant(problem: str, seed: str, output: str | None) -> None:
 
     Exit status: 0 written; 2 the file has mistakes, or no `vary`, or the values leave no answer; 130 interrupted.
     """
-    from lagrange.api.variants import variant as drawn
+    from lagrange.api.classroom import variant as drawn
     from lagsolve.inputs import problem_source
 
     source = problem_source(problem)

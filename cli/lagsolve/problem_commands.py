@@ -31,10 +31,10 @@ def list_(words: tuple[str, ...], long: bool) -> None:
         known = " ".join(dict.fromkeys(n.partition("/")[0] for n in library.entries()))
         write_stderr(f"no shipped problem has {' and '.join(f'`{w}`' for w in words)}; the topics are {known}")
     elif sys.stdout is None or not sys.stdout.isatty():
-        write_stdout(shipped.lines(entries))
+        write_stdout(shipped.listed_for_pipe(entries))
     else:
         called = library.short_names()
-        write_stdout(shipped.page(entries, index, called, terminal_width(), long=long, styled=styled()))
+        write_stdout(shipped.listed_by_topic(entries, index, called, terminal_width(), long=long, styled=styled()))
         first = called[entries[0].name]
         write_stderr(
             f"\nlagsolve {first}\n    solves this one, lagsolve new mine.yaml --from NAME writes a copy to change\n"

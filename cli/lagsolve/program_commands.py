@@ -210,10 +210,10 @@ def _write(result: Simulation, output: str, ending: str) -> None:
     from pathlib import Path
 
     if ending in PLOTS:
-        from lagrange.programs.plots import drawn
+        from lagrange.programs.plots import plot_file
         from lagsolve.written_files import write_file
 
-        write_file(Path(output), drawn(result, ending))
+        write_file(Path(output), plot_file(result, ending))
         return
     from lagrange.programs.tables import csv_text
 

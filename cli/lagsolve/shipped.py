@@ -116,12 +116,12 @@ INDENT = 6
 DEEP = " " * INDENT
 
 
-def lines(entries: Sequence[Entry]) -> str:
+def listed_for_pipe(entries: Sequence[Entry]) -> str:
     """The problems for a pipe."""
     return "".join("\t".join((e.name, e.title, ", ".join(e.asked), e.source, e.exercises)) + "\n" for e in entries)
 
 
-def page(
+def listed_by_topic(
     entries: Sequence[Entry], of: Index, called: Mapping[str, str], width: int, *, long: bool, styled: bool
 ) -> str:
     """The problems under their topics, for a terminal.

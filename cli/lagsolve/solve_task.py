@@ -120,23 +120,23 @@ def watch_for_ever(task: SolveTask, wait: Callable[[], None] = lambda: time.slee
 
 def changes(paths: Sequence[Path], wait: Callable[[], None]) -> Iterator[bool]:
     """Yields False at once, and True after every change of a file, even if made while the caller was busy."""
-    known = state(paths)
+    known = state_of_file(paths)
     yield False
     while True:
         wait()
-        now = state(paths)
+        now = state_of_file(paths)
         if now == known:
             continue
         before = known
         while now != before:
             wait()
-            before, now = now, state(paths)
+            before, now = now, state_of_file(paths)
         if now != known:
             known = now
             yield True
 
 
-def state(paths: Sequence[Path]) -> FileState:
+def state_of_file(paths: Sequence[Path]) -> FileState:
     """A value that differs if a file has changed: its time of writing, its size, and which file it is."""
     return tuple(_state(path) for path in paths)
 

@@ -24,7 +24,7 @@ from typing import TypeAlias
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator, over_one_denominator_in_roots
+from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, over_one_denominator_in_roots
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
@@ -287,7 +287,7 @@ class EquilibriumComparison:
             parts = numerator(letters.read(e))
         except NotAlgebraicError:
             parts = numerator(e)
-        pieces = factors(letters.reduced(parts[0])) if parts else None
+        pieces = irreducible_factors(letters.reduced(parts[0])) if parts else None
         own = [p for p in pieces or [e] if letters.unknowns_in(p)]
         return [letters.write(-p if p.could_extract_minus_sign() else p) for p in own]
 

@@ -23,7 +23,7 @@ from lagrange.answers.models.search import Explanation
 from lagrange.answers.slips import Slip, terms_of
 from lagrange.answers.verdicts import DOES_NOT_FOLLOW
 from lagrange.core.symbols import Slots
-from lagrange.core.units import written
+from lagrange.core.units import unit_of_dimension
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
@@ -181,7 +181,9 @@ class Advisor:
 
     def _units(self, mismatch: Mismatch) -> str:
         first, second = (self._text(_unsigned(term)) for term in (mismatch.term, mismatch.other))
-        units = f"{first} is in {written(mismatch.dimension)}, {second} in {written(mismatch.expected)}"
+        units = (
+            f"{first} is in {unit_of_dimension(mismatch.dimension)}, {second} in {unit_of_dimension(mismatch.expected)}"
+        )
         return f"{_DIMENSIONS}: {units}"
 
     def _model(self, model: Explanation, convention: Convention | None) -> str:

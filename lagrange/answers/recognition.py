@@ -28,7 +28,7 @@ from lagrange.algebra.exact.zero_test import (
 )
 from lagrange.answers.limits import MAX_POWER, STATES
 from lagrange.core.symbols import CONSTANT, Sign, t
-from lagrange.mechanics.dynamics.comparison import Standing, System, affine_rows, compare, state, symbols_of
+from lagrange.mechanics.dynamics.comparison import Standing, System, affine_rows, compare, random_state, symbols_of
 
 
 class Recognised(Enum):
@@ -76,7 +76,7 @@ def _at_states(
     symbols = symbols_of((*expressions, *system.equations, *system.accelerated_constraints))
     configuration = system.configuration
     try:
-        kinds = configuration.states.sampled(lambda p: evaluate(state(p, configuration, symbols)), STATES)
+        kinds = configuration.states.sampled(lambda p: evaluate(random_state(p, configuration, symbols)), STATES)
     except (NoPointError, UnsupportedError, DivisionByZeroError):
         return None
     return kinds[0] if len(set(kinds)) == 1 else None
@@ -157,7 +157,7 @@ def _kind(moving: Point, function: sp.Expr, rate: sp.Expr, system: System) -> Re
     velocities = system.configuration.slots.velocities
     if moving.affine([function], velocities) is not None:
         return Recognised.MOMENTUM
-    again = state(moving, system.configuration, ())
+    again = random_state(moving, system.configuration, ())
     first, second = (_over_velocities(p, rate, system) for p in (moving, again))
     return Recognised.ENERGY if first is not None and first == second else Recognised.INTEGRAL
 

@@ -29,7 +29,7 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
     has_real_point,
 )
-from lagrange.algebra.fourier.terms import Factors, as_term, common_powers, divided, multiplied, number_apart
+from lagrange.algebra.fourier.terms import Factors, as_term, common_powers, multiplied, number_apart, quotient_of_powers
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import (
     MAX_CONDITIONS,
@@ -201,7 +201,7 @@ class _Validity:
         factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
         mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
         open_ones = any(not self.combinations[n].constant for n in mixed)
-        rest = divided(self._determinant(mixed), _product(factors[n] for n in mixed)) if open_ones else {}
+        rest = quotient_of_powers(self._determinant(mixed), _product(factors[n] for n in mixed)) if open_ones else {}
         every = []
         for n, e in enumerate(self.equations):
             own = {f: NonzeroCondition(f, divided=power < 0) for f, power in factors[n].items()}
@@ -223,7 +223,7 @@ class _Validity:
         if self._is_multiple(c):
             derived = {j: self._coefficient(self.system.equations[c.parts[0]], j) for j in own}
             j = min(own, key=lambda j: self.known.size(own[j]) + self.known.size(derived[j]))
-            return divided(self.known.powers(own[j]), self.known.powers(derived[j]))
+            return quotient_of_powers(self.known.powers(own[j]), self.known.powers(derived[j]))
         shared = _common(self.known.powers(a) for a in own.values())
         for k in c.parts:
             coefficients = (self._coefficient(self.system.equations[k], j) for j in range(len(self.unknowns)))
@@ -254,7 +254,7 @@ class _Validity:
         of_derived = self.known.powers(self._expanded(derived, range(len(self.unknowns))))
         if eliminated:
             return {f: p for f, p in own.items() if p > 0 and f not in of_derived}
-        return divided(own, of_derived)
+        return quotient_of_powers(own, of_derived)
 
     def _expanded(self, rows: Sequence[sp.Expr], columns: Iterable[int]) -> sp.Expr:
         """The determinant of the coefficients of some unknowns."""

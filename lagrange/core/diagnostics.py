@@ -90,7 +90,10 @@ class Fragment:
 
 @record
 class Diagnostic:
-    """One finding: `level[code]: message`, the place with a label under it, and what to do."""
+    """One finding: `level[code]: message`, the place with a label under it, and what to do.
+
+    about  the name that is not declared
+    """
 
     code: str
     message: str
@@ -98,6 +101,7 @@ class Diagnostic:
     label: str = ""
     help: str = ""
     level: Severity = field(default=Severity.ERROR)
+    about: str = field(default="", compare=False)
 
     def as_note(self) -> Diagnostic:
         """The same finding as a note."""

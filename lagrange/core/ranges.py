@@ -30,14 +30,14 @@ def sign_in_range(f: sp.Expr) -> int | None:
     if not symbols or not all(isinstance(s, Bounded) for s in symbols):
         return None
     if isinstance(f, sp.sin | sp.cos):
-        ends = ends_of(f.args[0])
+        ends = range_of(f.args[0])
         return None if ends is None else sign_between(f.func, ends.low, ends.high, ends.strict)
     if isinstance(f, sp.tan | sp.cot):
         signs = [sign_in_range(g(f.args[0])) for g in (sp.sin, sp.cos)]
         return None if signs[0] is None or signs[1] is None else signs[0] * signs[1]
     if isinstance(f, sp.sec | sp.csc):
         return sign_in_range((sp.cos if isinstance(f, sp.sec) else sp.sin)(f.args[0]))
-    ends = ends_of(f)
+    ends = range_of(f)
     if ends is None:
         return None
     if ends.low > 0 or (ends.low == 0 and ends.strict[0]):
@@ -51,7 +51,7 @@ def without_known_magnitudes(e: sp.Expr) -> sp.Expr:
     return e.xreplace({a: sign * a.args[0] for a, sign in signs.items() if sign is not None})
 
 
-def ends_of(e: sp.Expr) -> Ends | None:
+def range_of(e: sp.Expr) -> Ends | None:
     """The range of a linear expression in parameters that have one; None for any other."""
     low = high = sp.S.Zero
     below = above = False

@@ -174,7 +174,7 @@ def _named(name: str) -> Unit | None:
     return Unit(factor, tuple(map(sp.Integer, powers)) + NO_DIMENSION[len(powers) :], name in _ANGLES)
 
 
-def written(dimension: Dimension) -> str:
+def unit_of_dimension(dimension: Dimension) -> str:
     """The unit of SI with a dimension, `kg m/s^2`; `1` for a number."""
     above = [u if n == 1 else f"{u}^{n}" for u, n in zip(BASE, dimension, strict=True) if n > 0]
     below = [u if n == -1 else f"{u}^{-n}" for u, n in zip(BASE, dimension, strict=True) if n < 0]
@@ -194,7 +194,7 @@ def unit_called(dimension: Dimension, is_angle: bool = False) -> str:
 
 def in_si(unit: Unit) -> str:
     """The unit of SI with the dimension of a unit, as engineers write it: N for kN, rad for deg, rad/s for rpm."""
-    plain = _named_dimensions().get(unit.dimension) or written(unit.dimension)
+    plain = _named_dimensions().get(unit.dimension) or unit_of_dimension(unit.dimension)
     if not unit.is_angle:
         return plain
     return "rad" + plain.removeprefix("1") if plain.startswith("1") else plain

@@ -2,15 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import TypeGuard
 
-from lagrange.document.derivation import Detail, Display, Equation, Math, Mathematics, Part, Prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Mathematics, Part, Prose
+from lagrange.document.purposes import Phrase, Purpose
 
 
-def prose(*parts: Part, detail: Detail = Detail.STEPS) -> Prose:
+def prose(*parts: Part, detail: Detail = Detail.STEPS, purpose: Purpose | None = None) -> Prose:
     """A paragraph from text and mathematics."""
-    return Prose(parts, detail)
+    return Prose(parts, detail, purpose=purpose)
+
+
+def has_purpose(block: Block | None, purpose: Purpose) -> TypeGuard[Prose]:
+    """Whether it is a paragraph of that purpose."""
+    return isinstance(block, Prose) and block.purpose is purpose
+
+
+def parts_of(block: Block) -> Iterator[Part]:
+    """What a paragraph, or the conditions of displayed equations, are made of."""
+    if isinstance(block, Prose):
+        yield from block.parts
+    elif isinstance(block, Display):
+        yield from (p for e in block.equations for p in e.condition)
+
+
+def index_of(purpose: Purpose, parts: Sequence[Part]) -> int | None:
+    """Where the first words of that purpose are; None if there are none."""
+    return next((n for n, part in enumerate(parts) if isinstance(part, Phrase) and part.purpose is purpose), None)
 
 
 def math(*sides: Mathematics, relation: str = "=") -> Math:
@@ -19,11 +39,11 @@ def math(*sides: Mathematics, relation: str = "=") -> Math:
 
 
 def paragraph(*sentences: Prose) -> Prose:
-    """Sentences as one paragraph."""
+    """Sentences as one paragraph, with the purpose of the first."""
     parts: list[Part] = []
     for n, sentence in enumerate(sentences):
         parts += [" ", *sentence.parts] if n else sentence.parts
-    return Prose(tuple(parts), min(s.detail for s in sentences))
+    return Prose(tuple(parts), min(s.detail for s in sentences), purpose=sentences[0].purpose)
 
 
 def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:

@@ -17,6 +17,7 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
+from lagrange.document.purposes import Purpose
 from lagrange.document.scene import Scene
 
 Mathematics: TypeAlias = sp.Expr | Vector
@@ -90,11 +91,12 @@ Part = str | Math | Ref | Emphasis
 
 @record
 class Prose:
-    """A paragraph; `short` replaces it where little detail is wanted."""
+    """A paragraph; `short` replaces it where little detail is wanted, `purpose` says what it is for."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
     short: tuple[Part, ...] = ()
+    purpose: Purpose | None = field(default=None, compare=False)
 
 
 @record
@@ -185,6 +187,7 @@ class Step:
 
     choice  the choice of coordinates to which it belongs; empty for the file's own
     folded  what a page says in its place, where it shows it only on request: `Other coordinate: y`
+    about   the name of the question that it answers
     """
 
     rule: Rule
@@ -192,6 +195,7 @@ class Step:
     body: tuple[Block, ...]
     choice: str = ""
     folded: tuple[Part, ...] = ()
+    about: str = field(default="", compare=False)
 
 
 class MadeWhenRead(Sequence[Step]):

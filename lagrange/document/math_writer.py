@@ -33,7 +33,7 @@ from lagrange.document.derivation import Mathematics
 from lagrange.document.limits import LONGEST_LIST
 from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
 from lagrange.document.notation import Notation, SymbolKind
-from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
+from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, split_term
 from lagrange.document.style_latex import Latex, RunningLatex, WideLatex
 from lagrange.document.styles import BARE, POWERED, BoldVectors, Text, Unicode
 
@@ -120,7 +120,7 @@ class Writer:
             case sp.Add():
                 return self._sum(self.order.terms(expression.args))
             case sp.Mul() | sp.Pow() | sp.Rational() | sp.Float():
-                return self._term(product(expression))
+                return self._term(split_term(expression))
             case sp.NumberSymbol() | sp.core.numbers.Infinity():
                 return Piece(self.style.constants.get(type(expression).__name__, str(expression)), tight=True)
             case Unspecified():
@@ -159,12 +159,12 @@ class Writer:
         terms = [sp.Mul(c, e, evaluate=False) for c, e in parts if c != 0]
         if not terms:
             return self.style.zero_vector()
-        return self._sum(terms) if len(terms) > 1 else self._term(product(terms[0]))
+        return self._sum(terms) if len(terms) > 1 else self._term(split_term(terms[0]))
 
     def _sum(self, terms: Iterable[sp.Expr]) -> Piece:
         codes = [START]
         for n, term in enumerate(terms):
-            parts = product(term)
+            parts = split_term(term)
             negative, parts.negative = parts.negative, False
             piece = self._term(parts)
             if negative:
@@ -334,7 +334,7 @@ class Writer:
 
     def _bare(self, argument: sp.Expr) -> str | None:
         """The argument of sin without parentheses: θ, 2θ, ωt; None if it needs them, as a number does in sin(2) x."""
-        parts = product(argument)
+        parts = split_term(argument)
         if (
             parts.negative
             or argument.is_Number

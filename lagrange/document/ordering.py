@@ -42,7 +42,7 @@ class OrderedProduct:
     below: list[BasePower] = field(default_factory=list)
 
 
-def product(term: sp.Expr) -> OrderedProduct:
+def split_term(term: sp.Expr) -> OrderedProduct:
     """Split a term."""
     parts = OrderedProduct()
     for factor in flat(term):
@@ -62,7 +62,7 @@ def product(term: sp.Expr) -> OrderedProduct:
     return parts
 
 
-def factors(term: sp.Expr) -> list[BasePower]:
+def factors_with_exponents(term: sp.Expr) -> list[BasePower]:
     """All factors with their exponents, positive or negative."""
     return [part.args if isinstance(part, sp.Pow) else (part, sp.S.One) for part in flat(term)]
 
@@ -287,7 +287,7 @@ class WritingOrder:
         return TermOrder.TIME if SymbolKind.TIME in kinds or term.has(sp.Function) else TermOrder.CONSTANT
 
     def _term_key(self, term: sp.Expr, place: int) -> SortKey:
-        parts = [(base, e) for base, e in factors(term) if not base.is_number]
+        parts = [(base, e) for base, e in factors_with_exponents(term) if not base.is_number]
         plain = [(base, e) for base, e in parts if isinstance(base, sp.Symbol)]
         others = [(base, e) for base, e in parts if not isinstance(base, sp.Symbol)]
         constants = [(base, e) for base, e in plain if self.is_constant(base)]
@@ -329,7 +329,7 @@ class WritingOrder:
 
     def _new_degrees(self, term: sp.Expr) -> Degrees:
         degrees: Degrees = {kind: {} for kind in SymbolKind}
-        for base, exponent in factors(term):
+        for base, exponent in factors_with_exponents(term):
             if isinstance(base, sp.Symbol):
                 inner: Degrees = {self.notation.kind(base): {self.notation.place(base.name): 1}}
             elif isinstance(base, sp.Add):

@@ -11,6 +11,7 @@ from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Matrices, Part
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import friction_called, plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
@@ -28,7 +29,8 @@ ORDINALS = ("first", "second", "third")
 def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Block]:
     """The unit vectors that turn with bodies, in i, j, k, each once."""
     lines = directions_of(stated_triads(configuration), problem)
-    return [prose("The unit vectors that turn with the bodies are"), display(*lines.values())] if lines else []
+    words = Phrase("The unit vectors that turn with the bodies are", instead="A unit vector that turns with a body is")
+    return [prose(words, purpose=Purpose.DEFINITIONS), display(*lines.values())] if lines else []
 
 
 def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
@@ -75,16 +77,16 @@ def explain_rotation(body: Body, rotation: Rotation, *, hinged: bool = False) ->
     if rotation.has_inertia:
         lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
     about = "about it" if hinged else "about the mass centre"
-    both = plural(len(lines), "is", f"and its angular momentum {about} are")
+    both = Phrase(plural(len(lines), " is", f" and its angular momentum {about} are"), Purpose.MOMENTA, " is")
     if rotation.inertia.is_principal:
-        return [prose(*_inertia(body, rotation, hinged), f" Its angular velocity {both}"), display(*lines)]
+        return [prose(*_inertia(body, rotation, hinged), " Its angular velocity", both), display(*lines)]
     turns = _turns(body)
     units = listed(math(e) for e in rotation.angular_velocity.triad.units)
     tensor = Matrices(((VectorSymbol(f"J_{name}"), rotation.inertia.rows),))
     return [
         prose(*turns, f"{' ' if turns else ''}Its tensor of inertia about the mass centre, along ", *units, ", is"),
         tensor,
-        prose(f"Its angular velocity {both}"),
+        prose("Its angular velocity", both),
         display(*lines),
     ]
 

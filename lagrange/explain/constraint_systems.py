@@ -10,6 +10,7 @@ from lagrange.algebra.forms.hidden_relations import HiddenRelation
 from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref
+from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import SHOWN_LOSSES
 from lagrange.explain.nonlinear import together
 from lagrange.explain.words import capital, constraints_called, in_words, joined, plural
@@ -43,7 +44,7 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
     question = prose(
         "Taken together, the constraints may imply finite relations that none implies alone. Only such combinations ",
         math(omega), " of the forms can belong to one for which ", math(differential(omega)), " vanishes for any two "
-        "displacements that satisfy all the constraints.",
+        "displacements that satisfy all the constraints.", purpose=Purpose.FORMS_TOGETHER,
     )  # fmt: skip
     if len(flag.ranks) == 1:
         answer = f"Here all of them do: by Frobenius' theorem the constraints are equivalent to {relations}."

@@ -17,6 +17,7 @@ from lagrange.algebra.forms.integrability import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.constraint_systems import (
     explain_hidden,
     explain_losses,
@@ -187,9 +188,10 @@ def explain_forms(classification: Classification, slots: Slots) -> Step:
     differentials = (plural(len(geometric), "The differential of ", "The differentials of "), *listed(geometric))
     multiplied = (*listed(kinematic), " multiplied by ", math(differential(t)))
     both = bool(geometric and kinematic)
-    words: tuple[Part, ...] = (*differentials, ", and ", *multiplied, ",") if both else differentials
+    beside = Phrase(", and ", Purpose.VERB)
+    words: tuple[Part, ...] = (*differentials, beside, *multiplied, ",") if both else differentials
     body: list[Block] = [
-        prose(*(words if geometric else multiplied), " is" if one else " are"),
+        prose(*(words if geometric else multiplied), Phrase(" is" if one else " are", Purpose.VERB)),
         display(*lines),
         _coefficients(constraints, slots),
         *without_form(others),
@@ -307,12 +309,15 @@ def _explain_likewise(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnaly
     """The same for a later constraint, after the theorem has been stated."""
     label = f"form-{c.row.name}"
     first, *others = c.exactness.differing
-    body: list[Block] = [prose(Ref(label), " is not exact either: ", *_unequal(first), ".")]
+    body: list[Block] = [
+        prose(Ref(label), " is not exact either: ", *_unequal(first), ".", purpose=Purpose.NOT_EXACT_EITHER)
+    ]
     body += [prose(*_unequal(p), detail=Detail.FULL) for p in others]
     form, product = _forms(geometric, letter)
-    question = prose("With ", math(form), " now for the form ", Ref(label), ", ")
+    question = prose("With ", math(form), " now for the form ", Ref(label), ", ", purpose=Purpose.NEXT_PRODUCT)
     where = _where(geometric)
-    end = prose(f"This does not vanish{where}: ", Ref(label), " is not integrable.")
+    verdict = (f" not vanish{where}: ", Ref(label), " is not integrable.")
+    end = prose(Phrase("This does", Purpose.SUBJECT), *verdict, purpose=Purpose.NEXT_NOT_INTEGRABLE)
     return [*body, *_verdict(c, product, question, end, where)]
 
 
@@ -395,10 +400,11 @@ def explain_classification(
     else:
         names = [c.row.name for c in constraints if c.integrable is False]
         verb = plural(len(names), "is not equivalent to a finite relation", "are not equivalent to finite relations")
-        words = [f"{capital(constraints_called(names))} {verb}, so the system is ", Emphasis("nonholonomic"), "."]
+        conclusion = Phrase(", so the system is ", Purpose.CONCLUSION)
+        words = [f"{capital(constraints_called(names))} {verb}", conclusion, Emphasis("nonholonomic"), "."]
     sentences = (
         prose(*words),
-        time_of(classification),
+        explain_time(classification),
         *explain_one_sided(constraints),
         *explain_redundant(classification, form_letter(taken)),
         *explain_losses(classification, excluded=excluded),
@@ -416,7 +422,7 @@ def _why_holonomic(constraints: Sequence[ConstraintAnalysis]) -> str:
     return plural(len(constraints), one, "All constraints are equivalent to finite relations")
 
 
-def time_of(classification: Classification) -> Prose:
+def explain_time(classification: Classification) -> Prose:
     """Scleronomic or rheonomic, and why."""
     if classification.scleronomic is None:
         return prose("It could not be decided whether time appears explicitly.")

@@ -10,6 +10,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, differential, t, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import virtual_rotations
 from lagrange.explain.limits import LONGEST_DISPLACEMENT
 from lagrange.explain.nonlinear import by_chetaev
@@ -109,7 +110,7 @@ def _drift(configuration: Configuration, rates: Sequence[sp.Expr]) -> list[Block
     rest = "with the other coordinates at rest, " if len(steps) < len(slots.coordinates) else ""
     blocks: list[Block] = [
         prose(f"Possible and virtual displacements differ, because {carry} the system along. For instance, {rest}",
-              *listed(forms), plural(len(forms), " is satisfied by", " are satisfied by")),
+              *listed(forms), plural(len(forms), " is satisfied by", " are satisfied by"), purpose=Purpose.DRIFT),
         display(*(Equation((differential(q), step)) for q, step in steps.items())),
         prose("and every other possible displacement differs from this one by a virtual displacement:"),
     ]  # fmt: skip
@@ -178,7 +179,8 @@ def displacements_in_choice(elimination: Elimination, configuration: Configurati
         return []
     rows = (virtual_displacement(r, configuration.slots) for r in configuration.rows)
     lines = (Equation((row, sp.S.Zero)) for row in rows)
-    return [prose("In a virtual displacement"), display(*lines), *solved_displacements(elimination, configuration)]
+    lead = prose("In a virtual displacement", purpose=Purpose.VIRTUAL)
+    return [lead, display(*lines), *solved_displacements(elimination, configuration)]
 
 
 def solved_displacements(elimination: Elimination, configuration: Configuration) -> list[Block]:
@@ -190,14 +192,15 @@ def solved_displacements(elimination: Elimination, configuration: Configuration)
     if solved and not all(_is_evident(row) for row in configuration.rows):
         long = any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values())
         pivots = conditions(elimination)
-        where: tuple[Part, ...] = (", where ", *pivots, ",") if pivots else ()
+        where: tuple[Part, ...] = (Phrase(", where ", Purpose.WHERE), *pivots, ",") if pivots else ()
         ending = plural(len(solved), " gives a long expression.", " gives long expressions.") if long else " gives"
-        blocks.append(prose("Solving for ", *listed(math(d) for d in solved), *where, ending))
+        blocks.append(prose("Solving for ", *listed(math(d) for d in solved), *where, ending, purpose=Purpose.SOLVING))
         lines = (Equation((d, e)) for d, e in solved.items())
         blocks.append(display(*lines, detail=Detail.FULL if long else Detail.STEPS))
     if not free:
-        return [*blocks, prose("No displacement remains free.")]
-    return [*blocks, prose(*listed(free), plural(len(free), " remains free.", " remain free."))]
+        return [*blocks, prose("No displacement remains free.", purpose=Purpose.FREE)]
+    remain = plural(len(free), " remains free.", " remain free.")
+    return [*blocks, prose(*listed(free), remain, purpose=Purpose.FREE)]
 
 
 def _is_evident(row: Row) -> bool:

@@ -64,7 +64,7 @@ def free_bodies_in_words(newton: Newton) -> str:
     return " ".join(["Free-body diagrams.", *sentences])
 
 
-def symbols_of(coordinates: Sequence[sp.Symbol]) -> tuple[Part, ...]:
+def coordinates_in_words(coordinates: Sequence[sp.Symbol]) -> tuple[Part, ...]:
     """Coordinates as parts of a sentence."""
     return tuple(math(q) for q in coordinates)
 
@@ -165,4 +165,4 @@ def _of_choice(solution: Solution, coordinates: GeneralizedCoordinates, notation
         marked = scene is not None and {label.content for label in scene.labels} >= set(chosen)
         return scene if marked else None
 
-    return _picture(draw, caption_of_choice(symbols_of(chosen)), system_in_words(solution))
+    return _picture(draw, caption_of_choice(coordinates_in_words(chosen)), system_in_words(solution))

@@ -10,6 +10,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.limits import LONGEST_ACCELERATIONS
@@ -33,7 +34,6 @@ from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
-WRITTEN_OUT = "Written out, it reads"
 """Before the principle in coordinates."""
 
 
@@ -43,7 +43,7 @@ def explain_principle(motion: DalembertMotion) -> Step:
         _multiplied(motion.configuration),
         display(Equation((_principle(motion.configuration), ZERO), label="principle")),
         *accelerations_of(motion),
-        prose(WRITTEN_OUT),
+        prose("Written out, it reads", purpose=Purpose.WRITTEN_OUT),
         display(Equation((motion.principle.statement, ZERO), label="written-out")),
     ]
     return Step(Rule.PRINCIPLE, "D'Alembert's principle", tuple(body))
@@ -114,9 +114,9 @@ def accelerations_of(motion: DalembertMotion) -> list[Block]:
     whats += [f"the {turning}"] * bool(rates)
     if not whats:
         return []
-    words = " and ".join(whats)
-    verb = "is" if len(lines) + len(rates) == 1 else "are"
-    return [prose(f"{capital(words)} {verb}"), display(*lines, *rates)]
+    subject = Phrase(capital(" and ".join(whats)), Purpose.SUBJECT, ", ".join(whats))
+    verb = " is" if len(lines) + len(rates) == 1 else " are"
+    return [prose(subject, verb, purpose=Purpose.KINEMATICS), display(*lines, *rates)]
 
 
 def explain_equations(motion: DalembertMotion, problem: Problem, multiplied: WithMultipliers | None = None) -> Step:
@@ -184,7 +184,7 @@ def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     return [*_substituted_rates(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
 
 
-def label_of(motion: EquationsOfMotion, equation: EquationOfMotion) -> str:
+def label_from_principle(motion: EquationsOfMotion, equation: EquationOfMotion) -> str:
     """The label of an equation as it comes from the principle, before eliminated velocities are substituted."""
     return f"{'open' if motion.closed else 'motion'}{suffix_of(motion.configuration.name)}-{equation.coordinate.name}"
 
@@ -194,12 +194,12 @@ def _substituted_rates(motion: EquationsOfMotion) -> list[Block]:
     if motion.closed is None:
         return []
     closed, name = motion.closed, motion.configuration.name
-    before = [Equation((e.expression, ZERO), label=label_of(motion, e)) for e in motion.equations]
+    before = [Equation((e.expression, ZERO), label=label_from_principle(motion, e)) for e in motion.equations]
     rates = [Equation(pair) for pair in closed.rates.items()]
     refs = listed(Ref(f"rate-{name}-{n}") for n in closed.used)
     return [
         display(*before),
-        prose("Solving ", *refs, " for the velocities, and differentiating, gives"),
+        prose("Solving ", *refs, " for the velocities, and differentiating, gives", purpose=Purpose.RATES),
         display(*rates),
         prose("Substituting these leaves", *in_brackets(scaling(closed.equations)), ":"),
     ]
@@ -217,15 +217,16 @@ def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | N
         "With multipliers instead, nothing is eliminated. The ",
         "constraint on the displacements, times a multiplier " if one else
         "constraints on the displacements, times multipliers ",
-        *symbols, ", is" if one else ", are", " subtracted from ", Ref(f"written-out{suffix}"),
+        *symbols, Phrase(", is" if one else ", are", Purpose.VERB), " subtracted from ", Ref(f"written-out{suffix}"),
         ", the multiplier being chosen so that the " if one else ", the multipliers being chosen so that the ",
         plural(len(motion.elimination.dependent), "coefficient of ", "coefficients of "), *dependent,
         plural(len(motion.elimination.dependent), " vanishes", " vanish"),
-        ". The other displacements are free, so for every coordinate" if motion.elimination.independent else ":",
+        Phrase(". The other displacements are free, so for every coordinate", Purpose.EVERY_COORDINATE)
+        if motion.elimination.independent else ":",
     )  # fmt: skip
     pairs = zip(coordinates, multiplied.equations, strict=True)
     lines = [Equation(sides, label=f"multiplied{suffix}-{q.name}") for q, sides in pairs]
-    return [prose(*words), display(*lines)]
+    return [prose(*words, purpose=Purpose.MULTIPLIERS), display(*lines)]
 
 
 def _constraint(configuration: Configuration, name: str, problem: Problem) -> Equation:
@@ -243,16 +244,16 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     choice, configuration = coordinates.choice, coordinates.configuration
     noun = plural(len(choice.coordinates), "coordinate", "coordinates")
     chosen = listed(math(q) for q in choice.coordinates)
-    article = plural(len(choice.coordinates), "the ", "")
     satisfying: tuple[Part, ...] = ()
     if coordinates.satisfied:
         verb = plural(len(coordinates.satisfied), "holds", "hold")
         satisfying = (f" {constraints_called(coordinates.satisfied)} {verb} identically",)
     ending = ":" if configuration.expressed else "."
-    beginning = ("With ", *chosen, f" as generalized {noun}", *satisfying)
-    body: list[Block] = [
-        prose(*(beginning if satisfying else ("Take ", *chosen, f" as {article}generalized {noun}")), ending)
-    ]
+    called = Phrase(f" as generalized {noun}", Purpose.NOUN)
+    beginning = ("With ", *chosen, called, *satisfying)
+    if not satisfying:
+        beginning = ("Take ", *chosen, plural(len(choice.coordinates), f" as the generalized {noun}", called))
+    body: list[Block] = [prose(*beginning, ending)]
     if configuration.expressed:
         body.append(
             display(
@@ -291,7 +292,8 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
     if coordinates.through_rates:
         names = listed(math(q) for q in coordinates.through_rates)
         rates = plural(len(coordinates.through_rates), "its velocity", "their velocities")
-        blocks.append(prose(*names, f"{are(coordinates.through_rates)}eliminated through {rates}."))
+        how = f"{are(coordinates.through_rates)}eliminated through {rates}."
+        blocks.append(prose(*names, how, purpose=Purpose.ELIMINATED))
     return blocks
 
 
@@ -303,7 +305,7 @@ def explain_motion_in_choice(
         *displacements_in_choice(motion.elimination, motion.configuration),
         *accelerations_of(motion),
         *of_points(motion.configuration, motion.elimination),
-        prose("and d'Alembert's principle ", Ref("principle"), " reads"),
+        prose("and d'Alembert's principle ", Ref("principle"), " reads", purpose=Purpose.PRINCIPLE),
         display(Equation((motion.principle.statement, ZERO), label=f"written-out-{motion.configuration.name}")),
         *_derived(motion, problem),
         *_with_multipliers(motion, multiplied),

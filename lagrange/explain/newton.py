@@ -11,6 +11,7 @@ from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, 
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_IN_TEXT, MOST_LAWS
 from lagrange.explain.words import (
     capital,
@@ -272,11 +273,11 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
         acting.append(f"the {plural(len(body.bound), 'reaction', 'reactions')} of "
                       + constraints_called(r.name for r in body.bound))  # fmt: skip
     if not acting:
-        return [prose(f"No force acts on {called}.")]
+        return [prose(f"No force acts on {called}.", purpose=Purpose.ACTING)]
     verb = plural(len(acting) + len(body.bound[1:]), "acts", "act")
     sentence = f"On {called} {verb} {joined(acting)}."
     if not body.bound:
-        return [prose(sentence)]
+        return [prose(sentence, purpose=Purpose.ACTING)]
     lines = []
     for kind, label, terms in (("R", "reaction", body.reactions), ("Gamma", "couple", body.moments)):
         if terms:
@@ -285,7 +286,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
     its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "it", "their sum")
     moment = f"{its} moment about the mass centre"
     what = f"{force} and {moment} are" if body.reactions and body.moments else f"{moment if body.moments else force} is"
-    return [prose(f"{sentence} In terms of {_unknowns(body.bound)}, {what}"), display(*lines)]
+    return [prose(f"{sentence} In terms of {_unknowns(body.bound)}, {what}", purpose=Purpose.ACTING), display(*lines)]
 
 
 def _unknowns(reactions: Sequence[Reaction]) -> str:
@@ -350,6 +351,8 @@ def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Bloc
     elif turned:
         words = "Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular "
         words += "momentum, its rate of change about the mass centre equal to the moment of both, have the components"
+        short = "Newton's law and the law of angular momentum about the mass centre have the components"
+        words = Phrase(words, Purpose.LAW, short)
     else:
         words = "Newton's law"
     blocks: list[Block] = [prose(words), display(*lines)]
@@ -399,7 +402,7 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
             " The constraints are not independent, so the multipliers are not determined individually, only their "
             "combined effect."
         )
-    return [prose(words)]
+    return [prose(words, purpose=Purpose.COUNT)]
 
 
 def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration) -> Step:
@@ -449,7 +452,7 @@ def _shares(work: WorkOfReaction) -> list[Block]:
     particles = joined(map(the, work.working))
     words = f"On {particles} taken separately, the reaction of {constraints_called([reaction.name])} does the work"
     ending = "Only the sum need vanish: what is taken from one is given to another."
-    return [*blocks, prose(words), display(*lines), prose(ending)]
+    return [*blocks, prose(words), display(*lines), prose(ending, purpose=Purpose.ONLY_SUM)]
 
 
 def _ends(name: str, first: str, second: str) -> list[Block]:

@@ -8,11 +8,12 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import UnitSymbol
-from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.builders import display, index_of, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
+from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import MOST_SHAPES
 from lagrange.explain.questions import angle_of, answer_label
-from lagrange.explain.words import WITH_VALUES, plural, suffix_of, title_in
+from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground
@@ -204,7 +205,7 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
         if omega.formula == 0:
             return equation
     number: tuple[Part, ...] = (math(*measured.sides, relation=measured.relation),)
-    if WITH_VALUES not in equation.condition:
+    if index_of(Purpose.GIVEN_VALUES, equation.condition) is None:
         number = ("that is ", *number)
     number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))

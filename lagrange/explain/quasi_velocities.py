@@ -7,6 +7,7 @@ import sympy as sp
 from lagrange.core.symbols import VectorSymbol, prime, variation
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import directions_of, stated_triads
 from lagrange.explain.displacements import points_called
 from lagrange.explain.motion import scaling
@@ -74,7 +75,8 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
     blocks: list[Block] = []
     new = [e for name, e in directions_of(used, problem).items() if name not in known] if first else []
     if new:
-        blocks += [prose("With the unit vectors"), display(*new)]
+        begins = Phrase("With the unit vectors", instead="With the unit vector")
+        blocks += [prose(begins, purpose=Purpose.DEFINITIONS), display(*new)]
     v = {f"r_{name}'": vector for name, vector in equations.velocities.items()}
     w = {f"omega_{name}": vector for name, vector in equations.spins.items()}
     h = {f"H_{name}": vector for name, vector in equations.momenta.items()}

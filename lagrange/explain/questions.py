@@ -9,7 +9,8 @@ import sympy as sp
 
 from lagrange.core.symbols import base, t
 from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
 from lagrange.mechanics.questions.forms import under_one_root
 from lagrange.mechanics.questions.from_start import FromStart
@@ -36,7 +37,7 @@ def explain_questions(solution: Solution) -> Iterator[Step]:
     seen: dict[tuple[str, sp.Expr], str] = {}
     for asked in solution.asked:
         body = tuple(_body(asked, asked.choice in shown, seen))
-        yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body)
+        yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body, about=asked.question.name)
 
 
 def explain_from_start(start: FromStart) -> Step:
@@ -75,7 +76,7 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
         yield prose("With the sense of ", force, " above there is no solution, so ", force, " is counted in the "
                     "opposite sense here: it stands for the size of the force.")  # fmt: skip
     if asked.used and not _is_direct(asked):
-        yield prose(_terms_of(asked))
+        yield _terms_of(asked)
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
     if asked.turning is not None:
         at = math(asked.turning.symbol, asked.turning.value)
@@ -118,12 +119,13 @@ def _is_direct(asked: Asked) -> bool:
     return len(given) == 1 and given == [(b.lhs, b.rhs) for b in asked.branches]
 
 
-def _terms_of(asked: Asked) -> str:
+def _terms_of(asked: Asked) -> Prose:
     values = [u.value for u in asked.used]
     if any(_moves(e) for e in values):
-        return "In terms of position and velocity,"
-    moving = any(not s.is_positive for e in values for s in e.free_symbols)
-    return "In terms of the position," if moving else "The equations of motion give"
+        return prose("In terms of position and velocity,", purpose=Purpose.IN_TERMS_OF)
+    if any(not s.is_positive for e in values for s in e.free_symbols):
+        return prose("In terms of the position,", purpose=Purpose.IN_TERMS_OF)
+    return prose("The equations of motion give")
 
 
 def _moves(e: sp.Expr) -> bool:
@@ -310,7 +312,7 @@ def _where(b: AnswerBranch) -> tuple[Part, ...]:
 
 def _how(asked: Asked) -> tuple[Part, ...]:
     if _is_direct(asked):
-        return (_terms_of(asked),)
+        return _terms_of(asked).parts
     if asked.how is How.NUMERICAL and asked.integrand is not None:
         return ("No elementary function was found for it. In numbers it is",)
     if asked.how is How.NUMERICAL:

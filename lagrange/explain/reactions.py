@@ -8,17 +8,21 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
+from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.contact.one_sided import explain_contacts
-from lagrange.explain.limits import LONGEST_REACTION
+from lagrange.explain.limits import LONGEST_REACTION, LONGEST_REACTIONS
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import SURFACES
 from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.nearby.long_reactions import LongReactions
 from lagrange.problem.model import Keeper
+from lagrange.values.quantities import rounded_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
@@ -64,7 +68,7 @@ def explain_reactions(
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost and first and lost_ones is not None:
-        from lagrange.explain.long_reactions import explain_long_reactions
+        from lagrange.explain.reactions import explain_long_reactions
 
         body += explain_long_reactions(lost_ones)
     elif lost:
@@ -134,7 +138,6 @@ def _signs(motion: Motion) -> list[Block]:
 
 CORDS = ("rope", "string", "cord", "thread", "chain")
 """What can only pull, by the names of constraints."""
-ONLY_PUSHES = "Where the support can only push, contact lasts as long as "
 BOTH_SIDES = ("wire", "hoop", "ring", "rail", "slot", "tube", "track")
 """What holds a particle from both sides, by the names of constraints."""
 
@@ -160,7 +163,14 @@ def explain_bounds(newton: Newton) -> list[Block]:
         slack = math(rods[0][0].tension, sp.S.Zero, relation="<")
         cord = next((word for word in CORDS if word in rods[0][0].name), None)
         if "rod" in rods[0][0].name:
-            blocks.append(prose("A rod may also push; a string in its place would go slack where ", slack, "."))
+            blocks.append(
+                prose(
+                    "A rod may also push; a string in its place would go slack where ",
+                    slack,
+                    ".",
+                    purpose=Purpose.MAY_PUSH,
+                )
+            )
         elif cord is not None:
             blocks.append(prose(f"A {cord} can only pull, and stays taut as long as ", *tensions, "."))
         else:
@@ -172,7 +182,8 @@ def explain_bounds(newton: Newton) -> list[Block]:
     elif rods:
         blocks.append(
             prose(plural(len(rods), "A rod may also push; a string in its place would stay taut as long as ",
-                         "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".")
+                         "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".",
+                  purpose=Purpose.MAY_PUSH)
         )  # fmt: skip
     for r in pulling:
         if r.on_body and r not in strings and r.rod is not None and r.tension is not None:
@@ -187,7 +198,11 @@ def explain_bounds(newton: Newton) -> list[Block]:
     if normal:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign.", " keep their signs.")
-        blocks.append(prose(ONLY_PUSHES, *forces, keep))
+        blocks.append(
+            prose(
+                "Where the support can only push, contact lasts as long as ", *forces, keep, purpose=Purpose.ONLY_PUSHES
+            )
+        )
     return blocks
 
 
@@ -299,3 +314,61 @@ def _open(there: ReactionsAtRest, newton: Newton) -> Iterator[Block]:
             *listed(math(s) for s in there.open), are(there.open), "not determined here: in this position the "
             "constraints are not independent, to first order."
         )  # fmt: skip
+
+
+# -- Reactions that are too long as functions of position and velocity: by the accelerations, and in numbers -----------
+
+
+ZERO = sp.S.Zero
+
+
+def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
+    """What is too long, where it is, what it is in terms of accelerations, and the numbers at one state."""
+    names = [r.name for r in reactions.lost]
+    words = plural(len(names), "The reaction of ", "The reactions of ") + constraints_called(names)
+    words += plural(len(names), " is", " are") + " too long to be written as functions of position and velocity."
+    values = [reactions.by_accelerations.get(name) for name in names]
+    if all(e is not None and not any(s.name.endswith("''") for s in e.free_symbols) for e in values):
+        yield prose("Newton's equations alone give")
+        yield display(
+            *(Equation((r.force, reactions.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+              for r in reactions.lost),
+            boxed=True,
+        )  # fmt: skip
+    elif reactions.by_accelerations:
+        detail = (
+            Detail.FULL
+            if sum(count_operations(e) for e in reactions.by_accelerations.values()) > LONGEST_REACTIONS
+            else Detail.STEPS
+        )
+        if detail is Detail.FULL:
+            yield prose(f"{words} In terms of the accelerations, Newton's equations give them in fewer: "
+                        "--detail full shows these.")  # fmt: skip
+            yield prose("They are", detail=detail)
+        else:
+            reason = Phrase(f"{words} ", Purpose.REASON)
+            yield prose(reason, "In terms of the accelerations, Newton's equations give")
+        yield display(
+            *(
+                Equation((r.force, reactions.by_accelerations[r.name]), label=f"by-accelerations-{r.name}")
+                for r in reactions.lost
+                if r.name in reactions.by_accelerations
+            ),
+            boxed=True,
+            detail=detail,
+        )
+    else:
+        yield prose(words)
+    if reactions.at is not None:
+        state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in SI units,")
+        if not reactions.from_initial:
+            shown = [math(s, rounded_in(e)) for s, e in reactions.at.state.items()]
+            state = ("In the position and with the velocities ", *listed(shown), " they are, in SI units,")
+        yield prose(*state)
+        yield display(
+            *(
+                Equation((r.force, rounded_in(reactions.numbers[r.name])))
+                for r in reactions.lost
+                if r.name in reactions.numbers
+            )
+        )

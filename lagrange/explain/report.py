@@ -38,7 +38,7 @@ from lagrange.explain.motion import (
     explain_principle,
 )
 from lagrange.explain.newton import explain_newton, explain_works
-from lagrange.explain.page.arrangement import page, without_names_of_choices
+from lagrange.explain.page.arrangement import steps_of_page, without_names_of_choices
 from lagrange.explain.page.names import short_names
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.remarks import remarks as remarks_on
@@ -161,7 +161,7 @@ def _explained(
     def on_page() -> Iterator[Step]:
         right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
         stated = stated_equations(solution) if right and solution.own.motion is not None else ()
-        return without_names_of_choices(finished(page(solution, steps, stated, every_choice=every_choice)))
+        return without_names_of_choices(finished(steps_of_page(solution, steps, stated, every_choice=every_choice)))
 
     if not solution.own.elimination.is_closed:
         steps = tuple(illustrated(_of_large(solution, answers), solution, notation))

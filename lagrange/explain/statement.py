@@ -11,6 +11,7 @@ from lagrange.core.symbols import VectorSymbol, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
+from lagrange.document.purposes import Purpose
 from lagrange.explain.bodies import (
     explain_exchanged_mass,
     explain_links,
@@ -166,7 +167,7 @@ def _abbreviations(problem: Problem) -> list[Block]:
         Equation((VectorSymbol(name) if isinstance(value, Vector) else sp.Symbol(name), value))
         for name, value in problem.abbreviations.items()
     )
-    return [prose("For brevity, write"), display(*lines)]
+    return [prose("For brevity, write", purpose=Purpose.DEFINITIONS), display(*lines)]
 
 
 def _frame(problem: Problem) -> list[Block]:
@@ -251,7 +252,8 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
             named = [math(s) for s in forces] if len(forces) == len(unknown) else []
             what = plural(len(unknown), "the reaction of ", "the reactions of ") + constraints_called(unknown)
             with_names = (*listed(named), ", ") if named else ()
-            blocks.append(prose("The friction contains ", *with_names, f"{what}, found below."))
+            words = (*with_names, f"{what}, found below.")
+            blocks.append(prose("The friction contains ", *words, purpose=Purpose.FRICTION_INSIDE))
     for f in configuration.loads:
         if f.elsewhere:
             lines = (

@@ -13,6 +13,7 @@ from lagrange.core.called import Called
 from lagrange.core.units import NO_DIMENSION, split_number, unit_of
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Math, Part, Prose
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import DIGITS_AS_STATED, MOST_PARTS_OF_PI
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 NORMAL_FORCES = frozenset({"N", "R"})
 """Letters of a reaction that is not called a tension."""
 
-WITH_VALUES = "with the given values "
+WITH_VALUES = Phrase("with the given values ", Purpose.GIVEN_VALUES)
 """The start of what the values of the file decide, where the letters leave it open."""
 
 

@@ -155,7 +155,7 @@ class TreeReport:
             if name in OPERATIONS:
                 code, message = "no-argument", f"`{name}` has no argument"
             help_ = help_for_symbol(name, self.scope)
-        return Diagnostic(code, message, self.fragment.span(tree.start, end), help=help_)
+        return Diagnostic(code, message, self.fragment.span(tree.start, end), help=help_, about=name)
 
     def error(self, code: str, message: str, tree: Tree, help_: str) -> ProblemError:
         """An error at the place of a tree."""

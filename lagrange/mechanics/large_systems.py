@@ -42,13 +42,13 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
 
 def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the equations of motion in abbreviations."""
-    from lagrange.mechanics.nearby.accelerations import at_start, check_state
+    from lagrange.mechanics.nearby.accelerations import check_state, start_in_numbers
     from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
 
     on_stage("equations of motion")
     equations = long_equations(solution.problem, solution.own.configuration)
     checks = check_long_equations(equations, solution.own.configuration)
-    start = at_start(solution.problem, solution.own.configuration)
+    start = start_in_numbers(solution.problem, solution.own.configuration)
     checks += [check_state(start, "accelerations")] if start is not None else []
     return replace(solution, long_equations=equations, at_start=start, checks=(*solution.checks, *checks))
 

@@ -26,7 +26,7 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
-from lagrange.core.units import NO_DIMENSION, written
+from lagrange.core.units import NO_DIMENSION, unit_of_dimension
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates
 from lagrange.mechanics.limits import (
     LONGEST_LIMIT,
@@ -341,7 +341,7 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     first, *others = sorted(
         terms, key=lambda e: (not e.free_symbols & {*view.configuration.slots.accelerations}, str(e))
     )
-    return (first, others[-1], written(one)) if one is not None and one != NO_DIMENSION else None
+    return (first, others[-1], unit_of_dimension(one)) if one is not None and one != NO_DIMENSION else None
 
 
 def _is_angle(q: sp.Symbol, terms: Sequence[sp.Expr]) -> bool:

@@ -23,7 +23,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
-from lagrange.core.ranges import ends_of
+from lagrange.core.ranges import range_of
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded
 from lagrange.core.vectors import Vector
@@ -98,7 +98,7 @@ def angle_bound(s: Support, q: sp.Symbol, solution: Solution) -> tuple[sp.Expr, 
     if rest.has(q) or sign_of(rest) != 1 or slope not in (1, -1):
         return None
     offset = sine.args[0].xreplace({q: sp.S.Zero})
-    ends = ends_of(offset + slope * Bounded(q.name, limits.low, limits.high))
+    ends = range_of(offset + slope * Bounded(q.name, limits.low, limits.high))
     if ends is None or ends.low < -sp.pi or ends.high > sp.pi or not all(ends.strict):
         return None
     return (-offset / slope, slope == -1)

@@ -21,8 +21,8 @@ from functools import partial
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.reductions import Alternative, Alternatives, Why
+from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t

@@ -22,7 +22,7 @@ from lagrange.expressions.reader import Scope
 from lagrange.problem.declared_names import canonical
 from lagrange.problem.frames import coordinate
 from lagrange.problem.keys import CHOICE
-from lagrange.problem.load_context import LoadContext, size
+from lagrange.problem.load_context import LoadContext, expanded_size
 from lagrange.problem.model import Choice, Constraint, Speed
 from lagrange.problem.sections import RATE, SUBSTITUTION, Section, entries_of, items_of, mapping_of, scalar_of
 from lagrange.problem.yaml.nodes import Node, Scalar
@@ -243,9 +243,9 @@ def _circle(waiting: Mapping[sp.Symbol, sp.Expr], what: str, span: Span) -> Diag
 
 
 def _inserted(value: sp.Expr, resolved: Mapping[sp.Symbol, sp.Expr], what: str, span: Span) -> sp.Expr:
-    largest = max((size(resolved[q]) for q in value.free_symbols & resolved.keys()), default=1)
-    inserted = value.xreplace(dict(resolved)) if size(value) * largest <= 10 * MAX_SIZE else None
-    if inserted is None or size(inserted) > MAX_SIZE or Sizes().of(inserted).layers > MAX_LAYERS:
+    largest = max((expanded_size(resolved[q]) for q in value.free_symbols & resolved.keys()), default=1)
+    inserted = value.xreplace(dict(resolved)) if expanded_size(value) * largest <= 10 * MAX_SIZE else None
+    if inserted is None or expanded_size(inserted) > MAX_SIZE or Sizes().of(inserted).layers > MAX_LAYERS:
         message = f"in {what}, the substitutions are too large once they are inserted into one another"
         help_ = "write each old coordinate in terms of the chosen ones"
         raise ProblemError(Diagnostic("expression-too-large", message, span, help=help_))

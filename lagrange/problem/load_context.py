@@ -123,13 +123,13 @@ class LoadContext:
 
         Raises DivisionByZeroError where it divides by what is identically zero.
         """
-        length = size(expression)
+        length = expanded_size(expression)
         self._tested += length
         return is_zero(expression) if length <= MOST_TESTED and self._tested <= 5 * MOST_TESTED else None
 
     def may_reduce(self, expression: sp.Expr) -> bool:
         """Whether a constraint is small enough to be reduced, after those that already were."""
-        length = size(expression)
+        length = expanded_size(expression)
         self._reduced += length
         return length <= MOST_REDUCED and self._reduced <= 10 * MOST_REDUCED
 
@@ -138,12 +138,12 @@ class LoadContext:
     def add_scalars(self, more: Mapping[str, sp.Expr]) -> None:
         """Adds scalars to the scope."""
         self.scope = replace(self.scope, scalars={**self.scope.scalars, **more})
-        self._sizes.update({name: size(value) for name, value in more.items() if value.args})
+        self._sizes.update({name: expanded_size(value) for name, value in more.items() if value.args})
 
     def add_vectors(self, more: Mapping[str, Vector]) -> None:
         """Adds vectors to the scope."""
         self.scope = replace(self.scope, vectors={**self.scope.vectors, **more})
-        self._sizes.update({name: sum(size(c) for c in v.components) for name, v in more.items()})
+        self._sizes.update({name: sum(expanded_size(c) for c in v.components) for name, v in more.items()})
 
     # -- reading -----------------------------------------------------------------------------------------------------
 
@@ -215,7 +215,7 @@ def _text(node: Node, what: str) -> Fragment:
 
 def _refusal(symbol: sp.Symbol, kind: AllowedQuantity, what: str, fragment: Fragment, allowed: Allowed) -> Diagnostic:
     named = f"`{symbol}`" if kind is AllowedQuantity.TIME else f"{kind} `{symbol}`"
-    place = place_of(symbol, fragment)
+    place = place_of_symbol(symbol, fragment)
     if allowed.code == "not-constant":
         help_ = allowed.help
         if kind is AllowedQuantity.UNKNOWN:
@@ -240,7 +240,7 @@ def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
     return [Diagnostic("read-as", message, span, help=help_, level=Severity.NOTE)]
 
 
-def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:
+def place_of_symbol(symbol: sp.Symbol, fragment: Fragment) -> Span:
     """The place of a symbol with its primes in a text; the whole text where an abbreviation contains the symbol."""
     try:
         read, _ = tokens(fragment)
@@ -255,6 +255,6 @@ def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:
     return fragment.span(0, len(fragment.text))
 
 
-def size(expression: sp.Expr) -> int:
+def expanded_size(expression: sp.Expr) -> int:
     """The number of parts of an expression with everything written out."""
     return Sizes().of(expression).size

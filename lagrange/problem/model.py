@@ -16,7 +16,7 @@ from typing import ClassVar
 import sympy as sp
 
 from lagrange.algebra.forms.reductions import Reduction
-from lagrange.algebra.fourier.vector_cleanup import written
+from lagrange.algebra.fourier.vector_cleanup import cleaned_up
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
 from lagrange.core.mime import Shown
@@ -137,7 +137,7 @@ class Body:
         first, second, third = self.axes
         called = (self.axes_called[0], self.axes_called[1], self.axes_called[2]) if self.axes_called else None
         axes = (first, second, third)
-        return turned_with_axes(self.name, axes, called, self.angular_velocity, inertia, slots, written)
+        return turned_with_axes(self.name, axes, called, self.angular_velocity, inertia, slots, cleaned_up)
 
 
 @record

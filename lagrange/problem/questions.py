@@ -57,8 +57,8 @@ from lagrange.problem.sections import (
     AllowedQuantity,
     Section,
     entries_of,
+    kind_of_symbol,
     mapping_of,
-    quantity,
     scalar_of,
     wrong_kind,
 )
@@ -121,7 +121,7 @@ def read_state(node: Node | None, context: LoadContext, scope: Scope, at: Instan
 
 def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: Instant) -> InitialValue:
     symbol = context.read_quietly(read_scalar, key.fragment, scope, [])
-    kind = quantity(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
+    kind = kind_of_symbol(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
     if kind not in (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY):
         message = f"`{key.text}` is neither a coordinate nor a velocity"
         help_ = f"{at.state} has coordinates and velocities: `{at.example}`"

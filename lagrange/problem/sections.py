@@ -98,7 +98,7 @@ STATE = Allowed(
 ANYTHING = Allowed(frozenset(AllowedQuantity), "")
 
 
-def quantity(symbol: sp.Symbol, slots: Slots, unknowns: Iterable[sp.Symbol]) -> AllowedQuantity | None:
+def kind_of_symbol(symbol: sp.Symbol, slots: Slots, unknowns: Iterable[sp.Symbol]) -> AllowedQuantity | None:
     """The kind of a symbol; None for a parameter."""
     if symbol in unknowns:
         return AllowedQuantity.UNKNOWN
@@ -121,7 +121,7 @@ def first_refused(
 ) -> tuple[sp.Symbol, AllowedQuantity] | None:
     """The first symbol that is not allowed in an expression, and its kind; None where all are."""
     for symbol in sorted(expression.free_symbols, key=lambda s: str(s.name)):
-        kind = quantity(symbol, slots, unknowns)
+        kind = kind_of_symbol(symbol, slots, unknowns)
         if kind is not None and kind not in allowed.quantities:
             return symbol, kind
     return None

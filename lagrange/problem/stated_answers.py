@@ -24,9 +24,9 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
 from lagrange.core.symbols import Sign
-from lagrange.core.units import has_unit
-from lagrange.expressions.edits import cut
-from lagrange.expressions.latex_layout import equations
+from lagrange.core.units import has_unit, split_number, unit_of
+from lagrange.expressions.edits import Draft, cut
+from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.expressions.relations import limit_of
@@ -38,7 +38,6 @@ from lagrange.problem.load_context import FragmentReader, LoadContext
 from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question, Weight
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
-from lagrange.problem.units.stated_numbers import without_units
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 from lagrange.problem.yaml.words import classes_in, truth_in, whole_number_in
@@ -464,3 +463,26 @@ def _inside(root: MappingNode) -> Node:
     if len(root.entries) == 1 and root.entries[0][0].text == "answers":
         return mapping_of(root.entries[0][1], "`answers`", f"answers: {{{EXAMPLE}}}")
     return root
+
+
+# -- Numbers with units among stated answers: `P <= 117.7 N`, `s = 12 in`, `theta = 24.75 deg` -------------------------
+#
+# An answer is read when the file is loaded, so that its mistakes are reported with the others; what the unit means is
+# known only when the answer is judged, by the dimension of what it is compared with. So the number stands for it
+# here.
+
+
+_SIDE = re.compile(r"[^=<>≤≥⩽⩾]+")
+
+
+def without_units(fragment: Fragment) -> Fragment:
+    """The text with each side that is a number with a known unit as the number alone."""
+    if is_latex(fragment) or isinstance(fragment, OneEquation):
+        return fragment
+    draft = Draft(fragment)
+    for side in [*_SIDE.finditer(fragment.text)][::-1]:
+        text = side[0].rstrip()
+        parts = split_number(text)
+        if parts is not None and unit_of(parts[1]) is not None:
+            draft.apply([(side.start(), side.start() + len(text), f" {parts[0]}")])
+    return draft.finished(latex=False) if draft.text != fragment.text else fragment

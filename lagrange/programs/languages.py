@@ -17,7 +17,7 @@ from lagrange.core.printable import printable
 from lagrange.core.records import record
 from lagrange.programs.names import ProgramNames
 from lagrange.programs.printer import Printer, Syntax
-from lagrange.programs.straight_line import StraightLine, straight_line, symbols_of
+from lagrange.programs.straight_line import StraightLine, occurring_inputs, straight_line
 
 Argument = tuple[str, sp.Symbol | tuple[sp.Symbol, ...]]
 """The name of an argument, one of the program's own, and what it is: a number, or an array."""
@@ -108,7 +108,7 @@ class Language:
 
     def function(self, function: GeneratedFunction) -> list[str]:
         """The lines of a function."""
-        used = symbols_of(function.program)
+        used = occurring_inputs(function.program)
         code = dict(function.constants)
         lines: list[str] = []
         written: list[str] = []

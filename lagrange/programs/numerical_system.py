@@ -143,12 +143,12 @@ class NumericalSystem:
             if signs not in values:
                 there = self.with_signs(dict(zip(self.signs, signs, strict=True)))
                 values[signs] = there.function(expression)
-            rows.append(_or_nan(values[signs], time, y))
+            rows.append(value_or_nan(values[signs], time, y))
         return numpy.array(rows)
 
     def _signs_at(self, time: float, state: Sequence[float]) -> tuple[int, ...]:
         """The signs that a state has; where an expression is zero, the present one."""
-        at = (_or_nan(indicator, time, state) for indicator in self._indicators)
+        at = (value_or_nan(indicator, time, state) for indicator in self._indicators)
         return tuple(1 if x > 0 else -1 if x < 0 else s for x, s in zip(at, self.signs.values(), strict=True))
 
     @cached_property
@@ -229,7 +229,8 @@ def _shortest(matrix: Any, right: Any, speeds: int) -> list[float]:
     return shortest
 
 
-def _or_nan(value: Callable[..., float], time: float, state: Sequence[float]) -> float:
+def value_or_nan(value: Callable[..., float], time: float, state: Sequence[float]) -> float:
+    """A function of the state; NaN where it has no value."""
     try:
         return value(time, *state)
     except (ArithmeticError, ValueError):

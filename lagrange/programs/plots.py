@@ -109,7 +109,7 @@ def _tidy(axes: Any, simulation: Simulation) -> None:
         axes.axvline(event.time, color="grey", linewidth=0.8, linestyle=":")
 
 
-def drawn(simulation: Simulation, ending: str) -> bytes:
+def plot_file(simulation: Simulation, ending: str) -> bytes:
     """The overview as a file, by its ending: .svg, .png or .pdf."""
     import matplotlib
 

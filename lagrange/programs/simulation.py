@@ -49,11 +49,11 @@ from lagrange.programs.limits import (
     TOLERANCE,
     WRONG_SIGN,
 )
-from lagrange.programs.numerical_system import NumericalSystem
+from lagrange.programs.numerical_system import NumericalSystem, value_or_nan
 from lagrange.programs.special.poles import REASON, pole
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
-from lagrange.programs.sticking import at_rest, beginning, beginning_in_plane, growth
+from lagrange.programs.sticking import beginning, beginning_in_plane, growth, with_static_coefficients
 
 Watched = Callable[..., float]
 
@@ -270,7 +270,7 @@ class _Run:
         """Integrates until a sign changes, and returns the state there; None at the end."""
         system, watched = self.system, self._watched()
         size = max((abs(y) for y in state), default=1.0)
-        before = [self._safely(w.value, time, state) for w in watched]
+        before = [value_or_nan(w.value, time, state) for w in watched]
         run = steps(
             system.rate,
             time,
@@ -284,7 +284,7 @@ class _Run:
         while step is not None:
             self.count += 1
             corrected = self._projected(step)
-            after = [self._safely(w.value, step.end, corrected or step.after) for w in watched]
+            after = [value_or_nan(w.value, step.end, corrected or step.after) for w in watched]
             crossed = [w for w, a, b in zip(watched, before, after, strict=True) if _crosses(w, a, b)]
             if crossed:
                 end = self._crossed(step, crossed)
@@ -315,7 +315,7 @@ class _Run:
 
     def _begins(self, time: float, state: State) -> bool:
         """Whether the equations hold at the start: contacts press, and what is to slip does."""
-        resting = [e for e in self.system.slips if abs(self._safely(self.system.function(e), time, state)) <= NARROW]
+        resting = [e for e in self.system.slips if abs(value_or_nan(self.system.function(e), time, state)) <= NARROW]
         if resting:
             begun = beginning(self.system, resting, time, state)
             if begun is None:
@@ -329,7 +329,7 @@ class _Run:
                     return False
                 self.begun = begun_in_plane
         for c in self.states.contacts:
-            x = self._safely(self.system.function(c.value), time, state)
+            x = value_or_nan(self.system.function(c.value), time, state)
             self.sides[c.name] = (x > 0) - (x < 0)
             if c.guard < Guard.KEEPS_SIGN and x < -WRONG_SIGN:
                 self._end(EventKind.CONTACT, c.name, time, state)
@@ -362,13 +362,6 @@ class _Run:
             return []
         return [_Watch(EventKind.ASKED, question.name, first, others=tuple(others), question=question)]
 
-    @staticmethod
-    def _safely(value: Watched, time: float, state: State) -> float:
-        try:
-            return value(time, *state)
-        except (ArithmeticError, ValueError):
-            return math.nan
-
     def _crossed(self, step: IntegrationStep, crossed: Sequence[_Watch]) -> tuple[float, State] | None:
         """Records the events of a step; returns where to go on, at infinity for nowhere, None to the next step."""
         coefficients = step.interpolation()
@@ -399,10 +392,10 @@ class _Run:
     def _root(self, value: Watched, step: IntegrationStep, coefficients: Sequence[State]) -> float:
         """The time at which a function changes its sign in a step, by bisection."""
         low, high = step.time, step.end
-        sign = self._safely(value, low, step.before) > 0
+        sign = value_or_nan(value, low, step.before) > 0
         while high - low > NARROW * max(1.0, abs(high)):
             middle = (low + high) / 2
-            if (self._safely(value, middle, at(step, coefficients, middle)) > 0) == sign:
+            if (value_or_nan(value, middle, at(step, coefficients, middle)) > 0) == sign:
                 low = middle
             else:
                 high = middle
@@ -417,13 +410,13 @@ class _Run:
     def _answer(self, watch: _Watch, time: float, state: State) -> None:
         assert watch.question is not None
         size = 1 + max(map(abs, state))
-        if any(not abs(self._safely(o, time, state)) < 1e-6 * size for o in watch.others):
+        if any(not abs(value_or_nan(o, time, state)) < 1e-6 * size for o in watch.others):
             return
         if any(e.kind is EventKind.ASKED and e.name == watch.name for e in self.events):
             return
         try:
             quantity = self.system.function(meant(self.states, watch.question.quantity))
-            value = self._safely(quantity, time, state)
+            value = value_or_nan(quantity, time, state)
         except NotCoveredError:
             value = math.nan
         self.events.append(Event(EventKind.ASKED, watch.name, time, state, value if math.isfinite(value) else None))
@@ -442,7 +435,7 @@ class _Run:
         for _ in range(len(system.signs) + 1):
             signs = dict(system.signs)
             for e in signs:
-                x = self._safely(system.function(e), time, state)
+                x = value_or_nan(system.function(e), time, state)
                 signs[e] = signs[e] if not abs(x) > NARROW else (1 if x > 0 else -1)
             if signs == system.signs:
                 return system
@@ -459,7 +452,7 @@ class _Run:
         old = signs[watch.indicator]
         signs[watch.indicator] = -old
         other = self.system.with_signs(signs)
-        leaving = at_rest(other) if watch.indicator in other.slips else other
+        leaving = with_static_coefficients(other) if watch.indicator in other.slips else other
         if growth(leaving, watch.indicator, time, state) * -old <= 0:
             self._end(EventKind.HELD, watch.name, time, state)
             return math.inf, state
@@ -467,7 +460,7 @@ class _Run:
         return time, state
 
     def _speed_squared(self, slip: Sequence[sp.Expr], time: float, state: State) -> float:
-        return self._safely(self.system.function(sp.Add(*(c**2 for c in slip))), time, state)
+        return value_or_nan(self.system.function(sp.Add(*(c**2 for c in slip))), time, state)
 
     def _reference(self, slip: Sequence[sp.Expr]) -> float:
         """The speed to which a slip in a plane is compared where it has ended: that of the start, if it slips there."""

@@ -27,7 +27,7 @@ from lagrange.programs.numerical_system import NumericalSystem
 SlipSigns = Mapping[sp.Expr, int]
 
 
-def at_rest(system: NumericalSystem) -> NumericalSystem:
+def with_static_coefficients(system: NumericalSystem) -> NumericalSystem:
     """The same system with the static coefficients of friction."""
     changed = dict(system.values)
     for kinetic, static in coefficients_at_rest(system.states.problem).items():
@@ -51,7 +51,7 @@ def beginning(system: NumericalSystem, resting: Sequence[sp.Expr], time: float, 
     """The senses in which slips begin, for all that are zero in a state; None if friction holds one of them."""
     if len(resting) > MOST_AT_REST:
         return None
-    still = at_rest(system)
+    still = with_static_coefficients(system)
     for senses in product((1, -1), repeat=len(resting)):
         tried = {**system.signs, **dict(zip(resting, senses, strict=True))}
         moving = still.with_signs(tried)
@@ -92,7 +92,7 @@ def beginning_in_plane(
         speeds = numpy.array(state[n:]) + lift @ (velocity - numpy.array(system.function_of(slip)(time, *state)))
         return (*state[:n], *speeds.tolist())
 
-    still = at_rest(system)
+    still = with_static_coefficients(system)
     gradient = system.function_of([partial(c, s) for c in slip for s in (*e.state, t)])
 
     def acceleration(angle: float) -> tuple[float, float]:

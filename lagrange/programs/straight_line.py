@@ -127,7 +127,7 @@ def _without_unused(program: StraightLine) -> StraightLine:
     return StraightLine(tuple(reversed(kept)), program.outputs)
 
 
-def symbols_of(program: StraightLine) -> set[sp.Symbol]:
+def occurring_inputs(program: StraightLine) -> set[sp.Symbol]:
     """The inputs that occur."""
     assigned = {s for s, _ in program.assignments}
     used: Iterable[set[sp.Symbol]] = (e.free_symbols for e in (*(v for _, v in program.assignments), *program.outputs))

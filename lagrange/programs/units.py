@@ -12,7 +12,7 @@ from lagrange.problem.model import ENERGY
 from lagrange.problem.values import no_values, values_of
 from lagrange.programs.state_equations import StateEquations
 from lagrange.values.dimensions import dimension
-from lagrange.values.homogeneity import Homogeneity, UnitExponents, product
+from lagrange.values.homogeneity import Homogeneity, UnitExponents, exponents_of_product
 
 
 class Units:
@@ -60,7 +60,7 @@ class Units:
 
         def times(coefficient: sp.Expr, unknown: sp.Symbol) -> UnitExponents | None:
             first, second = of(coefficient), of(unknown)
-            return None if first is None or second is None else product((first, 1), (second, 1))
+            return None if first is None or second is None else exponents_of_product((first, 1), (second, 1))
 
         for v, rate in zip(e.slots.velocities, e.rates, strict=True):
             self._homogeneity.equal(v, rate)

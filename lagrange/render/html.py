@@ -39,7 +39,7 @@ from lagrange.render.escape import html_text as escape
 from lagrange.render.escape import slug
 from lagrange.render.limits import LONG_DISPLAY
 from lagrange.render.mathml import Formulas
-from lagrange.render.selection import shown, written_out
+from lagrange.render.selection import entry_by_entry, shown
 from lagrange.render.svg import figure
 from lagrange.render.walk import Emitter, block_lines
 
@@ -372,7 +372,7 @@ class _Article(Emitter[str]):
             yield '<div class="scroll">' + " ".join(filter(None, codes)) + "</div>"
         for code, (name, rows) in zip(codes, block.named, strict=True):
             if code is None:
-                yield from block_lines(written_out(name, rows), self)
+                yield from block_lines(entry_by_entry(name, rows), self)
 
     def table(self, block: Table) -> Iterator[str]:
         header = [self.part(part) for part in block.header]

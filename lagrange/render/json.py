@@ -30,7 +30,7 @@ from lagrange.render.json_numbers import (
     rest_in_numbers,
     searched,
 )
-from lagrange.render.json_steps import block, condition, shown, stability_conditions
+from lagrange.render.json_steps import block, condition, side_as_sum, stability_conditions
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -148,7 +148,7 @@ def _with_friction(solution: Solution, values: Values | None, write: Write) -> d
         entries["equilibrium"] = [_relations(b, write) for m in motions for b in m.equilibrium.branches]
         entries["impending"] = [
             {
-                "slip": {c.name: write(shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
+                "slip": {c.name: write(side_as_sum(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
                 "equilibrium": [_relations(b, write) for b in m.equilibrium.branches],
                 "conditions": [_sign_conditions(b, write) for b in m.equilibrium.branches],
@@ -180,7 +180,7 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
         "friction": {name: f[0] if len(f) == 1 else f for name, f in friction.items()},
     }
     if isinstance(resting, AtRest):
-        along = {c.name: write(shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
+        along = {c.name: write(side_as_sum(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
         forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
         where = [f"{write(c.left)} < {write(c.right)}" for c in resting.where]
         result |= {"directions": along, "forces": forces} | ({"where": where} if where else {})
@@ -305,9 +305,9 @@ def _reaction(
         entries["multiplier"] = write(value)
     entries |= _single(name, reactions, values, write)
     if name in reactions.forces:
-        entries["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
+        entries["on"] = {p: write(side_as_sum(force)) for p, force in reactions.forces[name].items()}
     if name in reactions.moments:
-        entries["moment_on"] = {b: write(shown(moment)) for b, moment in reactions.moments[name].items()}
+        entries["moment_on"] = {b: write(side_as_sum(moment)) for b, moment in reactions.moments[name].items()}
     if choice:
         entries["choice"] = choice
     work_done = "0" if work.vanishes else None
@@ -327,7 +327,7 @@ def _single(name: str, reactions: Reactions, values: Values | None, write: Write
     result: dict[str, Any] = {"tension": size} if name in reactions.pulling else {}
     result["force"] = size
     if name in reactions.units:
-        result["direction"] = write(shown(reactions.units[name]))
+        result["direction"] = write(side_as_sum(reactions.units[name]))
     number = quantity(reactions.sizes[name], values, write)
     return result | contact | number | ({"unit": "N"} if number and values is not None and values.units else {})
 
@@ -374,7 +374,7 @@ def _at_rest(name: str, at_rest: ReactionsAtRest, values: Values | None, write: 
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
     result |= _single(name, reactions, values, write)
     if name in reactions.forces:
-        result["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
+        result["on"] = {p: write(side_as_sum(force)) for p, force in reactions.forces[name].items()}
     return result
 
 

@@ -82,7 +82,7 @@ def block(block: Block, write: Write) -> dict[str, Any]:
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:
     """An equation; `text` can be read back; an equation between exterior forms cannot, and its key is `form`."""
     of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
-    text = f" {equation.relation} ".join(write(shown(s)) for s in equation.sides)
+    text = f" {equation.relation} ".join(write(side_as_sum(s)) for s in equation.sides)
     result: dict[str, Any] = {"form" if of_forms else "text": text}
     if equation.label:
         result["label"] = equation.label
@@ -91,7 +91,7 @@ def _equation(equation: Equation, write: Write) -> dict[str, Any]:
     return result
 
 
-def shown(side: Any) -> Any:
+def side_as_sum(side: Any) -> Any:
     """A side of an equation: vectors as sums."""
     return side.as_sum() if isinstance(side, Vector) else side
 
@@ -106,7 +106,7 @@ def _words(parts: Sequence[Part], write: Write) -> Iterator[str]:
             case str():
                 yield part
             case Math(sides=sides, relation=relation):
-                yield f" {relation} ".join(write(shown(s)) for s in sides)
+                yield f" {relation} ".join(write(side_as_sum(s)) for s in sides)
             case Ref(label=label):
                 yield f"[{label}]"
             case Emphasis(word=word):

@@ -263,7 +263,7 @@ def _equations(steps: Sequence[Step]) -> list[Equation]:
     ]
 
 
-def written_out(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[Block, ...]:
+def entry_by_entry(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[Block, ...]:
     """A matrix too wide for a line, entry by entry: M_12 = ... for each that is not zero; f_1 = ... for a column."""
     column = len(rows[0]) == 1 and len(rows) > 1
     entries = tuple(

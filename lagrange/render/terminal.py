@@ -37,9 +37,17 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import BOLD, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
-from lagrange.render.selection import ShownSteps, shown, written_out
-from lagrange.render.styled_text import Styled
-from lagrange.render.terminal_layout import Grid, StyledWords, fill, matrix_lines, pad, side_by_side, table_lines
+from lagrange.render.selection import ShownSteps, entry_by_entry, shown
+from lagrange.render.terminal_layout import (
+    Grid,
+    Styled,
+    StyledWords,
+    fill,
+    matrix_lines,
+    pad,
+    side_by_side,
+    table_lines,
+)
 from lagrange.render.walk import Emitter, block_lines
 
 if TYPE_CHECKING:
@@ -65,7 +73,7 @@ def show(
     from rich.text import Text
 
     console = console or Console(width=width)
-    shown_lines = lines(derivation, notation, width or console.width, detail)
+    shown_lines = printed_lines(derivation, notation, width or console.width, detail)
     page = Text("\n").join(Text.assemble(*line.runs) for line in shown_lines)
     console.print(page, soft_wrap=True, highlight=False)
 
@@ -85,10 +93,12 @@ def coloured(derivation: Derivation, notation: Notation, width: int, detail: Det
 
 def text(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> str:
     """The derivation as it is printed, without colours."""
-    return "".join(line.plain + "\n" for line in lines(derivation, notation, width, detail))
+    return "".join(line.plain + "\n" for line in printed_lines(derivation, notation, width, detail))
 
 
-def lines(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> Iterator[Styled]:
+def printed_lines(
+    derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS
+) -> Iterator[Styled]:
     """The lines of a derivation, none wider than `width` cells."""
     inner = max(min(width - 1, WIDEST_PAGE) - len(MARGIN), 8)
     page = _Page(Writer(BOLD, notation, on_page=True), shown(derivation, detail, folded=False), inner)
@@ -258,7 +268,7 @@ class _Page(Emitter[Styled]):
                 wide.append((name, rows))
         yield from (Styled("  " + line if line else "") for line in side_by_side(drawn, room))
         for name, rows in wide:
-            yield from block_lines(written_out(name, rows), self)
+            yield from block_lines(entry_by_entry(name, rows), self)
 
     def task(self, block: Task) -> Iterator[Styled]:
         yield from fill(self.words(block.parts), self.room)

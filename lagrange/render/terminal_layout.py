@@ -15,14 +15,13 @@ combining dot none.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rich.cells import cell_len, set_cell_size
 
 from lagrange.document.names import plain
 from lagrange.render.limits import ALONE, SHORT_SIDE, UNBROKEN_FORMULA
 from lagrange.render.line_breaking import outermost
-from lagrange.render.styled_text import Styled
 
 MATRIX_GAP = 2
 LEFT, RIGHT = "⎛⎜⎝", "⎞⎟⎠"
@@ -251,3 +250,61 @@ def _stacked(grid: Grid, width: int) -> Iterator[Styled]:
             entry = StyledWords()
             entry.words = [*title.words[:-1], *(Styled.assemble(w, ":") for w in title.words[-1:]), *cell.words]
             yield from (Styled("  ") + line for line in fill(entry, width - 2, hang=2))
+
+
+# -- A line of text in runs of one style each, as a terminal shows them ------------------------------------------------
+#
+# rich has the same and much more; a page that goes to a pipe has no colours, and importing rich and its texts would
+# take
+# as long as laying out the page. Styles are rich's words: `bold`, `dim`, `bold green`; without a style a run is as it
+# is.
+
+
+class Styled:
+    """An immutable line of runs (text, style)."""
+
+    __slots__ = ("plain", "runs")
+
+    def __init__(self, text: str = "", style: str = "") -> None:
+        self.plain = text
+        self.runs: tuple[tuple[str, str], ...] = ((text, style),) if text else ()
+
+    @classmethod
+    def assemble(cls, *parts: str | tuple[str, str] | Styled) -> Styled:
+        """The parts one after another."""
+        runs: list[tuple[str, str]] = []
+        for part in parts:
+            if isinstance(part, Styled):
+                runs += part.runs
+            else:
+                run = (part, "") if isinstance(part, str) else part
+                runs += [run] if run[0] else []
+        made = cls()
+        made.runs = tuple(runs)
+        made.plain = "".join([text for text, _ in runs])
+        return made
+
+    def joined(self, lines: Iterable[Styled]) -> Styled:
+        """The lines with this one between each two of them."""
+        return Styled.assemble(*[part for n, line in enumerate(lines) for part in ((self, line) if n else (line,))])
+
+    def stripped(self) -> Styled:
+        """Without the spaces at its end."""
+        return self[: len(self.plain.rstrip())]
+
+    def __add__(self, other: Styled) -> Styled:
+        return Styled.assemble(self, other)
+
+    def __bool__(self) -> bool:
+        return bool(self.plain)
+
+    def __getitem__(self, part: slice) -> Styled:
+        start, stop, _ = part.indices(len(self.plain))
+        if start == 0 and stop == len(self.plain):
+            return self
+        pieces: list[tuple[str, str]] = []
+        before = 0
+        for text, style in self.runs:
+            pieces.append((text[max(start - before, 0) : max(stop - before, 0)], style))
+            before += len(text)
+        return Styled.assemble(*pieces)

@@ -21,7 +21,7 @@ from lagrange.document.derivation import Block, Equation, Mathematics
 from lagrange.document.math_writer import Writer
 from lagrange.render.limits import LATEX_LINE, LONG_FORMULA, SHORT_BRACKET, SHORT_RIGHT_SIDE, TEX_LEFT_SIDE
 from lagrange.render.line_breaking import Breaker, MathLine
-from lagrange.render.selection import written_out
+from lagrange.render.selection import entry_by_entry
 
 _TOKEN = re.compile(r"\\eqref\{[^}]*\}|\\[A-Za-z]+|\\.|[^\s]", re.DOTALL)
 _LETTERS = {"m": 0.88, "w": 0.72, "i": 0.35, "j": 0.41, "l": 0.3, "f": 0.55, "t": 0.36, "r": 0.46, "s": 0.47}
@@ -210,7 +210,7 @@ class Typesetter:
                 yield r" ,\qquad ".join(line)
                 line, used = [], 0.0
             if own > width:
-                yield written_out(name, rows)
+                yield entry_by_entry(name, rows)
                 continue
             line.append(code)
             used += own + 2

@@ -48,7 +48,7 @@ class Homogeneity:
             if first is None:
                 first = term
             elif term is not None:
-                agree = self._learned(product((first, 1), (term, -1))) and agree
+                agree = self._learned(exponents_of_product((first, 1), (term, -1))) and agree
         return first if agree else None
 
     def dimension(self, e: sp.Expr) -> Dimension | None:
@@ -73,16 +73,16 @@ class Homogeneity:
             return {}
         if isinstance(e, sp.Symbol):
             q = base(e)
-            return product(({q: Fraction(1)}, 1), ({"s": Fraction(1)}, len(q.name) - len(e.name)))
+            return exponents_of_product(({q: Fraction(1)}, 1), ({"s": Fraction(1)}, len(q.name) - len(e.name)))
         if isinstance(e, sp.Add | sp.Max | sp.Min):
             return self.alike([self.exponents(a) for a in e.args])
         if isinstance(e, sp.Mul):
             parts = [self.exponents(a) for a in e.args]
             known = [p for p in parts if p is not None]
-            return product(*((p, 1) for p in known)) if len(known) == len(parts) else None
+            return exponents_of_product(*((p, 1) for p in known)) if len(known) == len(parts) else None
         if isinstance(e, sp.Pow) and e.exp.is_Rational:
             below = self.exponents(e.base)
-            return None if below is None else product((below, Fraction(int(e.exp.p), int(e.exp.q))))
+            return None if below is None else exponents_of_product((below, Fraction(int(e.exp.p), int(e.exp.q))))
         if isinstance(e, sp.Abs):
             return self.exponents(e.args[0])
         if isinstance(e, Unspecified):
@@ -102,10 +102,10 @@ class Homogeneity:
         if any(place is None and order for place, order in zip(places, f.orders, strict=True)):
             return None
         slopes = ((place or {}, -int(order)) for place, order in zip(places, f.orders, strict=True))
-        return product(({f.name + "()": Fraction(1)}, 1), *slopes)
+        return exponents_of_product(({f.name + "()": Fraction(1)}, 1), *slopes)
 
     def _with_known(self, e: UnitExponents) -> UnitExponents:
-        return product(*((self._known.get(key, {key: Fraction(1)}), n) for key, n in e.items()))
+        return exponents_of_product(*((self._known.get(key, {key: Fraction(1)}), n) for key, n in e.items()))
 
     def _learned(self, zero: UnitExponents) -> bool:
         """Solves an equation for one of its unknowns; whether it agrees with what is known."""
@@ -114,16 +114,16 @@ class Homogeneity:
         if unknown is None:
             return not rest
         share = rest.pop(unknown)
-        rule = product((rest, -1 / share))
+        rule = exponents_of_product((rest, -1 / share))
         for key, value in self._known.items():
             if unknown in value:
                 n = value.pop(unknown)
-                self._known[key] = product((value, 1), (rule, n))
+                self._known[key] = exponents_of_product((value, 1), (rule, n))
         self._known[unknown] = rule
         return True
 
 
-def product(*factors: tuple[UnitExponents, Fraction | int]) -> UnitExponents:
+def exponents_of_product(*factors: tuple[UnitExponents, Fraction | int]) -> UnitExponents:
     """The exponents of a product of powers."""
     out: UnitExponents = {}
     for exponents, power in factors:

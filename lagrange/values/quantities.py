@@ -15,7 +15,7 @@ from decimal import ROUND_HALF_EVEN, Context, Decimal
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import with_whole_contents
+from lagrange.algebra.closed_forms.shortest_form import with_whole_contents
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record

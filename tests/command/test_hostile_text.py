@@ -25,7 +25,7 @@ from lagrange.problem.stated_answers import read_answers
 from lagrange.render import html, latex, markdown, terminal
 from lagsolve.command_group import write_stderr
 from lagsolve.grading.feedback import page
-from lagsolve.grading.submissions import shown
+from lagsolve.grading.submissions import printable_name
 from lagsolve.grading.table import TableRow, csv_text, table_text
 from lagsolve.main import main
 from tests.support.sample_derivations import pendulum
@@ -119,7 +119,7 @@ def test_tables_and_pages_of_a_course() -> None:
     for seed in SEEDS[::3]:
         text = nasty(seed)
         content = f"{text}\ntheta'' = {text}\n".encode("utf-8", "replace")
-        submission = Submission(shown(text), ((f"a{('.txt', '.md', '.tex', '.yaml')[seed % 4]}", content),))
+        submission = Submission(printable_name(text), ((f"a{('.txt', '.md', '.tex', '.yaml')[seed % 4]}", content),))
         graded = grader().grade(submission)
         rows = [TableRow.of(submission.name, graded)]
         assert harmless(csv_text(rows), ends="\r\n")

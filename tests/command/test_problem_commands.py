@@ -49,7 +49,7 @@ ENTRIES = [
 
 def page(width: int, long: bool = False, styled: bool = False, entries: Sequence[Entry] = ENTRIES) -> str:
     called = {e.name: e.name.rpartition("/")[2] for e in entries}
-    return shipped.page(entries, Index({"b": "Of b"}, {}), called, width, long=long, styled=styled)
+    return shipped.listed_by_topic(entries, Index({"b": "Of b"}, {}), called, width, long=long, styled=styled)
 
 
 def test_a_page_has_headings_in_the_order_of_the_index() -> None:
@@ -79,7 +79,7 @@ def test_a_page_has_headings_in_the_order_of_the_index() -> None:
 def test_no_page_is_wider_than_the_terminal(width: int, long: bool) -> None:
     entries = shipped.containing(())
     called = library.short_names()
-    text = shipped.page(entries, shipped.index(), called, width, long=long, styled=False)
+    text = shipped.listed_by_topic(entries, shipped.index(), called, width, long=long, styled=False)
     longest = max(len(n) for n in called.values()) + 2  # a name is not broken
     assert max(cell_len(line) for line in text.splitlines()) <= max(width, longest)
 

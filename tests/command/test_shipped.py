@@ -47,9 +47,9 @@ def test_a_library_without_an_index(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr("lagrange.problem.library.root", lambda: tmp_path)
     assert shipped.index() == Index({}, {})
     assert shipped.containing(()) == (Entry("b/a", "A", "", ("constraints",), ""),)
-    assert shipped.page(shipped.containing(()), shipped.index(), {"b/a": "a"}, 40, long=False, styled=False) == (
-        "b\n  a  A\n      constraints\n"
-    )
+    assert shipped.listed_by_topic(
+        shipped.containing(()), shipped.index(), {"b/a": "a"}, 40, long=False, styled=False
+    ) == ("b\n  a  A\n      constraints\n")
 
 
 def test_short_names_mean_one_problem_each() -> None:

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy.physics import units as u
 
-from lagrange.core.units import in_si, split_number, unit_of, written
+from lagrange.core.units import in_si, split_number, unit_of, unit_of_dimension
 
 KNOWN = {
     "cm": u.centimeter, "km": u.kilometer, "µm": u.micrometer, "g": u.gram, "t": u.tonne, "min": u.minute, "h": u.hour,
@@ -71,6 +71,6 @@ def test_numbers_with_units(text: str, parts: tuple[str, str] | None) -> None:
 
 def test_dimensions_are_written() -> None:
     texts = ("N", "1", "m/(s)", "N s/m", "1/s")
-    assert [written(unit.dimension) for text in texts if (unit := unit_of(text))] == [
+    assert [unit_of_dimension(unit.dimension) for text in texts if (unit := unit_of(text))] == [
         "kg m/s^2", "1", "m/s", "kg/s", "1/s",
     ]  # fmt: skip

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import ast
 import doctest
+import importlib
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
@@ -235,6 +236,57 @@ def test_the_search_for_mathematics_finds_it() -> None:
         "from lagrange.algebra.exact.zero_test import Surface as S, Row; S(); Row; sp.expand(e); e.diff(x); f(expand)"
     )
     assert mathematics(ast.parse(text)) == ["S", "expand", "diff"]
+
+
+READING = {
+    *("startswith", "endswith", "partition", "rpartition", "removeprefix", "removesuffix", "replace"),
+    *("find", "index", "count", "split", "strip", "rstrip", "lstrip"),
+}
+"""Methods that look into a text."""
+
+
+def wordings(tree: ast.AST, constants: Mapping[str, object]) -> list[str]:
+    """The parts of sentences that a module looks for, spelled out or as constants: in comparisons and by methods."""
+    sought: list[ast.expr] = []
+    for node in ast.walk(tree):
+        match node:
+            case ast.Compare(left=left, comparators=right):
+                sought += [left, *right]
+            case ast.Call(func=ast.Attribute(value=ast.Name(id="re")), args=arguments):
+                sought += arguments
+            case ast.Call(func=ast.Attribute(attr="get", value=table)):
+                sought.append(table)
+            case ast.Call(func=ast.Attribute(attr=name), args=arguments) if name in READING:
+                sought += arguments
+    return [text for e in sought for node in ast.walk(e) for text in _texts(node, constants) if _is_prose(text)]
+
+
+def _texts(node: ast.AST, constants: Mapping[str, object]) -> Iterator[str]:
+    match node:
+        case ast.Constant(value=str(text)):
+            yield text
+        case ast.Name(id=name):
+            value = constants.get(name)
+            several = value if isinstance(value, tuple | list | set | frozenset | dict) else (value,)
+            yield from (v for v in several if isinstance(v, str))
+
+
+def _is_prose(text: str) -> bool:
+    """Whether it may be a part of a sentence: it has a space, or is a word with a capital."""
+    return any(c.isspace() for c in text) or (text[:1].isupper() and text[1:].islower())
+
+
+@pytest.mark.parametrize("name", [m for m in FILES if m.startswith("lagrange.explain.page")])
+def test_pages_find_paragraphs_by_their_purposes(name: str) -> None:
+    """What a page shortens it finds by the purpose that is given where a sentence is made, never by its words."""
+    assert wordings(tree_of(name), vars(importlib.import_module(name))) == []
+
+
+def test_the_search_for_wordings_finds_them() -> None:
+    text = 'a.startswith("In terms of"); b == (BEGINS,); c.replace(" is", ""); LIST.get(d); e.startswith("virtual-")'
+    constants = {"BEGINS": "Momentum", "LIST": {"With the ": 1}}
+    assert {*wordings(ast.parse(text), constants)} == {"In terms of", "Momentum", " is", "With the "}
+    assert wordings(ast.parse('prose("In terms of"); e.label == "virtual-work"'), {}) == []
 
 
 def test_files_are_short() -> None:

@@ -6,9 +6,11 @@ from collections.abc import Callable
 
 import pytest
 
+from lagrange.document.derivation import Rule
 from lagrange.explain.report import report
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
+from tests.support.derivation_text import said_in
 
 Read = Callable[[str], Problem]
 
@@ -81,3 +83,17 @@ def test_what_keeps_a_constraint_is_named(problem: Read, equation: str, keeper: 
     assert "on a surface or curve" not in shown
     assert "The wheel constraint is maintained by rolling without slipping." in shown
     assert "The cord constraint, a string, keeps a length constant" in shown
+
+
+# -- Reactions that are too long as functions of position and velocity -------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "rule", "said"),
+    [
+        ("four-bar-linkage", Rule.SOLVED_REACTIONS, " too long to be written as functions of position and velocity."),
+        ("four-bar-linkage", Rule.SOLVED_REACTIONS, " In terms of the accelerations, Newton's equations give"),
+    ],
+)
+def test_they_are_given_by_the_accelerations(name: str, rule: Rule, said: str) -> None:
+    assert said in said_in(name, rule)

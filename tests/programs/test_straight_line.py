@@ -5,7 +5,13 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.programs.straight_line import StraightLine, can_be_eliminated, solved_in_line, straight_line, symbols_of
+from lagrange.programs.straight_line import (
+    StraightLine,
+    can_be_eliminated,
+    occurring_inputs,
+    solved_in_line,
+    straight_line,
+)
 
 x, y = sp.symbols("x y", real=True)
 
@@ -21,7 +27,7 @@ def test_repeated_parts_are_computed_once() -> None:
     part = sp.sin(x * y) + x
     program = straight_line([part**2, part + 1])
     assert program.assignments
-    assert symbols_of(program) == {x, y}
+    assert occurring_inputs(program) == {x, y}
     values = {x: 0.7, y: 1.9}
     assert carried_out(program, values) == pytest.approx([float(e.subs(values)) for e in (part**2, part + 1)])
 
@@ -32,7 +38,7 @@ def test_long_expressions_share_the_parts_that_occur_more_than_once(monkeypatch:
     outputs = [part**2 - part / y, x * part * y, part, sp.Integer(3), x]
     program = straight_line(outputs)
     assert [e for _, e in program.assignments if e.has(sp.sin)] == [sp.sin(x * y) + 2 * x]
-    assert symbols_of(program) == {x, y}
+    assert occurring_inputs(program) == {x, y}
     values = {x: 0.7, y: 1.9}
     assert carried_out(program, values) == pytest.approx([float(e.subs(values)) for e in outputs])
 

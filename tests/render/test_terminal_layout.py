@@ -1,5 +1,7 @@
 """Paragraphs and tables on a terminal."""
 
+from __future__ import annotations
+
 import pytest
 import sympy as sp
 from rich.cells import cell_len
@@ -9,7 +11,7 @@ from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Ste
 from lagrange.document.math_writer import Notation
 from lagrange.document.names import BREAK, END, START
 from lagrange.render import terminal
-from lagrange.render.terminal_layout import StyledWords, fill
+from lagrange.render.terminal_layout import Styled, StyledWords, fill
 
 
 def one_step(*blocks):
@@ -85,3 +87,25 @@ def test_a_short_side_stays_with_the_next_one() -> None:
     assert [w.plain for w in words.words] == ["y", "= a long first side of some formula", "= const"]
     words = StyledWords().formula([f"{START}a + b{BREAK} + c cos t{BREAK} + a much longer term{END}", "const"], "=")
     assert [w.plain for w in words.words] == ["a + b", "+ c cos t", "+ a much longer term = const"]
+
+
+# -- Lines in runs of one style each -----------------------------------------------------------------------------------
+
+
+LINE = Styled.assemble("two ", ("bold", "bold"), " words  ")
+
+
+def test_a_part_keeps_the_styles_of_its_runs() -> None:
+    assert LINE.plain == "two bold words  "
+    assert LINE[2:6].runs == (("o ", ""), ("bo", "bold"))
+    assert LINE[6:].runs == (("ld", "bold"), (" words  ", ""))
+    assert LINE[:] is LINE
+    assert not LINE[3:3]
+
+
+def test_lines_are_joined_stripped_and_added() -> None:
+    assert LINE.stripped().plain == "two bold words"
+    comma = Styled(", ", "dim")
+    assert comma.joined([Styled("a"), Styled("b")]).runs == (("a", ""), (", ", "dim"), ("b", ""))
+    assert comma.joined([]).runs == ()
+    assert (Styled("a") + Styled() + Styled("b", "bold")).runs == (("a", ""), ("b", "bold"))

@@ -68,7 +68,7 @@ FORMAT = """<svg viewBox="0 0 {width} {height}" xmlns="http://www.w3.org/2000/sv
 def output() -> list[Text]:
     """The lines that the command prints."""
     found = report(load(PROBLEM), CHOICE, complete=False)
-    return [Text.assemble(*line.runs) for line in terminal.lines(found.derivation, found.notation, WIDTH)]
+    return [Text.assemble(*line.runs) for line in terminal.printed_lines(found.derivation, found.notation, WIDTH)]
 
 
 def pictured() -> Iterator[Text]:

@@ -10,7 +10,7 @@ from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import reference
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment, Source
-from lagrange.core.units import written
+from lagrange.core.units import unit_of_dimension
 from lagrange.problem.loader import read_problem
 from lagrange.values.dimensions import dimension_of_unit
 from tests.answers.test_diagnosis import SYSTEMS
@@ -80,7 +80,7 @@ def test_what_is_no_unit_is_unknown(unit: str) -> None:
 
 
 def test_units_are_written() -> None:
-    assert [written(dimension_of_unit(u)) for u in ("N", "1", "rad/s", "m/(s)", "N s/m")] == [
+    assert [unit_of_dimension(dimension_of_unit(u)) for u in ("N", "1", "rad/s", "m/(s)", "N s/m")] == [
         "kg m/s^2",
         "1",
         "1/s",

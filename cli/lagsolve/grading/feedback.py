@@ -28,9 +28,9 @@ def page(problem: str, name: str, graded: Graded) -> str:
 
 def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
     verdict, _, sentence = graded.headline.partition(": ")
-    yield f"# {prose(problem)}"
+    yield f"# {marked_up(problem)}"
     yield f"\nSubmission: {code(name)}"
-    yield f"\n**{verdict.capitalize()}**{': ' if sentence else ''}{prose(sentence)}."
+    yield f"\n**{verdict.capitalize()}**{': ' if sentence else ''}{marked_up(sentence)}."
     if graded.right is not None and graded.required is not None and graded.required > max(1, graded.right):
         verb = "is" if graded.right == 1 else "are"
         yield f"\n{graded.right} of the {graded.required} independent equations asked for {verb} right."
@@ -39,9 +39,9 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
     if graded.others:
         yield "\n## Question by question\n"
         for answer in graded.others:
-            diagnosis = f" ({prose(answer.diagnosis)})" if answer.diagnosis else ""
+            diagnosis = f" ({marked_up(answer.diagnosis)})" if answer.diagnosis else ""
             mark = MARKS.get(answer.verdict, "·")
-            yield f"- {mark} {prose(answer.name.replace('_', ' '))}: {answer.verdict.value}{diagnosis}"
+            yield f"- {mark} {marked_up(answer.name.replace('_', ' '))}: {answer.verdict.value}{diagnosis}"
             for part in answer.equations:
                 yield from (f"  {line}" for line in _of_equation(part))
     if graded.equations:
@@ -51,7 +51,7 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
     if graded.messages:
         yield "\n## How it was read"
         for message in graded.messages:
-            yield f"\n{block(message)}"
+            yield f"\n{code_block(message)}"
     yield ""
 
 
@@ -60,17 +60,17 @@ def _of_points(score: Score) -> Iterator[str]:
     yield f"**{total.capitalize()}**"
     if parts:
         yield ""
-        yield from (f"- {prose(line)}" for line in parts)
+        yield from (f"- {marked_up(line)}" for line in parts)
 
 
 def _of_equation(equation: EquationVerdict) -> Iterator[str]:
     mark = MARKS.get(equation.verdict, "·")
     yield f"- {mark} {code(equation.text)}: {equation.verdict.value}"
     for sentence in (*((equation.diagnosis,) if equation.diagnosis else ()), *equation.remarks):
-        yield f"  - {prose(sentence)}"
+        yield f"  - {marked_up(sentence)}"
 
 
-def prose(text: str) -> str:
+def marked_up(text: str) -> str:
     """Text in which nothing but `names in backticks` is marked up."""
     parts = re.split(r"(`[^`]+`)", " ".join(text.split()))
     return "".join(code(p[1:-1]) if n % 2 else escape(p) for n, p in enumerate(parts))
@@ -84,7 +84,7 @@ def code(text: str) -> str:
     return f"{fence}{pad}{text or '(nothing)'}{pad}{fence}"
 
 
-def block(text: str) -> str:
+def code_block(text: str) -> str:
     """Text as a block of code."""
     text = visible(text)
     fence = "`" * max(3, _longest_run(text) + 1)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import sys
+import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from contextlib import closing, contextmanager
@@ -21,13 +23,12 @@ from lagsolve.grading.examine import examine, examine_within_limits, grader, out
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.pool import Pool
-from lagsolve.grading.progress import Progress
 from lagsolve.grading.roster import Roster
 from lagsolve.grading.students import Attempts, attributed, identity
-from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries, one_entry
+from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, named_submissions, one_entry
 from lagsolve.grading.table import HEADER, TableRow, csv_text
 from lagsolve.grading.worker import Limits, SetupError
-from lagsolve.limits import AHEAD, SETUP_SECONDS
+from lagsolve.limits import AHEAD, PROGRESS_ELSEWHERE, PROGRESS_ON_TERMINAL, SETUP_SECONDS
 from lagsolve.written_files import unwritable, write_file
 
 
@@ -92,14 +93,14 @@ def graded(run: GradingRun) -> list[TableRow]:
 
     Raises ProblemError where it cannot begin, InterruptedBatchError where it was interrupted.
     """
-    return results(run)[0]
+    return all_results(run)[0]
 
 
 Outcome = tuple[str, int, Graded]
 """The name of a submission, the problem it answers, and what came out."""
 
 
-def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
+def all_results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     """The same, with what came out of those that were graded now and not found in the journal."""
     asked = tuple(Asked(label, problem_of(source).title, source) for label, source in run.problems)
     if run.seeded and not any(problem_of(source).vary for source in run.sources):
@@ -107,7 +108,7 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
         raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
     _refuse_pages_among_answers(run)
     _refuse_overwrite(run.csv)
-    unread = [one_entry(run.answers)] if run.together else entries(run.answers, run.own_files)
+    unread = [one_entry(run.answers)] if run.together else named_submissions(run.answers, run.own_files)
     _make_folder(run.feedback)
     batch = Batch(run, asked, unread)
     complete = False
@@ -292,3 +293,41 @@ def _refuse_overwrite(path: Path | None) -> None:
     if begin and begin != HEADER:
         message = f"{path} is not a table of grades, and would be overwritten"
         raise ProblemError(Diagnostic("would-be-lost", message, help="name another file with --csv"))
+
+
+# -- The progress of a batch on standard error: a line that changes on a terminal, otherwise a line now and then -------
+
+
+class Progress:
+    """Counts submissions; prints nothing if a batch is short."""
+
+    def __init__(self, total: int) -> None:
+        self._total = total
+        self._terminal = sys.stderr is not None and sys.stderr.isatty()
+        self._start = self._last = time.monotonic()
+        self._first: tuple[float, int] | None = None  # when the first was graded, and how many were done by then
+
+    def step(self, done: int, graded: bool) -> None:
+        """Updates the number of submissions that are done; `graded`: one has just been graded."""
+        now = time.monotonic()
+        if graded and self._first is None:
+            self._first = now, done
+        if sys.stderr is None or now - self._last < (PROGRESS_ON_TERMINAL if self._terminal else PROGRESS_ELSEWHERE):
+            return
+        self._last = now
+        line = f"{done:,} of {self._total:,} graded, {now - self._start:.0f} s{self._left(now, done)}"
+        sys.stderr.write(f"\r\x1b[K{line}" if self._terminal else f"{line}\n")
+        sys.stderr.flush()
+
+    def _left(self, now: float, done: int) -> str:
+        """The time that remains, estimated from the time since the processes were ready."""
+        if self._first is None or done == self._first[1]:
+            return ""
+        since, before = self._first
+        return f", about {(now - since) * (self._total - done) / (done - before):.0f} s more"
+
+    def end(self) -> None:
+        """Removes the line."""
+        if self._terminal:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()

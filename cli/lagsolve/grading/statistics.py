@@ -19,7 +19,7 @@ from lagrange.answers.verdicts import Verdict
 from lagrange.core.printable import printable
 from lagsolve.grading.examine import problem_of
 from lagsolve.grading.run import GradingRun
-from lagsolve.grading.students import counting
+from lagsolve.grading.students import rows_that_count
 from lagsolve.grading.table import ORDER, TableRow, cell
 from lagsolve.limits import BINS, FEWEST_NAMED, MOST_MISTAKES_LISTED
 from lagsolve.written_files import write_file
@@ -48,7 +48,7 @@ Cluster = tuple[str, int]
 def write_statistics(path: Path, run: GradingRun, rows: Sequence[TableRow]) -> None:
     """Writes the page, and beside it the CSV file. Raises ProblemError."""
     titles = {label: problem_of(source).title for label, source in run.problems}
-    counted = counting(rows)
+    counted = rows_that_count(rows)
     write_file(path, page(titles, counted))
     write_file(path.with_suffix(".csv"), table(titles, counted))
 

@@ -96,6 +96,6 @@ def _counting(rows: Sequence[TableRow], attempts: Attempts) -> int:
     return max(range(len(rows)), key=lambda n: (-1.0 if (points := rows[n].points) is None else points, -n))
 
 
-def counting(rows: Iterable[TableRow]) -> list[TableRow]:
+def rows_that_count(rows: Iterable[TableRow]) -> list[TableRow]:
     """The rows that count: all of them where attempts are not counted."""
     return [row for row in rows if row.attempt is None or row.counts]

@@ -52,7 +52,7 @@ class UnreadSubmission:
         try:
             if _is_folder(self.path):
                 return self._of_folder()
-            return Submission(self.name, ((shown(self.path.name), _content(self.path, MAX_BYTES)),))
+            return Submission(self.name, ((printable_name(self.path.name), _content(self.path, MAX_BYTES)),))
         except OSError as error:
             raise UnreadSubmissionError(f"cannot be read: {error.strerror}") from None
 
@@ -72,14 +72,14 @@ class UnreadSubmission:
             try:
                 content = _content(self.path / name, room)
             except UnreadSubmissionError as error:
-                raise UnreadSubmissionError(f"has a file {shown(name)} that {error}") from None
+                raise UnreadSubmissionError(f"has a file {printable_name(name)} that {error}") from None
             room -= len(content)
-            files.append((shown(name), content))
-        notes = (f"not looked into: {', '.join(map(shown, others))}",) if others else ()
+            files.append((printable_name(name), content))
+        notes = (f"not looked into: {', '.join(map(printable_name, others))}",) if others else ()
         return Submission(self.name, tuple(files), notes)
 
 
-def entries(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmission]:
+def named_submissions(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmission]:
     """The submissions that a command line names, sorted; `excluded` are files and folders of the grading itself.
 
     Raises ProblemError where something does not exist, or where there are none.
@@ -91,11 +91,14 @@ def entries(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmis
             if (place := _place(path)) not in own:
                 names.setdefault(place, (path.name, os.path.normpath(path)))
     if not names:
-        message = f"there is no submission in {', '.join(map(shown, named))}"
+        message = f"there is no submission in {', '.join(map(printable_name, named))}"
         help_ = "name a folder in which every file, or every folder, is a submission"
         raise ProblemError(Diagnostic("no-submissions", message, help=help_))
     times = Counter(name for name, _ in names.values())
-    listed = [UnreadSubmission(shown(n if times[n] == 1 else path), Path(place)) for place, (n, path) in names.items()]
+    listed = [
+        UnreadSubmission(printable_name(n if times[n] == 1 else path), Path(place))
+        for place, (n, path) in names.items()
+    ]
     return sorted(listed, key=lambda e: e.name)
 
 
@@ -107,9 +110,9 @@ def one_entry(named: Sequence[str]) -> UnreadSubmission:
         raise ProblemError(Diagnostic("several-submissions", message, help=help_))
     path = Path(named[0])
     if not os.path.lexists(path):
-        message = f"{shown(named[0])} cannot be read: there is no such file or folder"
+        message = f"{printable_name(named[0])} cannot be read: there is no such file or folder"
         raise ProblemError(Diagnostic("unreadable-file", message, help="name the folder of the submission"))
-    return UnreadSubmission(shown(path.name or path.absolute().name), Path(_place(path)))
+    return UnreadSubmission(printable_name(path.name or path.absolute().name), Path(_place(path)))
 
 
 def _place(path: Path) -> str:
@@ -131,7 +134,7 @@ def _members(name: str) -> Iterator[Path]:
         inside = sorted(_names(path))
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        message = f"{shown(name)} cannot be read: {reason}"
+        message = f"{printable_name(name)} cannot be read: {reason}"
         raise ProblemError(Diagnostic("unreadable-file", message, help="name files or folders of answers")) from None
     yield from (path / n for n in inside)
 
@@ -163,7 +166,7 @@ def _content(path: Path, room: int) -> bytes:
     return content
 
 
-def shown(name: str) -> str:
+def printable_name(name: str) -> str:
     """A name as printable text, with invisible characters written out. Different names stay different."""
     return "".join(_visible(c) for c in name)
 

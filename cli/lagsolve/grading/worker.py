@@ -17,7 +17,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from lagrange.core.records import record
-from lagsolve.grading.worker_process import read_frame, write_frame
+from lagsolve.grading.worker_process import read_object, write_frame
 
 T = TypeVar("T")
 
@@ -139,7 +139,7 @@ class Worker:
     def _received(self) -> Any:
         assert self._process.stdout is not None
         try:
-            return read_frame(self._process.stdout)
+            return read_object(self._process.stdout)
         except (EOFError, OSError, ValueError):  # ValueError: `stop` has closed it
             raise self._lost() from None
 

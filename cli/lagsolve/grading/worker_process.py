@@ -33,7 +33,7 @@ def write_frame(stream: IO[bytes], content: object) -> None:
     stream.flush()
 
 
-def read_frame(stream: IO[bytes]) -> Any:
+def read_object(stream: IO[bytes]) -> Any:
     """The next object. Raises EOFError where there is none, or only a part of one."""
     head = stream.read(HEAD.size)
     size = HEAD.unpack(head)[0] if len(head) == HEAD.size else MAX_FRAME + 1
@@ -51,13 +51,13 @@ def main() -> None:
     """Answers calls until standard input ends."""
     calls, results = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a call prints is not a result
-    memory, idle = read_frame(calls)
+    memory, idle = read_object(calls)
     _limit_memory(memory)
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     while True:
         patience = _patience(idle)
         try:
-            function, arguments, seconds = read_frame(calls)
+            function, arguments, seconds = read_object(calls)
         except EOFError:
             os._exit(0)
         finally:

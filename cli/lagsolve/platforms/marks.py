@@ -20,7 +20,7 @@ from html import escape
 
 from lagrange.core.records import record
 from lagsolve.grading.roster import Roster
-from lagsolve.grading.students import counting
+from lagsolve.grading.students import rows_that_count
 from lagsolve.grading.table import TableRow, cell, number
 
 CANVAS_HEADER = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
@@ -50,7 +50,7 @@ class Mark:
 def marks(rows: Sequence[TableRow]) -> dict[str, Mark]:
     """student -> mark: over all problems, of each the attempt that counts, or else the best."""
     best: dict[str, dict[str, TableRow]] = {}
-    for row in counting(rows):
+    for row in rows_that_count(rows):
         of_student = best.setdefault(row.student, {})
         before = of_student.get(row.problem)
         if before is None or _worth(row) > _worth(before):

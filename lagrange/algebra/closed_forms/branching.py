@@ -27,7 +27,12 @@ from lagrange.algebra.closed_forms.limits import (
     SPHERES,
     UNITS_OF_SOLUTIONS,
 )
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
+from lagrange.algebra.closed_forms.polynomial_roots import (
+    factored_quotient,
+    irreducible_factors,
+    numerator,
+    square_root,
+)
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
     Relation,
@@ -45,8 +50,8 @@ from lagrange.algebra.closed_forms.solution_sets import (
     determined,
     merged_branches,
     resolved,
-    separated,
     sides,
+    split_at_divisors,
     verified,
     with_divisors,
     without_cancelled,
@@ -130,7 +135,7 @@ def _solutions(
         return without_repetitions(with_shortest_conditions(parts))
 
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
-    regular, singular = separated(branches, divisors, letters)
+    regular, singular = split_at_divisors(branches, divisors, letters)
     kept, verdict = verified(regular, readable, letters)
     kept = [without_cancelled(b, readable, letters) for b in kept]
     kept = [(with_values if b.left else with_divisors)(b, divisors, letters) for b in kept]
@@ -338,14 +343,14 @@ class _BranchSearch:
         """An equation between parameters alone, where these may satisfy it."""
         if state.special or e.is_number:
             return None
-        pieces = factors(e) or []
+        pieces = irreducible_factors(e) or []
         # Only if exactly one factor can vanish is there one relation between the parameters to state.
         able = [p for p in pieces if p.is_Add and sign_of(p) is None]
         return Relation(*sides(self.letters.write(able[0]))) if len(able) == 1 else None
 
     def _pieces(self, e: sp.Expr, state: _State) -> list[tuple[sp.Expr, bool]] | None:
         """The factors of an equation that may vanish, if there are several, or if something can be divided out."""
-        irreducible = factors(e)
+        irreducible = irreducible_factors(e)
         if irreducible is None:
             return None
         irreducible = [self._without_equal_roots(p) for p in irreducible]
@@ -529,7 +534,7 @@ class _BranchSearch:
 
     def _nonzero(self, coefficient: sp.Expr) -> list[SignCondition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""
-        pieces = [self.letters.shortest(p) for p in factors(coefficient) or [] if p.is_Add]
+        pieces = [self.letters.shortest(p) for p in irreducible_factors(coefficient) or [] if p.is_Add]
         sums = [p for p in pieces if p.is_Add]
         return [c for p in sums if not self.letters.unknowns_in(p) for c in different_from_zero(p)]
 
@@ -574,7 +579,7 @@ class _BranchSearch:
             return
         for a in state.nonzero:
             parts = numerator(resolved(a, state.values))
-            for p in factors(self.letters.shortest(parts[0])) or () if parts else ():
+            for p in irreducible_factors(self.letters.shortest(parts[0])) or () if parts else ():
                 unknowns = self.letters.unknowns_in(p)
                 if not unknowns or not unknowns.isdisjoint(self.first):
                     continue

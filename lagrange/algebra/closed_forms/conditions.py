@@ -14,9 +14,9 @@ and a condition is dropped that others imply, being a sum of multiples of them a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import gcd
 
 import sympy as sp
@@ -27,8 +27,10 @@ from lagrange.algebra.closed_forms.limits import (
     MOST_COMBINED,
     MOST_CONDITIONS,
 )
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
@@ -44,7 +46,7 @@ class _Bound:
     stated: SignCondition | None = None
 
 
-def reduced(
+def further_conditions(
     conditions: Sequence[SignCondition], known: Sequence[SignCondition] = ()
 ) -> tuple[SignCondition, ...] | None:
     """What the conditions say beside those `known` to hold, in fewer or shorter ones; None if they exclude each other.
@@ -71,7 +73,7 @@ def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
     """The branches whose conditions do not exclude each other, with the shortest form of these."""
     kept = []
     for b in branches:
-        shorter = reduced(b.conditions)
+        shorter = further_conditions(b.conditions)
         if shorter is not None:
             kept.append(
                 b if shorter == b.conditions else replace(b, conditions=shorter, implied=(*b.implied, *b.conditions))
@@ -82,8 +84,8 @@ def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
 def only_excludes_equality(conditions: Sequence[SignCondition], known: Sequence[SignCondition]) -> bool:
     """Whether conditions with > say no more than those known with ≥, apart from equality."""
     weaker = {">": "≥", "<": "≤"}
-    return all(c.relation == "≠" or reduced([replace(c, relation=weaker.get(c.relation, c.relation))], known) == ()
-               for c in conditions)  # fmt: skip
+    weakened = (replace(c, relation=weaker.get(c.relation, c.relation)) for c in conditions if c.relation != "≠")
+    return all(further_conditions([c], known) == () for c in weakened)
 
 
 class _ExcludedError(Exception):
@@ -441,3 +443,77 @@ def _solved_for(c: SignCondition, loads: Sequence[sp.Symbol]) -> SignCondition:
     if value.is_negative or value == 0 or value.could_extract_minus_sign():
         return c
     return replace(c, lhs=p, relation=c.relation if rate.is_positive else OPPOSITE[c.relation], rhs=value)
+
+
+# -- Under which conditions on the parameters several expressions are positive, each where those before it are ---------
+#
+# A condition that another implies is dropped: of e > 2a and e > 4a, with a > 0, the second is kept.
+
+
+class NeverPositiveError(Exception):
+    """Some expressions are positive for no values of the parameters."""
+
+
+def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...] | None:
+    """The conditions under which all expressions are positive; None if they are too long to be of use.
+
+    Raises NeverPositiveError if they cannot be, one being negative where those before it are positive.
+    """
+    known = list(known)
+    conditions = []
+    for e in expressions:
+        sign = sign_on(e, known)
+        if sign in (-1, 0):
+            raise NeverPositiveError
+        if sign is None:
+            condition = more_than_zero(e, known)
+            conditions.append(condition)
+            known.append(sp.factor(condition.lhs - condition.rhs) * (-1 if condition.relation == "<" else 1))
+    if any(count_operations(c.lhs - c.rhs) > LARGEST_FACTORED for c in conditions):
+        return None
+    kept = _without_weaker(conditions)
+    return tuple(SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) for c in kept)
+
+
+def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
+    """The conditions without those implied by another one: of e > 2a and e > 4a, with a > 0, the second.
+
+    Raises NeverPositiveError if two of them exclude each other.
+    """
+    above = [positive_part(c) for c in conditions]
+    if any(sign_of(sp.expand(x + y)) in (-1, 0) for x, y in combinations(above, 2)):
+        raise NeverPositiveError
+    kept = list(range(len(conditions)))
+    for n in range(len(conditions)):
+        others = [k for k in kept if k != n]
+        if any(sign_of(sp.expand(above[n] - above[k])) in (0, 1) for k in others):
+            kept = others
+    return [conditions[k] for k in kept]
+
+
+def positive_part(c: SignCondition) -> sp.Expr:
+    """What a condition says to be positive."""
+    return (c.lhs - c.rhs) * (-1 if c.relation == "<" else 1)
+
+
+def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...]:
+    """Conditions one of which must hold for one of the expressions to be positive: without those that imply another."""
+    conditions: list[SignCondition] = []
+    for e in expressions:
+        try:
+            conditions += conditions_for([e], known) or ()
+        except NeverPositiveError:
+            continue
+    conditions = list(dict.fromkeys(conditions))
+    implied = (
+        any(sign_of(sp.expand(positive_part(other) - positive_part(c))) == 1 for other in conditions if other != c)
+        for c in conditions
+    )
+    return tuple(c for c, weaker in zip(conditions, implied, strict=True) if not weaker)
+
+
+def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
+    """The sign of an expression, given others that are positive; None if it is not determined."""
+    if e == 0 or is_zero(e):
+        return 0
+    return sign_of(e, known)

@@ -31,7 +31,7 @@ from lagrange.algebra.closed_forms.intervals import (
     square_root,
 )
 from lagrange.algebra.closed_forms.limits import HIGHEST_COUNTED_DEGREE, MOST_BOXED_UNKNOWNS, MOST_BOXES, SCANNED
-from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator
+from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values, one_unknown, trivial_solutions
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
@@ -115,7 +115,7 @@ def _holds_trivially(equations: Sequence[sp.Expr], conditions: Sequence[SignCond
 def _zeros(divisor: sp.Expr, letters: TrigLetters) -> Iterator[sp.Expr]:
     """The factors with unknowns that vanish where a divisor does; of a root those of its radicand."""
     parts = numerator(divisor)
-    for p in factors(letters.shortest(parts[0])) or () if parts else ():
+    for p in irreducible_factors(letters.shortest(parts[0])) or () if parts else ():
         if p in letters.roots:
             yield from _zeros(letters.roots[p], letters)
         elif letters.unknowns_in(p):

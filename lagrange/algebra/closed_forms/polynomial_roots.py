@@ -18,7 +18,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
 
-def factors(e: sp.Expr) -> list[sp.Expr] | None:
+def irreducible_factors(e: sp.Expr) -> list[sp.Expr] | None:
     """The irreducible factors of a polynomial, each once; None where it is too large."""
     if not can_be_factored(e):
         return None

@@ -24,7 +24,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import HIGHEST_DEGREE, MOST_TRIVIAL_UNKNOWNS
 from lagrange.algebra.closed_forms.polynomial_roots import (
     factored_quotient,
-    factors,
+    irreducible_factors,
     numerator,
     polynomial_roots,
     square_root,
@@ -158,7 +158,7 @@ def angle_roots(f: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> list[Root] | 
     under = [r for r in letters.roots if r in f.free_symbols and set(angle.letters) & _deep_symbols(r, letters)]
     if under:
         return _without_root(f, u, under[0], letters)
-    forms = [pieces for form in _forms(f, angle) if (pieces := factors(form)) is not None]
+    forms = [pieces for form in _forms(f, angle) if (pieces := irreducible_factors(form)) is not None]
     # Squaring adds roots that have to be sorted out again: only when no form of the equation can do without.
     for squaring in (False, True):
         for pieces in forms:
@@ -319,7 +319,7 @@ def _squared(f: sp.Expr, angle: LetteredAngle) -> list[Root] | None:
     c, s = angle.letters
     poly = sp.Poly(with_square(f, s, 1 - c**2), s)
     a, b = poly.coeff_monomial(1), poly.coeff_monomial(s)
-    pieces = factors(sp.expand(a**2 - b**2 * (1 - c**2)))
+    pieces = irreducible_factors(sp.expand(a**2 - b**2 * (1 - c**2)))
     if pieces is None:
         return None
     roots: list[Root] = []
@@ -346,7 +346,7 @@ def one_unknown(f: sp.Expr, u: sp.Symbol, letters: TrigLetters) -> list[Root] | 
     """All roots of a polynomial equation f = 0 by one unknown; None where they are not found in closed form."""
     if u in letters.angles:
         return angle_roots(f, u, letters)
-    pieces = factors(f)
+    pieces = irreducible_factors(f)
     if pieces is None:
         return None
     roots_of_pieces = [plain_roots(p, u, letters) for p in pieces if u in letters.unknowns_in(p)]

@@ -14,10 +14,9 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors
-from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, irreducible_factors
+from lagrange.algebra.closed_forms.shortest_form import shortest_form, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
@@ -118,7 +117,7 @@ def denominators(equations: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     return tuple(dict.fromkeys(p.base for p in powers if not p.base.is_number))
 
 
-def separated(
+def split_at_divisors(
     branches: Sequence[Branch], divisors: Sequence[sp.Expr], letters: TrigLetters
 ) -> tuple[list[Branch], list[Branch]]:
     """The branches where no divisor vanishes, and those where one does."""
@@ -160,7 +159,7 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     def is_needed(c: SignCondition) -> bool:
         difference = sp.expand(c.lhs - c.rhs)
         linear = [s for s in sorted(difference.free_symbols, key=str) if s not in difference.diff(s).free_symbols]
-        if c.relation != "≠" or not linear or any(v.atoms(sp.Abs) or _has_root(v) for p in points for v in p.values()):
+        if c.relation != "≠" or not linear or any(v.atoms(sp.Abs) or has_root(v) for p in points for v in p.values()):
             return True
         s = linear[0]
         place = {s: sp.cancel(s - difference / difference.diff(s))}
@@ -173,13 +172,14 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))
 
 
-def _has_root(e: sp.Expr) -> bool:
+def has_root(e: sp.Expr) -> bool:
+    """Whether a root occurs in an expression."""
     return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 
 def _vanishing_factors(e: sp.Expr) -> list[sp.Expr]:
     """The sums of which one is zero where an expression is; of √(a² − 2 a b + b²), the length of a spring, a − b."""
-    return [q for p in factors(e) or () for q in factors(p) or () if q.is_Add]
+    return [q for p in irreducible_factors(e) or () for q in irreducible_factors(p) or () if q.is_Add]
 
 
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:

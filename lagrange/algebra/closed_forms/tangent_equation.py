@@ -20,7 +20,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import is_zero
 
 
-def coefficients(e: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+def tangent_coefficients(e: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
     """a and b of a sin q + b q cos q; None if the expression is not of this form, or a has no known sign."""
     a = e.xreplace({q: sp.pi / 2})
     b = -e.xreplace({q: sp.pi}) / sp.pi
@@ -31,7 +31,7 @@ def coefficients(e: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
 
 def beside_zero(b: Branch, q: sp.Symbol) -> Branch | None:
     """The roots of such a branch with q ≠ 0, |q| ≤ π/2, and where they exist; None: nowhere. Others are unchanged."""
-    found = coefficients(b.left[0], q) if len(b.left) == 1 and not b.relations else None
+    found = tangent_coefficients(b.left[0], q) if len(b.left) == 1 and not b.relations else None
     if found is None or b.conditions != (SignCondition(q, "≠", sp.S.Zero),):
         return b
     steeper = -(found[0] + found[1]) * (sign_of(found[0]) or 1)
@@ -44,5 +44,5 @@ def beside_zero(b: Branch, q: sp.Symbol) -> Branch | None:
 
 def slope(e: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, int] | None:
     """The derivative of such an expression at its roots beside zero, and its sign; None for other expressions."""
-    found = coefficients(e, q)
+    found = tangent_coefficients(e, q)
     return None if found is None else (found[0] * (1 / sp.cos(q) - sp.sin(q) / q), sign_of(found[0]) or 0)

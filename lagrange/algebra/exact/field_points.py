@@ -16,6 +16,7 @@ from typing import Any, Self, cast
 
 import sympy as sp
 
+from lagrange.algebra.exact import points
 from lagrange.algebra.exact.expression_graph import Graph, GraphTerm
 from lagrange.algebra.exact.limits import LARGEST_ANGLE_RATIO, MOST_COMPARED_ANGLES
 from lagrange.algebra.exact.points import Operation, Point
@@ -161,10 +162,6 @@ def _number(point: FieldPoint, _: list[Any], data: Any) -> int:
     return point.field.number(*data)
 
 
-def _symbol(point: FieldPoint, _: list[Any], data: Any) -> Any:
-    return point.input(data)
-
-
 def _sum(point: FieldPoint, v: list[Any], data: Any) -> Any:
     return sum([v[n] for n in data]) % point.p
 
@@ -186,18 +183,6 @@ def _power(point: FieldPoint, v: list[Any], data: Any) -> int:
 
 def _root(point: FieldPoint, v: list[Any], data: Any) -> int:
     return point.field.power(v[data[0]], data[1], data[2])
-
-
-def _angle(point: FieldPoint, _: list[Any], data: Any) -> Circle:
-    return point.turned(*data)
-
-
-def _cosine(_: FieldPoint, v: list[Any], data: Any) -> Any:
-    return v[data[0]][0]
-
-
-def _sine(_: FieldPoint, v: list[Any], data: Any) -> Any:
-    return v[data[0]][1]
 
 
 def _tangent(point: FieldPoint, v: list[Any], data: Any) -> Any:
@@ -256,14 +241,14 @@ def _signum(point: FieldPoint, v: list[Any], data: Any) -> int:
 
 _OPERATIONS: tuple[Operation, ...] = (
     _number,
-    _symbol,
+    points.symbol,
     _sum,
     _product,
     _power,
     _root,
-    _angle,
-    _cosine,
-    _sine,
+    points.angle,
+    points.cosine,
+    points.sine,
     _tangent,
     _exponential,
     _hyperbolic_cosine,

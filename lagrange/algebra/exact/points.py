@@ -280,3 +280,26 @@ class Point:
             if n != place:
                 slope = self.arithmetic.reduce(slope * self._values[m])
         return slope
+
+
+# -- operations that are the same for numbers of every kind ------------------------------------------------------------
+
+
+def symbol(point: Point, _: list[Any], data: Any) -> Any:
+    """The value of a symbol."""
+    return point.input(data)
+
+
+def angle(point: Any, _: list[Any], data: Any) -> Any:
+    """cos and sin of a sum of angles."""
+    return point.turned(*data)
+
+
+def cosine(_: Point, v: list[Any], data: Any) -> Any:
+    """The first of the two."""
+    return v[data[0]][0]
+
+
+def sine(_: Point, v: list[Any], data: Any) -> Any:
+    """The second of the two."""
+    return v[data[0]][1]

@@ -25,6 +25,7 @@ from typing import Any, Self
 import sympy as sp
 from mpmath.ctx_mp import MPContext
 
+from lagrange.algebra.exact import points
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, GraphTerm, UnsupportedError
 from lagrange.algebra.exact.limits import (
     FEWEST_ROUGH_STEPS,
@@ -192,10 +193,6 @@ def _number(point: RealPoint, _: list[Any], data: Any) -> Any:
     return point.reals.number(*data)
 
 
-def _symbol(point: RealPoint, _: list[Any], data: Any) -> Any:
-    return point.input(data)
-
-
 def _sum(_: RealPoint, v: list[Any], data: Any) -> Any:
     return _mp.fsum([v[n] for n in data])
 
@@ -229,18 +226,6 @@ def _bounded(base: Any, exponent: int) -> Any:
     if abs(power) < _SMALL < abs(base):
         raise InadmissibleError
     return power
-
-
-def _angle(point: RealPoint, _: list[Any], data: Any) -> Any:
-    return point.turned(*data)
-
-
-def _cosine(_: RealPoint, v: list[Any], data: Any) -> Any:
-    return v[data[0]][0]
-
-
-def _sine(_: RealPoint, v: list[Any], data: Any) -> Any:
-    return v[data[0]][1]
 
 
 def _tangent(point: RealPoint, v: list[Any], data: Any) -> Any:
@@ -297,14 +282,14 @@ def _signum(point: RealPoint, v: list[Any], data: Any) -> Any:
 
 _OPERATIONS: tuple[Operation, ...] = (
     _number,
-    _symbol,
+    points.symbol,
     _sum,
     _product,
     _power,
     _root,
-    _angle,
-    _cosine,
-    _sine,
+    points.angle,
+    points.cosine,
+    points.sine,
     _tangent,
     _exponential,
     _hyperbolic_cosine,

@@ -33,11 +33,11 @@ def potential(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
 
     form       (k,) coefficients of the differentials of `variables` (k,), t among them if there is a dt
     """
-    f = primitive(form, variables, slots)
-    return None if f is None else cleared(f, variables, slots)
+    f = potential_of(form, variables, slots)
+    return None if f is None else without_constant_factor(f, variables, slots)
 
 
-def primitive(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr | None:
+def potential_of(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr | None:
     """A function f with df = `form`, verified; None if none is found."""
     # u' and u'' as derivatives of one function u(t): the table then integrates c(q) u' dt.
     timed = _as_functions_of_time(form, slots)
@@ -62,10 +62,10 @@ def differentiated(e: sp.Expr, v: sp.Symbol, slots: Slots) -> sp.Expr:
     return slots.frozen_derivative(e) if v == t else partial(e, v)
 
 
-def cleared(f: sp.Expr, variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr:
+def without_constant_factor(f: sp.Expr, variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr:
     """The function f without the constant factor that all its terms have, and not all of them negative."""
     moving = {*variables, *slots.prescribed}
-    factors = [c for c in sp.Mul.make_args(sp.factor_terms(f)) if not _varies(c, moving)]
+    factors = [c for c in sp.Mul.make_args(sp.factor_terms(f)) if not varies(c, moving)]
     common = sp.Mul(*(abs(c) if c.is_Rational else c for c in factors))
     if common == 0:
         return f
@@ -81,7 +81,8 @@ def _without_minus(term: sp.Expr) -> sp.Expr:
     return -number * sp.atan2(*reversed(angle.args)) if number < 0 and isinstance(angle, sp.atan2) else term
 
 
-def _varies(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
+def varies(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
+    """Whether an expression contains one of the symbols, or a derivative of it."""
     return any(base(s) in moving for s in e.free_symbols)
 
 

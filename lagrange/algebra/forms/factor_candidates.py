@@ -232,10 +232,10 @@ def _sorted(expressions: Iterator[sp.Expr]) -> list[sp.Expr]:
 
 def factored(e: sp.Expr) -> sp.Expr:
     """A product of irreducible factors, unless the expression is too large for that."""
-    return sp.factor(e) if is_small(e) else e
+    return sp.factor(e) if is_quick_to_factor(e) else e
 
 
-def is_small(e: sp.Expr) -> bool:
+def is_quick_to_factor(e: sp.Expr) -> bool:
     """Whether cancelling and factoring take little time."""
     if count_operations(e) > LARGEST_FACTORED:
         return False

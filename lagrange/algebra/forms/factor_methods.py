@@ -27,8 +27,14 @@ import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import NumberRow, nullspace
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, Point, is_zero
-from lagrange.algebra.forms.exact_forms import at_some_value, primitive
-from lagrange.algebra.forms.factor_candidates import FactorCandidate, OneForm, SampledValues, factored, is_small
+from lagrange.algebra.forms.exact_forms import at_some_value, potential_of
+from lagrange.algebra.forms.factor_candidates import (
+    FactorCandidate,
+    OneForm,
+    SampledValues,
+    factored,
+    is_quick_to_factor,
+)
 from lagrange.algebra.forms.limits import (
     LARGEST_INTEGRAND,
     MOST_COMBINATION_VARIABLES,
@@ -309,7 +315,7 @@ def factor_beside(omega: OneForm, known: sp.Expr, direction: int) -> sp.Expr | N
     for other in omega.variables:
         if h is not None and other != v:
             h = at_some_value(h, other) if other in h.free_symbols else h
-    phi = None if h is None or count_operations(h) > LARGEST_INTEGRAND else primitive([h], [v], omega.slots)
+    phi = None if h is None or count_operations(h) > LARGEST_INTEGRAND else potential_of([h], [v], omega.slots)
     return None if phi is None else known * exp_of(phi)
 
 
@@ -349,7 +355,7 @@ def _of_combination(
         in_s = None if in_s is None else at_some_value(in_s, v) if v in in_s.free_symbols else in_s
     if in_s is None or count_operations(in_s) > LARGEST_INTEGRAND:
         return None
-    phi = primitive([shortened(in_s)], [s], omega.slots)
+    phi = potential_of([shortened(in_s)], [s], omega.slots)
     return None if phi is None else exp_of(phi).xreplace({s: combined})
 
 
@@ -384,7 +390,7 @@ def is_never_positive(e: sp.Expr) -> bool:
 def exp_of(phi: sp.Expr) -> sp.Expr:
     """e^φ, with its logarithms as powers and without bars."""
     powers, rest = [], []
-    for term in sp.Add.make_args(sp.expand(phi) if is_small(phi) else phi):
+    for term in sp.Add.make_args(sp.expand(phi) if is_quick_to_factor(phi) else phi):
         logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log)]
         if len(logs) == 1:
             powers.append(unbarred(logs[0].args[0]) ** (term / logs[0]))
@@ -396,7 +402,7 @@ def exp_of(phi: sp.Expr) -> sp.Expr:
 def shortened(e: sp.Expr) -> sp.Expr:
     """The shortest of some equal forms: as it is, cancelled, in factors, sines and cosines put together."""
     forms = [e]
-    if is_small(e):
+    if is_quick_to_factor(e):
         forms.append(factored(e))
         if e.has(sp.sin, sp.cos, sp.tan):
             forms += [textbook_form(sp.cancel(e)), factored(textbook_form(sp.cancel(e)))]
@@ -405,6 +411,6 @@ def shortened(e: sp.Expr) -> sp.Expr:
     return min(forms, key=count_operations)
 
 
-def shortest(expressions: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+def in_shortest_forms(expressions: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """Each of several expressions in its shortest form."""
     return tuple(shortened(e) for e in expressions)

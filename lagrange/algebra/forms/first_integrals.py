@@ -330,7 +330,7 @@ class Trial:
         return [[reduce(sum(x[i] * d for i, d in gradient)) for gradient in gradients] for x in directions]
 
 
-def coefficients(space: SampledForms, trial: Trial, values: ResidueValues) -> dict[int, sp.Expr] | None:
+def combination_constants(space: SampledForms, trial: Trial, values: ResidueValues) -> dict[int, sp.Expr] | None:
     """The constants c_k of a combination whose values in one trial are known, up to a common factor; None: not found.
 
     Raises NoTrialError.

@@ -25,7 +25,7 @@ from math import gcd, lcm
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.algebra.forms.exact_forms import cleared, potential
+from lagrange.algebra.forms.exact_forms import potential, without_constant_factor
 from lagrange.algebra.forms.factor_candidates import (
     FactorCandidate,
     OneForm,
@@ -38,11 +38,11 @@ from lagrange.algebra.forms.factor_methods import (
     exponents_beside,
     factor_beside,
     factors_of_combinations,
+    in_shortest_forms,
     is_never_positive,
     parametric_exponents,
     rational_exponents,
     shortened,
-    shortest,
     symmetry_fields,
     unbarred,
 )
@@ -76,7 +76,7 @@ def tidy_relation(
     moving = {*variables, *slots.prescribed}
     factor = sp.S.One
     for _ in range(RELATION_STEPS):
-        f = cleared(_without_constants(_shorter(f), moving), variables, slots)
+        f = without_constant_factor(_without_constants(_shorter(f), moving), variables, slots)
         step = _freed(f) or _of_logarithms(f, moving, angles) or _of_powers(f, moving)
         if step is None:
             break
@@ -249,7 +249,7 @@ def _proposed(omega: OneForm) -> Iterator[sp.Expr]:
     # A common factor hides what is simple: (x² + y²)(y dx − x dy) is treated as y dx − x dy.
     common = common_divisor(omega)
     if common != 1:
-        omega = OneForm(shortest(omega.times(1 / common)), omega.variables, omega.slots)
+        omega = OneForm(in_shortest_forms(omega.times(1 / common)), omega.variables, omega.slots)
         yield 1 / common
     # Cheapest and most readable first. Powers settle most textbook forms, in 10 to 70 ms, and give algebraic relations;
     # a function of one variable takes an antiderivative; 1/ω(X) is longer as a rule; exponents with parameters have
@@ -352,7 +352,7 @@ def _closed(
     factor = sp.Mul(*(g for g in sp.Mul.make_args(factor) if depends_on(g, moving)))
     if factor.has(sp.exp) or any(not p.exp.is_Rational for p in factor.atoms(sp.Pow)):
         factor = sp.powsimp(factor)
-    multiplied = shortest([factor * a for a in form])
+    multiplied = in_shortest_forms([factor * a for a in form])
     try:
         pairs = exactness(multiplied, variables, slots)
         same = all(is_zero(m - factor * a) for m, a in zip(multiplied, form, strict=True))

@@ -26,7 +26,6 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
-from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.limits import (
     DEEPEST_REDUCTION,
     MOST_ALTERNATIVES,
@@ -39,11 +38,12 @@ from lagrange.algebra.forms.velocity_polynomials import (
     Polynomial,
     Square,
     degree,
+    is_affine,
     is_definite,
     polynomial,
-    primitive,
+    polynomial_as_sum,
     squares,
-    written,
+    without_content,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import Slots, base, t
@@ -373,7 +373,7 @@ class _Search:
         if degree(p) > 2:
             return self._all_zero(f, Why.SQUARES, velocities, depth) if is_definite(p) else None
         if degree(p) < 2:
-            return self._next(f, Why.EXPANDED, written(p, velocities), depth)
+            return self._next(f, Why.EXPANDED, polynomial_as_sum(p, velocities), depth)
         return self._of_quadratic(f, p, velocities, depth)
 
     def _of_quadratic(
@@ -385,7 +385,7 @@ class _Search:
             return None
         factors = [textbook_form(s.factor) for s in terms]
         pairs = zip(factors, terms, strict=True)
-        forms = [primitive(s.form) if self._moves(s.form) else textbook_form(d) for d, s in pairs]
+        forms = [without_content(s.form) if self._moves(s.form) else textbook_form(d) for d, s in pairs]
         if len(terms) == 1:
             return self._of_one_square(f, terms[0], forms[0], depth)
         if all(map(_is_nonnegative, factors)) or all(_is_nonnegative(-d) for d in factors):
@@ -396,7 +396,7 @@ class _Search:
         if self._moves(b) and not (_is_nonnegative(d) or _is_nonnegative(-d)):
             d, e = sp.S.One, sp.cancel(e / d)
         ratio = _root_of_square(sp.cancel(-e / d))
-        branches = tuple(primitive(a + s * ratio * b) for s in (-1, 1))
+        branches = tuple(without_content(a + s * ratio * b) for s in (-1, 1))
         known = () if sp.cancel(-e / d).is_nonnegative else ((textbook_form(-e / d), "≥"),)
         return self._split(f, branches, depth, known)
 

@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.algebra.forms.exact_forms import differentiated
-from lagrange.algebra.forms.factor_candidates import is_small
+from lagrange.algebra.forms.factor_candidates import is_quick_to_factor
 from lagrange.algebra.forms.factor_methods import shortened
 from lagrange.algebra.forms.integrability import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
@@ -46,7 +46,7 @@ class PolarAngle:
         if self.symbol not in e.free_symbols:
             return e
         e = e.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
-        e = sp.expand_trig(e) if is_small(e) else e
+        e = sp.expand_trig(e) if is_quick_to_factor(e) else e
         cosine, sine = self.across / self.radius, self.along / self.radius
         e = e.xreplace({sp.cos(self.symbol): cosine, sp.sin(self.symbol): sine})
         return e.xreplace({self.symbol: sp.atan2(self.along, self.across)})
@@ -185,7 +185,7 @@ def _linear(f: sp.Expr, slots: Slots) -> Solved | None:
 
 def _circle(f: sp.Expr, slots: Slots, taken: set[str]) -> Solved | None:
     """p = α + ρ cos ψ, q = β + ρ sin ψ."""
-    if not is_small(f):
+    if not is_quick_to_factor(f):
         return None
     for p, q in combinations(slots.coordinates, 2):
         if {p, q} - f.free_symbols or not f.is_polynomial(p, q):

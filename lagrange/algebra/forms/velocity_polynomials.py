@@ -11,13 +11,15 @@ Reference: any book on linear algebra under Lagrange's reduction, and Sylvester'
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.limits import HIGHEST_VELOCITY_DEGREE, MOST_VELOCITY_TERMS
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
 from lagrange.core.records import record
+from lagrange.core.symbols import Slots
 
 Monomial = tuple[int, ...]
 Polynomial = dict[Monomial, sp.Expr]
@@ -97,13 +99,13 @@ def is_definite(p: Polynomial) -> bool:
     return (highest, 0) in p and sp.Poly({(m[0],): c for m, c in p.items()}, sp.Dummy()).count_roots() == 0
 
 
-def written(p: Polynomial, velocities: Sequence[sp.Symbol]) -> sp.Expr:
+def polynomial_as_sum(p: Polynomial, velocities: Sequence[sp.Symbol]) -> sp.Expr:
     """A polynomial as a sum."""
     powers = (sp.Mul(*(v**e for v, e in zip(velocities, m, strict=True))) for m in p)
     return sp.Add(*(textbook_form(c) * power for c, power in zip(p.values(), powers, strict=True)))
 
 
-def primitive(form: sp.Expr) -> sp.Expr:
+def without_content(form: sp.Expr) -> sp.Expr:
     """An affine form without denominators and without what its terms have in common: x'/r + y'/r is x' + y'."""
     tidied = textbook_form(form)
     return normalised(textbook_form(common_factor(tidied).divide(tidied)))
@@ -172,3 +174,71 @@ def _product_of_two(
             matrix[k][m] = sp.cancel(matrix[k][m] - pivot * (of_a[k] * of_b[m] + of_a[m] * of_b[k]))
     a, b = (sp.Add(u[n], *(c * u[k] for k, c in of.items())) for n, of in ((i, of_a), (j, of_b)))
     return [Square(pivot / 2, a + b), Square(-pivot / 2, a - b)]
+
+
+# -- Whether a constraint is affine in the velocities, a(q, t) · q' + b(q, t), decided without multiplying out ---------
+#
+# The function is a polynomial in the velocities and in whatever depends on them in another way, sin q' say. Where its
+# degree as written is one, it is affine. Otherwise terms may cancel, (q₁' + q₂')² − q₁'² − 2 q₁' q₂' − q₂'²: the
+# coefficients are read off at random velocities, and the form they make is compared at others (Schwartz, Zippel).
+# Rows of
+# a bicycle have some thousand terms when they are multiplied out.
+
+
+def is_affine(function: sp.Expr, slots: Slots) -> bool:
+    """Whether a function is written as one that is affine in the velocities, or can be by multiplying out."""
+    moving = frozenset(slots.velocities)
+    written = _AsPolynomial(moving)
+    polynomial = written.of(function)
+    if written.degree(polynomial) <= 1 and not written.others:
+        return True
+    unknowns = [*sorted(moving & polynomial.free_symbols, key=str), *written.others.values()]
+
+    def affine(point: Point) -> bool:
+        row = point.affine([polynomial], unknowns)
+        return row is not None and all(map(point.arithmetic.vanishes, row[0][len(unknowns) - len(written.others) : -1]))
+
+    try:
+        return all(Surface().sampled(affine))
+    except (UnsupportedError, DivisionByZeroError, NoPointError):
+        return False
+
+
+class _AsPolynomial:
+    """Functions as polynomials in the velocities and in `others`: whatever depends on velocities in another way."""
+
+    def __init__(self, moving: Set[sp.Symbol]) -> None:
+        self._moving = moving
+        self.others: dict[sp.Expr, sp.Symbol] = {}
+        self._known: dict[sp.Expr, sp.Expr] = {}
+        self._degrees: dict[sp.Expr, float] = {}
+
+    def of(self, e: sp.Expr) -> sp.Expr:
+        """The polynomial; each distinct part is worked out once."""
+        if e not in self._known:
+            self._known[e] = self._written(e)
+        return self._known[e]
+
+    def _written(self, e: sp.Expr) -> sp.Expr:
+        if not e.args or e.free_symbols.isdisjoint(self._moving):
+            return e
+        if e.is_Add or e.is_Mul:
+            return e.func(*map(self.of, e.args))
+        if e.is_Pow and e.exp.is_Integer and e.exp.is_positive:
+            return self.of(e.base) ** e.exp
+        return self.others.setdefault(e, sp.Dummy(real=True))
+
+    def degree(self, e: sp.Expr) -> float:
+        """An upper bound of the degree of a polynomial in the velocities."""
+        if e not in self._degrees:
+            self._degrees[e] = self._bound(e)
+        return self._degrees[e]
+
+    def _bound(self, e: sp.Expr) -> float:
+        if e in self._moving:
+            return 1
+        if e.is_Add:
+            return max(map(self.degree, e.args))
+        if e.is_Mul:
+            return sum(map(self.degree, e.args))
+        return self.degree(e.base) * float(e.exp) if e.is_Pow and e.exp.is_Integer and e.exp.is_positive else 0

@@ -19,7 +19,7 @@ from sympy import QQ, QQ_I
 
 from lagrange.algebra.fourier.elements import Basis, Element, Terms
 from lagrange.algebra.fourier.limits import LARGEST_DIVISION, LONGEST_CHAIN, MOST_JOINING_ROUNDS
-from lagrange.algebra.fourier.polynomials import lowest, pack, place, polynomials_in, unpack
+from lagrange.algebra.fourier.polynomials import lowest, pack, polynomials_in, unpack, value_at_place
 
 Complex = tuple[int, int]
 
@@ -98,7 +98,7 @@ def _from_exponentials(basis: Basis, values: dict[tuple[int, int], Complex], den
 def without_denominator(element: Element, index: int) -> Element:
     """The element times the least power of a generator that leaves it without denominators of that kind."""
     generator = element.basis.generators[index]
-    least = min((place(m, index) for m, _ in element.terms), default=0)
+    least = min((value_at_place(m, index) for m, _ in element.terms), default=0)
     if least >= 0:
         return element
     element = element.over_monomial(pack([(index, least)]))
@@ -128,7 +128,7 @@ def over_one_denominator(element: Element) -> Element:
 def _joined_by_each_denominator(element: Element) -> Element:
     for index in element.basis.related:
         base = element.basis.generators[index].base
-        if base is not None and not base.is_monomial and any(place(m, index) < 0 for m, _ in element.terms):
+        if base is not None and not base.is_monomial and any(value_at_place(m, index) < 0 for m, _ in element.terms):
             element = _joined(element, index, base, element.basis.generators[index].order)
     return element
 
@@ -170,7 +170,7 @@ def _joined(element: Element, index: int, base: Element, order: int) -> Element:
     apart = all(not m for m, _ in base.terms)
     classes: dict[tuple[int, int], dict[int, Element]] = {}
     for power, part in element.by_exponents((index,)).items():
-        exponent = place(power, index)
+        exponent = value_at_place(power, index)
         for monomial, piece in part.by_monomial().items() if apart else ((0, part),):
             classes.setdefault((exponent % order, monomial), {})[exponent] = piece
     return element.basis.total(_class_joined(parts, index, base, order) for parts in classes.values())

@@ -52,7 +52,7 @@ def pack(places: Iterable[tuple[int, int]]) -> int:
     return sum(value << (WIDTH * index) for index, value in places)
 
 
-def place(packed: int, index: int) -> int:
+def value_at_place(packed: int, index: int) -> int:
     """The value at one place."""
     return next((value for i, value in unpack(packed) if i == index), 0)
 

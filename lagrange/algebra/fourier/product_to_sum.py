@@ -227,7 +227,7 @@ class Factoring:
         units = [step << (WIDTH * i) for i, step in degree.items()]
         # sin² or cos² may be the one to keep, for each angle: 2 + 2 cos²θ, but 1 + sin²φ.
         for kept in product((False, True), repeat=len(angles)):
-            sums = separated(element, angles, steps, kept)
+            sums = angle_numerators(element, angles, steps, kept)
             yield tuple(self._monomial(Fraction(n, element.denominator), units, p) for p, n in sums.items())
 
     def _step(self, angle: int, frequencies: Iterable[int]) -> int:
@@ -285,7 +285,7 @@ def _parts(element: Element) -> Iterator[WavePart]:
             yield w, b, True
 
 
-def separated(
+def angle_numerators(
     element: Element, angles: Sequence[int], steps: Sequence[int], sines: Sequence[bool]
 ) -> dict[Powers, int]:
     """The numerators of a polynomial in cos and sin of single angles.

@@ -25,7 +25,7 @@ import sympy as sp
 from lagrange.algebra.fourier.division import without_denominator
 from lagrange.algebra.fourier.elements import UNIT, Basis, Element, Number, Terms
 from lagrange.algebra.fourier.limits import HIGHEST_MULTIPLE, LARGEST_TRIAL_DIVISOR, LONGEST_POWER
-from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, pack, place, unpack
+from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, pack, unpack, value_at_place
 from lagrange.algebra.fourier.product_to_sum import Factoring
 from lagrange.core.symbols import Sign, Slots, base, partial, prime, t
 
@@ -279,7 +279,7 @@ class FourierRing(Basis):
 
     def _cleared(self, element: Element) -> Element:
         for index in self.related:
-            least = min((place(m, index) for m, _ in element.terms), default=0)
+            least = min((value_at_place(m, index) for m, _ in element.terms), default=0)
             if least < 0:
                 element = element.over_monomial(least << (WIDTH * index))
         return element

@@ -50,7 +50,7 @@ class PowerProduct:
         return PowerProduct(self.number * other.number, multiplied(self.factors, other.factors))
 
     def __truediv__(self, other: PowerProduct) -> PowerProduct:
-        return PowerProduct(self.number / other.number, divided(self.factors, other.factors))
+        return PowerProduct(self.number / other.number, quotient_of_powers(self.factors, other.factors))
 
 
 def exponent_of(number: sp.Rational) -> Exponent:
@@ -75,7 +75,7 @@ def multiplied(a: Factors, b: Factors) -> Factors:
     return product
 
 
-def divided(a: Factors, b: Factors) -> Factors:
+def quotient_of_powers(a: Factors, b: Factors) -> Factors:
     """The powers of a quotient."""
     return multiplied(a, {factor: -exponent for factor, exponent in b.items()})
 

@@ -48,7 +48,6 @@ from lagrange.algebra.fourier.terms import (
     PowerProduct,
     common_factor,
     common_powers,
-    divided,
     factored_sum,
     is_acceleration,
     is_displacement,
@@ -56,6 +55,7 @@ from lagrange.algebra.fourier.terms import (
     multiply,
     normalised,
     number_apart,
+    quotient_of_powers,
     sum_of,
 )
 from lagrange.core.effort import remembered
@@ -395,7 +395,10 @@ def bracket(parts: list[SplitProduct], factored: bool = False, leading: Collecti
         return parts[0]
     number = common_number(p.number for p in parts)
     scale, shape = common_powers([p.scale for p in parts]), common_powers([p.shape for p in parts])
-    rest = [SplitProduct(p.number / number, divided(p.scale, scale), divided(p.shape, shape)) for p in parts]
+    rest = [
+        SplitProduct(p.number / number, quotient_of_powers(p.scale, scale), quotient_of_powers(p.shape, shape))
+        for p in parts
+    ]
     sign = bracket_sign(rest, leading)
     terms = [PowerProduct(p.number * sign, multiplied(p.scale, p.shape)) for p in rest]
     total = factored_sum(terms) if factored else None

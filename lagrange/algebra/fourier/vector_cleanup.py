@@ -45,7 +45,7 @@ def is_many_waves(expression: sp.Expr) -> bool:
     return len(angles) > FEW_ANGLES and _waves(expression, {}) > MOST_CLEANED_WAVES
 
 
-def written(expression: sp.Expr) -> sp.Expr:
+def cleaned_up(expression: sp.Expr) -> sp.Expr:
     """The textbook form; an expression of many waves as it is, or 0 if it is zero."""
     if not is_many_waves(expression):
         return textbook_form(expression)

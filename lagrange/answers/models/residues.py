@@ -21,7 +21,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleEr
 from lagrange.answers.limits import BRANCHING_STATES, REAL_STATES, STATES
 from lagrange.core.records import record
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, symbols_of
-from lagrange.mechanics.dynamics.comparison import state as state_of_motion
+from lagrange.mechanics.dynamics.comparison import random_state as state_of_motion
 
 
 @record

@@ -41,7 +41,7 @@ from lagrange.answers.models.variation import Variation
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
-from lagrange.mechanics.dynamics.comparison import System, state, symbols_of
+from lagrange.mechanics.dynamics.comparison import System, random_state, symbols_of
 
 unusable = (InadmissibleError, DivisionByZeroError, NoPointError, UnsupportedError, AssertionError)
 
@@ -121,7 +121,7 @@ class Models:
         symbols = symbols_of((*equations, *self.system.equations))
 
         def at(point: Point) -> ModelState:
-            moving = state(point, configuration, symbols)
+            moving = random_state(point, configuration, symbols)
             numbers = {s: moving.value(v) for s, v in self.values.items()}
             if numbers:
                 moving = moving.with_values(numbers)

@@ -18,6 +18,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.solution_sets import has_root
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.limits import (
     MAX_RESTING_MODELS,
@@ -51,7 +52,7 @@ class Resting:
     def usable(self) -> bool:
         """Whether the balance of forces is small enough to be tried, and has no roots, whose signs would be open."""
         small = len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
-        return small and not any(map(_has_roots, self.own))
+        return small and not any(map(has_root, self.own))
 
     @cached_property
     def own(self) -> tuple[sp.Expr, ...]:
@@ -65,7 +66,7 @@ class Resting:
         bound = {s for row in self.rows for a in row for s in a.free_symbols}
         bound |= {s for f in self.configuration.finite_constraints for s in f.free_symbols}
         coordinates = {*self.slots.coordinates}
-        if any(map(_has_roots, equations)):
+        if any(map(has_root, equations)):
             return None
         for equation in equations:
             equation = equation.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
@@ -147,10 +148,6 @@ class Resting:
             change = self.slots.frozen_derivative(mixed) * i.product * i.explicit * pairs.get((k, last), sp.S.One)
             bend = partial(square, q) * i.gradient * pairs.get((last, last), sp.S.One)
             yield sp.S.Zero if k in i.still else i.factor * (change - bend / 2)
-
-
-def _has_roots(e: sp.Expr) -> bool:
-    return any(not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 
 class WrongEquilibria:

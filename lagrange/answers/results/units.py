@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from lagrange.core.units import written
+from lagrange.core.units import unit_of_dimension
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.values.dimensions import mismatch
@@ -21,12 +21,13 @@ def wrong_dimension(claim: sp.Expr, units: Mapping[sp.Symbol, str], right: sp.Ex
     if inside is not None:
         first, second = (text(e, Notation()) for e in (inside.term, inside.other))
         return (
-            f"its terms have different dimensions: {first} is in {written(inside.dimension)}, "
-            f"{second} in {written(inside.expected)}"
+            f"its terms have different dimensions: {first} is in {unit_of_dimension(inside.dimension)}, "
+            f"{second} in {unit_of_dimension(inside.expected)}"
         )
     if right is None or claim == 0 or right == 0 or (apart := mismatch([right, claim], units)) is None:
         return ""
     stated, expected = apart.dimension, apart.expected
     if apart.term == right:
         stated, expected = expected, stated
-    return f"its dimension is wrong: it is in {written(stated)}, and what is asked for is in {written(expected)}"
+    given, asked = unit_of_dimension(stated), unit_of_dimension(expected)
+    return f"its dimension is wrong: it is in {given}, and what is asked for is in {asked}"

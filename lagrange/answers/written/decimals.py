@@ -45,7 +45,7 @@ from lagrange.answers.limits import (
 )
 from lagrange.answers.readings import decimals_in
 from lagrange.core.symbols import Decimal
-from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
+from lagrange.mechanics.dynamics.comparison import System, affine_rows, random_state, symbols_of
 
 DecimalValues = Mapping[Decimal, sp.Float]
 
@@ -63,7 +63,7 @@ def rounded_in_motion(equations: Sequence[sp.Expr], system: System) -> DecimalVa
     symbols = [s for s in symbols_of((*equations, *known)) if not isinstance(s, Decimal)]
 
     def prepared(point: Point) -> tuple[Point, RowSpace]:
-        moving = state(point, configuration, symbols)
+        moving = random_state(point, configuration, symbols)
         return moving, RowSpace(moving.arithmetic, affine_rows(moving, known, unknowns))
 
     return _rounded(equations, unknowns, configuration.states, prepared)

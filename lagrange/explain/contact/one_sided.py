@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
@@ -72,7 +73,9 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
             continue
         state = "stays taut" if is_cord else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
-        blocks.append(prose(*first, words, math(_force(r), sp.S.Zero, relation="≥"), ", that is,"))
+        blocks.append(
+            prose(*first, words, math(_force(r), sp.S.Zero, relation="≥"), Phrase(", that is,", Purpose.THAT_IS))
+        )
         blocks.append(display(Equation((value, sp.S.Zero), relation="≥", condition=_presumed(r)), detail=Detail.STEPS))
     if trivial:
         names = constraints_called(r.name for r in trivial)

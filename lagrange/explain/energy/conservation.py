@@ -10,8 +10,9 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_INTEGRAL, MOST_MULTIPLES
-from lagrange.explain.motion import label_of
+from lagrange.explain.motion import label_from_principle
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import (
@@ -185,7 +186,7 @@ def proof_of(conserved: Conserved, integral: Integral) -> tuple[Part, ...]:
     used = [(m, e) for m, e in zip(integral.multipliers, conserved.motion.equations, strict=False) if m != 0]
     terms: list[tuple[Part, ...]] = []
     for m, e in used:
-        reference = Ref(label_of(conserved.motion, e))
+        reference = Ref(label_from_principle(conserved.motion, e))
         factor: tuple[Part, ...] = ("(", math(m), ")") if m.is_Add else (math(m),)
         terms.append((reference,) if m == 1 else (*factor, " times ", reference))
     if len(terms) < 2:
@@ -219,4 +220,5 @@ def _of_energy(energy: EnergyRate, choice: str, configuration: Configuration) ->
         ]  # fmt: skip
     if energy.rate.has(Unspecified):  # the forces may, or may not, have a potential
         return [prose("Along the motion the energy changes at the rate"), display(line)]
-    return [prose(f"The energy is not conserved{why}. Along the motion"), display(line, boxed=True)]
+    along = Phrase(" Along the motion", Purpose.ALONG)
+    return [prose(f"The energy is not conserved{why}.", along), display(line, boxed=True)]

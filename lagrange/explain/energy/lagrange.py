@@ -8,6 +8,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.displacements import conditions
 from lagrange.explain.energy.energies import LagrangeExposition
 from lagrange.explain.limits import LONGEST_INTERMEDIATE
@@ -104,7 +105,10 @@ def _not_substituted(setup: LagrangeExposition) -> list[Block]:
         if one
         else " The constraints enter through their multipliers and are used once the derivatives have been taken."
     )
-    first = prose(f"{capital(called)} {restricts} not substituted into ", kinetic, " before it is differentiated.")
+    before = Phrase(" before it is differentiated.", Purpose.REASON)
+    first = prose(
+        f"{capital(called)} {restricts} not substituted into ", kinetic, before, purpose=Purpose.NOT_SUBSTITUTED
+    )
     if all(r.name in setup.finite for r in kinematic):
         second = prose(
             "It is equivalent to a finite relation and could be replaced by it." if one else

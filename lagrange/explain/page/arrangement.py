@@ -15,8 +15,9 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import t
-from lagrange.document.builders import listed, math, paragraph, prose
+from lagrange.document.builders import has_purpose, index_of, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Rule, Step, Table
+from lagrange.document.purposes import Purpose
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
@@ -104,7 +105,7 @@ from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
 from lagrange.explain.page.vectors.directions import in_directions
 from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
-from lagrange.explain.reactions import ONLY_PUSHES, explain_reactions, title_of_reactions
+from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
@@ -126,7 +127,7 @@ ABOUT_CONSTRAINTS = (
 )
 
 
-def page(
+def steps_of_page(
     solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
 ) -> Iterator[Step]:
     """The steps of the page.
@@ -402,7 +403,7 @@ def _with_measures(solution: Solution, step: Step) -> Step:
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):
         return step
-    noun = next((n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith(" as generalized")), None)
+    noun = index_of(Purpose.NOUN, first.parts)
     chosen = view.configuration.slots.coordinates
     measured = {s for p in measures.parts if isinstance(p, Math) for s in p.sides}
     if noun is not None and {*chosen} <= measured:
@@ -487,8 +488,7 @@ def _without_certain_contact(body: Iterable[Block], newton: Newton, view: InCoor
     normal = [sizes.get(r.name) for r in newton.reactions if r.is_normal and r.constraint.side is None]
     certain = bool(normal) and all(s is not None and has_one_sign(s) for s in normal)
     for block in body:
-        first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-        if not certain or first != ONLY_PUSHES:
+        if not certain or not has_purpose(block, Purpose.ONLY_PUSHES):
             yield block
 
 

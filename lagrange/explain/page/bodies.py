@@ -16,6 +16,7 @@ from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Equation, Mathematics, Part, Prose, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import FEWEST_TOGETHER
 from lagrange.explain.words import capital, introduced, joined, plural
 from lagrange.mechanics.results import Solution
@@ -96,8 +97,9 @@ def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
     placed = f"positions of the {'particles and ' if particles else ''}{centres}"
     kinds = {(label or "").partition("-")[0] for label in labels}
     also = [placed] * ("position" in kinds) + ["angular velocities"]
-    also += [f"angular momenta{_about_centres(solution)}"] * ("momentum" in kinds)
-    return prose(*beside, "The bodies are rigid: ", *series(clauses, last), f". The {joined(also)} are")
+    momenta = [f"angular momenta{_about_centres(solution)}"] * ("momentum" in kinds)
+    what = Phrase(joined([*also, *momenta]), Purpose.MOMENTA, joined(also))
+    return prose(*beside, "The bodies are rigid: ", *series(clauses, last), ". The ", what, " are")
 
 
 def alike_about_all_axes(solution: Solution, step: Step) -> Step:

@@ -16,7 +16,7 @@ from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
-from lagrange.explain.constraints import equal, telling_pair, time_of
+from lagrange.explain.constraints import equal, explain_time, telling_pair
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
@@ -142,4 +142,6 @@ def explain_without(classification: Classification, built_in: bool) -> Step:
     count = "With its one coordinate it has " if freedom == 1 else "It has as many degrees of freedom as coordinates: "
     holonomic = prose(f"{why}, so the system is ", Emphasis("holonomic"), ".")
     many = prose(count, Emphasis(in_words(freedom, "degree") + " of freedom"), ".")
-    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (paragraph(holonomic, time_of(classification), many),))
+    return Step(
+        Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (paragraph(holonomic, explain_time(classification), many),)
+    )

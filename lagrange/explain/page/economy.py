@@ -6,17 +6,17 @@ said the next need not repeat. Nothing is computed here; equal unit vectors are 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.core.operations import count_operations
+from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
 from lagrange.core.triads import unit_vector
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import listed, math, paired, paragraph, prose
+from lagrange.document.builders import has_purpose, index_of, listed, math, paired, paragraph, parts_of, prose
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -31,10 +31,11 @@ from lagrange.document.derivation import (
     Step,
     Table,
 )
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import capital, counted, in_words, plural, spoken
+from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
@@ -102,13 +103,6 @@ def _renamed(block: Block, rule: dict[sp.Basic, sp.Basic], names: Mapping[str, s
 
 # -- what is not used ------------------------------------------------------------------------------------------------
 
-_OPENINGS = ("For brevity, write", "The unit vectors that turn with the bodies are", "With the unit vector")
-
-_ONE = {
-    "The unit vectors that turn with the bodies are": "A unit vector that turns with a body is",
-    "With the unit vectors": "With the unit vector",
-}
-
 
 def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
     """The steps without abbreviations and unit vectors that are stated and do not occur, or are stated again."""
@@ -120,8 +114,7 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
         body: list[Block] = []
         for block in step.body:
             before = body[-1] if body else None
-            first = before.parts[0] if isinstance(before, Prose) and before.parts else None
-            if not isinstance(block, Display) or not isinstance(first, str) or not first.startswith(_OPENINGS):
+            if not isinstance(block, Display) or not has_purpose(before, Purpose.DEFINITIONS):
                 body.append(block)
                 continue
             kept = []
@@ -132,13 +125,17 @@ def without_unused(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
                 defined.add(name)
                 kept.append(e)
             if kept:
-                if len(kept) == 1 and isinstance(before, Prose):
-                    body[-1] = replace(before, parts=(_ONE.get(first, first), *before.parts[1:]))
+                if len(kept) == 1:
+                    body[-1] = replace(before, parts=tuple(map(_in_singular, before.parts)))
                 body.append(replace(block, equations=tuple(kept)))
             else:
                 body.pop()
         if body or not step.body:
             yield replace(step, body=tuple(body))
+
+
+def _in_singular(part: Part) -> Part:
+    return part.instead or part if isinstance(part, Phrase) else part
 
 
 def _defined(e: Equation) -> str:
@@ -199,14 +196,13 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             if isinstance(block, Display) and _is_kinematic(block):
                 sides = tuple(e.sides for e in block.equations)
                 same, last = kinematics.get(sides), blocks[-1] if blocks else None
-                if same is not None and isinstance(last, Prose) and str(last.parts[-1]).endswith((" is", " are")):
+                if same is not None and has_purpose(last, Purpose.KINEMATICS):
                     blocks[-1] = replace(last, parts=(*last.parts, " given by ", *listed(map(Ref, same)), "."))
                     continue
                 if all(e.label for e in block.equations):
                     kinematics[sides] = [e.label for e in block.equations if e.label]
             before = blocks[-1] if blocks else None
-            in_short = isinstance(before, Prose) and before.parts[:1] == (Emphasis("In short"),)
-            if in_short and isinstance(block, Display) and _is_repeated(block, shown):
+            if has_purpose(before, Purpose.IN_SHORT) and isinstance(block, Display) and _is_repeated(block, shown):
                 blocks[-1] = prose(Emphasis("In short"), ": combined, these are the equations at the head of the page.")
             else:
                 blocks.append(block)
@@ -225,7 +221,7 @@ def _is_repeated(block: Display, shown: Sequence[object]) -> bool:
 
 def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps with short lines of one kind two by two: positions, forces, ω and H, accelerations, displacements."""
-    referred = {p.label for s in steps for b in s.body for p in _parts_of(b) if isinstance(p, Ref)}
+    referred = {p.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref)}
     for step in steps:
         blocks = (
             replace(b, equations=tuple(_paired(b.equations, referred))) if isinstance(b, Display) and not b.boxed else b
@@ -264,13 +260,6 @@ def _kind(e: Equation) -> str:
     return next((k for k in sorted(_IN_PAIRS, key=len, reverse=True) if (e.label or "").startswith(f"{k}-")), "")
 
 
-def _parts_of(block: Block) -> Iterator[Part]:
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
-
-
 def _defined_once(block: Display, defined: dict[object, object]) -> Display:
     """A box without its last line, a letter for a denominator, where a box before it has the same."""
     last = block.equations[-1]
@@ -293,10 +282,8 @@ def _defined_once(block: Display, defined: dict[object, object]) -> Display:
 
 def together_shortly(classification: Classification, block: Block) -> Block:
     """What the constraints imply together, in one sentence instead of the construction of derived systems."""
-    if not isinstance(block, Prose) or not block.parts or not isinstance(block.parts[0], str):
-        return block
     flag = classification.flag
-    if not block.parts[0].startswith("Taken together, the constraints may imply") or len(flag.ranks) < 2:
+    if not has_purpose(block, Purpose.FORMS_TOGETHER) or len(flag.ranks) < 2:
         return block
     several = sum(c.integrable is True for c in classification.constraints)
     if several == flag.integrable_rank == len(classification.constraints) - 1 and _rest_is_finite(classification):
@@ -332,89 +319,83 @@ def _relations(together: int, single: int) -> str:
 
 def likewise_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
     """Frobenius' product of further forms in the paragraphs that say what follows; equal ones once."""
-    waiting: list[Prose] = []
-    for block in _each_in_a_line(body):
-        first = waiting[0] if waiting else None
-        if first is not None and isinstance(block, Prose) and _product_of(block) == _product_of(first) != ():
-            waiting.append(block)
-            continue
-        yield from _as_one(waiting)
-        waiting = [block] if isinstance(block, Prose) and _product_of(block) else []
-        if not waiting:
-            yield block
-    yield from _as_one(waiting)
-
-
-_NOT_EITHER = " is not exact either: "
-
-
-def _product_of(block: Prose) -> tuple[Part, ...]:
-    """`ω ∧ dω = ..., which does not vanish` of a paragraph on a further form; nothing of any other."""
-    starts = [n for n, p in enumerate(block.parts) if isinstance(p, str) and p.startswith("which do")]
-    if len(block.parts) < 2 or block.parts[1] != _NOT_EITHER or len(starts) != 1:
-        return ()
-    begin = max(n for n, p in enumerate(block.parts[: starts[0]]) if isinstance(p, Ref))
-    return block.parts[begin + 1 : starts[0]]
-
-
-def _as_one(paragraphs: Sequence[Prose]) -> Iterator[Block]:
-    """`(6) and (7) are not exact either: for (6), ... With ω for either of them, ...: neither is integrable.`"""
-    if len(paragraphs) < 2:
-        yield from paragraphs
-        return
-    first = paragraphs[0]
-    refs = [p.parts[0] for p in paragraphs]
-    end = next(n for n, p in enumerate(first.parts) if n > 1 and isinstance(p, str) and p.endswith("."))
-    pair = first.parts[2:end]
-    letter = next(p for p in first.parts[end:] if isinstance(p, Math))
-    each = "either of them" if len(refs) == 2 else "each of them"
-    none = "neither" if len(refs) == 2 else "none of them"
-    many = (
-        " which do not vanish"
-        if any(" more component" in str(p) for p in _product_of(first))
-        else " which does not vanish"
-    )
-    product = _product_of(first)
-    product = (*product[:-1], f"{str(product[-1]).rstrip()}") if isinstance(product[-1], str) else product
-    yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}",
-                *product, f"{many}: {none} is integrable.")  # fmt: skip
-
-
-def _each_in_a_line(body: Sequence[Block]) -> Iterator[Block]:
     blocks = list(body)
+    alike: list[_FurtherForm] = []
     n = 0
     while n < len(blocks):
-        four = blocks[n : n + 4]
-        if _is_likewise(four):
-            first, question, shown, end = four
-            assert isinstance(first, Prose)
-            assert isinstance(question, Prose)
-            assert isinstance(shown, Display)
-            assert isinstance(end, Prose)
-            [e] = shown.equations
-            more: tuple[Part, ...] = (" ", *e.condition) if e.condition else ()
-            verdict = str(end.parts[0]).replace("This does", "which does" if not more else "which do", 1)
-            product = prose(*question.parts, math(*e.sides), *more, ", ", verdict, *end.parts[1:])
-            yield paragraph(first, product)
-            n += 4
-        else:
+        form = _further_form(blocks[n : n + 4])
+        if form is None or (alike and not alike[0].is_like(form)):
+            yield from _as_one(alike)
+            alike = []
+        if form is None:
             yield blocks[n]
             n += 1
+        else:
+            alike.append(form)
+            n += 4
+    yield from _as_one(alike)
 
 
-def _is_likewise(blocks: Sequence[Block]) -> bool:
-    if len(blocks) < 4 or not all(isinstance(blocks[k], Prose) for k in (0, 1, 3)):
-        return False
-    shown = blocks[2]
-    if (
-        not isinstance(shown, Display)
-        or len(shown.equations) != 1
-        or not isinstance(shown.equations[0].sides[-1], sp.Expr)
-    ):
-        return False
-    words = [str(p.parts[0]) if isinstance(p, Prose) else "" for p in (blocks[1], blocks[3])]
-    length = count_operations(shown.equations[0].sides[-1])
-    return words[0].startswith("With ") and words[1].startswith("This does not vanish") and length <= LONGEST_IN_LINE
+@record
+class _FurtherForm:
+    """`(7) is not exact either: ... With ω now for the form (7), ω ∧ dω = ... . This does not vanish: ...`"""
+
+    exactness: Prose
+    question: Prose
+    shown: Equation
+    verdict: Prose
+
+    @property
+    def product(self) -> tuple[Part, ...]:
+        """`ω ∧ dω = ... and two more components`."""
+        more = (" ", *self.shown.condition) if self.shown.condition else ()
+        return (math(*self.shown.sides), *more)
+
+    @property
+    def does_not(self) -> str:
+        """`which do` of several components."""
+        return "which do" if self.shown.condition else "which does"
+
+    def is_like(self, other: _FurtherForm) -> bool:
+        """Whether the products are the same, so that a paragraph can be about both."""
+        purposes = {self.exactness.purpose, other.exactness.purpose}
+        return purposes == {Purpose.NOT_EXACT_EITHER} and self.product == other.product
+
+    def in_a_line(self) -> Prose:
+        """The paragraph on this form alone."""
+        subject = index_of(Purpose.SUBJECT, self.verdict.parts)
+        rest = self.verdict.parts if subject is None else self.verdict.parts[subject + 1 :]
+        return paragraph(self.exactness, prose(*self.question.parts, *self.product, ", ", self.does_not, *rest))
+
+
+def _further_form(blocks: Sequence[Block]) -> _FurtherForm | None:
+    """Four blocks on a form after the theorem has been stated, if its product is short."""
+    if len(blocks) < 4:
+        return None
+    exactness, question, shown, verdict = blocks
+    if not isinstance(exactness, Prose) or not isinstance(shown, Display) or len(shown.equations) != 1:
+        return None
+    if not has_purpose(question, Purpose.NEXT_PRODUCT) or not has_purpose(verdict, Purpose.NEXT_NOT_INTEGRABLE):
+        return None
+    [e] = shown.equations
+    value = e.sides[-1]
+    if not isinstance(value, sp.Expr) or count_operations(value) > LONGEST_IN_LINE:
+        return None
+    return _FurtherForm(exactness, question, e, verdict)
+
+
+def _as_one(forms: Sequence[_FurtherForm]) -> Iterator[Block]:
+    """`(6) and (7) are not exact either: for (6), ... With ω for either of them, ...: neither is integrable.`"""
+    if len(forms) < 2:
+        yield from (form.in_a_line() for form in forms)
+        return
+    first = forms[0]
+    refs = [form.exactness.parts[0] for form in forms]
+    pair = first.exactness.parts[2:-1]
+    letter = next(p for p in first.question.parts if isinstance(p, Math))
+    each, none = ("either of them", "neither") if len(refs) == 2 else ("each of them", "none of them")
+    yield prose(*listed(refs), " are not exact either: for ", refs[0], ", ", *pair, ". With ", letter, f" for {each}, ",
+                *first.product, f", {first.does_not} not vanish: {none} is integrable.")  # fmt: skip
 
 
 def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:
@@ -473,7 +454,7 @@ def without_momenta(step: Step) -> Step:
             kept = tuple(e for e in block.equations if not (e.label or "").startswith("momentum-"))
             before = body[-1]
             assert isinstance(before, Prose)
-            body[-1] = replace(before, parts=tuple(_without_momentum(p) for p in before.parts))
+            body[-1] = replace(before, parts=tuple(map(_without_momentum, before.parts)))
             positions = [e for e in kept if (e.label or "").startswith("position-")]
             block = replace(block, equations=(*positions, *(e for e in kept if e not in positions)))
         body.append(block)
@@ -481,14 +462,7 @@ def without_momenta(step: Step) -> Step:
 
 
 def _without_momentum(part: Part) -> Part:
-    if not isinstance(part, str):
-        return part
-    part = part.replace(
-        "Its angular velocity and its angular momentum about the mass centre are", "Its angular velocity is"
-    )
-    momenta = ", angular velocities and angular momenta(?: about the mass centres)?"
-    part = re.sub(momenta, " and angular velocities", part)
-    return capital(part) if part.startswith("its angular") else part
+    return part.instead if isinstance(part, Phrase) and part.purpose is Purpose.MOMENTA else part
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:
@@ -496,7 +470,7 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
 
     With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
     """
-    asked = next((a for a in solution.asked if step.title == f"Question: {spoken(a.question.name)}"), None)
+    asked = next((a for a in solution.asked if step.about and step.about == a.question.name), None)
     if asked is None:
         return step
     simple = {
@@ -512,7 +486,7 @@ def questions_shortly(solution: Solution, step: Step) -> Step:
         before = body.pop() if body and isinstance(body[-1], Prose) else None
         if not simple or not short.equations or _longest(short) > LONGEST_STEP:
             continue
-        if isinstance(before, Prose) and str(before.parts[0]).startswith("In terms of"):
+        if has_purpose(before, Purpose.IN_TERMS_OF):
             given = listed(math(a, b) for a, b in simple.items() if not str(a).endswith("''"))
             before = prose("With ", *given, ", the equations of motion give")
         body += [before, short] if before is not None else [short]

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import listed, prose
+from lagrange.document.builders import has_purpose, index_of, listed, prose
 from lagrange.document.derivation import Block, Display, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.words import plural
 from lagrange.mechanics.results import Solution
 
@@ -51,8 +52,7 @@ def _is_beside_the_point(solution: Solution) -> bool:
 
 
 def _is_of_same(step: Step) -> bool:
-    first = step.body[0] if step.body else None
-    return isinstance(first, Prose) and str(first.parts[0]).startswith("Time does not appear in ")
+    return bool(step.body) and has_purpose(step.body[0], Purpose.TIMELESS)
 
 
 def _referred(step: Step) -> set[str]:
@@ -74,9 +74,10 @@ def _by_theorem(block: Block) -> Block:
     """`..., so the system is nonholonomic`, with the name of the theorem that says so."""
     if not isinstance(block, Prose):
         return block
-    first, *rest = block.parts
-    why = ", so the system is "
-    return replace(block, parts=(str(first).replace(why, f" (Frobenius' theorem){why}", 1), *rest))
+    why = index_of(Purpose.CONCLUSION, block.parts)
+    if why is None:
+        return block
+    return replace(block, parts=(*block.parts[:why], " (Frobenius' theorem)", *block.parts[why:]))
 
 
 def _with_variations(solution: Solution) -> Prose:
@@ -84,4 +85,4 @@ def _with_variations(solution: Solution) -> Prose:
     rows = solution.own.configuration.rows
     refs = listed(Ref(f"constraint-{r.name}") for r in rows)
     return prose("Time does not appear in ", *refs, ". Virtual displacements satisfy ", plural(len(rows), "it", "them"),
-                 " with δ in place of d/dt:")  # fmt: skip
+                 " with δ in place of d/dt:", purpose=Purpose.TIMELESS)  # fmt: skip

@@ -12,8 +12,9 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, TimeDerivative, Wedge, differential, variation
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
 from lagrange.explain.displacements import conditions, explain_displacements
 from lagrange.explain.limits import LONGEST_SOLUTION
@@ -32,9 +33,9 @@ def explain_short_forms(short: Classification, slots: Slots) -> Step:
     step = explain_forms(short, slots)
     first = step.body[0]
     assert isinstance(first, Prose)
-    at = next(n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith((", and", " is", " are")))
-    follows = first.parts[at]
-    comma = "" if isinstance(follows, str) and follows.startswith(",") else ","
+    at = index_of(Purpose.VERB, first.parts)
+    assert at is not None
+    comma = "," if at == len(first.parts) - 1 else ""
     parts = (*first.parts[:at], f", without common factors{comma}", *first.parts[at:])
     return replace(step, body=(replace(first, parts=parts), *step.body[1:]))
 
@@ -181,8 +182,7 @@ def without_division(solution: Solution, step: Step) -> Step:
 
 
 def _is_solution(block: Block) -> bool:
-    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-    return isinstance(first, str) and first.startswith("Solving for ")
+    return has_purpose(block, Purpose.SOLVING)
 
 
 def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:

@@ -14,8 +14,9 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import law_of, natures
 from lagrange.explain.page.coordinates import is_letter
@@ -212,7 +213,7 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     body: list[Block] = [
         prose(
             "Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
-            f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,",
+            f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", purpose=Purpose.TIMELESS,
         ),
         display(*lines),
         prose("In them the ", plural(len(works), "reaction does no work:", "reactions together do no work:")),
@@ -273,8 +274,8 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
         return step
     at = next(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
     last = max(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
-    before = [b for b in step.body[: at - 1] if not _is_free_body(b)]
-    after = [b for b in step.body[last + 1 :] if not _is_free_body(b)]
+    before = [b for b in step.body[: at - 1] if not has_purpose(b, Purpose.ACTING)]
+    after = [b for b in step.body[last + 1 :] if not has_purpose(b, Purpose.ACTING)]
     moments = any((e.label or "").startswith("couple") for e in sums)
     forces = any((e.label or "").startswith("reaction") for e in sums)
     what = joined(["the reactions"] * forces + ["their moments about the mass centres"] * moments)
@@ -282,12 +283,6 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
     if sentences:
         before = [b for b in before if not isinstance(b, Prose)] + [paragraph(*sentences)]
     return replace(step, body=(*before, prose(f"On each body {what} add up to"), display(*sums), *after))
-
-
-def _is_free_body(block: Block) -> bool:
-    """Whether it lists what acts on a body, as the figure and the equations do."""
-    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-    return isinstance(first, str) and first.startswith(("On ", "No force acts on "))
 
 
 def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
@@ -324,7 +319,7 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
     for block in step.body:
         if isinstance(block, Display) and (block.equations[0].label or "").startswith(labels):
             body.pop()
-        elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
+        elif not has_purpose(block, Purpose.ONLY_SUM):
             body.append(block)
     return replace(step, body=(*body, *_single(several, ())))
 
@@ -352,7 +347,8 @@ def work_by_forms(solution: Solution, step: Step) -> Step:
         (math(first.reaction.force), " times the left side of ", Ref(f"virtual-{first.reaction.name}"))
     ]
     terms += [(math(w.reaction.force), " times that of ", Ref(f"virtual-{w.reaction.name}")) for w in others]
-    words = prose("In a virtual displacement the work of the reactions is the sum of ", *series(terms), ":")
+    words = prose("In a virtual displacement the work of the reactions is the sum of ", *series(terms),
+                  Phrase(":", Purpose.LEFT_SIDES))  # fmt: skip
     before = [*step.body[: at - 1]]
     if before and isinstance(before[-1], Prose):
         words = paragraph(before.pop(), words)  # type: ignore[arg-type]
@@ -371,11 +367,10 @@ def contact_once(step: Step) -> Step:
     body: list[Block] = []
     for block in step.body:
         before = body[-1] if body else None
-        leads = isinstance(before, Prose) and str(before.parts[-1]).endswith("that is,")
+        leads = isinstance(before, Prose) and index_of(Purpose.THAT_IS, before.parts[-1:]) is not None
         again = isinstance(block, Display) and not block.boxed and all(e.sides[0] in known for e in block.equations)
         if leads and again and isinstance(before, Prose):
-            last = str(before.parts[-1]).removesuffix("that is,").rstrip(", ")
-            body[-1] = replace(before, parts=(*before.parts[:-1], f"{last}."))
+            body[-1] = replace(before, parts=(*before.parts[:-1], "."))
         else:
             body.append(block)
     return replace(step, body=tuple(body))

@@ -10,21 +10,21 @@ import sympy as sp
 
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, CrossProduct, UnitVector, Unspecified, VectorSymbol, base, prime
-from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.builders import display, index_of, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
-from lagrange.explain.motion import label_of
+from lagrange.explain.motion import label_from_principle
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
-from lagrange.mechanics.rewriting.held_coordinates import held_values, where_held
+from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
-from lagrange.mechanics.rewriting.remaining_velocities import in_remaining_velocities
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.turning import Turning
 from lagrange.problem.model import Problem
@@ -86,7 +86,7 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
         return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
-        yield prose(Emphasis("In short"), ",")
+        yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
@@ -142,7 +142,7 @@ def _conserved(
             return
         step = made
     proofs = [proof_of(conserved, i) for i in conserved.integrals]
-    equations = {label_of(conserved.motion, e) for e in conserved.motion.equations}
+    equations = {label_from_principle(conserved.motion, e) for e in conserved.motion.equations}
     proven = labels is None or not conserved.integrals or equations <= {*labels}
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
@@ -160,7 +160,10 @@ def _conserved(
         called = quantity_of(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
         quantity = math(in_remaining_velocities(integral.expression, conserved.motion), CONSTANT)
-        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+        purpose = (
+            Purpose.CONSERVED if called in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI) else Purpose.MOMENTUM
+        )
+        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".", purpose=purpose)
 
 
 def _balances_loads(integral: Integral, conserved: Conserved) -> bool:
@@ -232,8 +235,8 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
         if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)
-            words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)
-            blocks[n - 1 : n + 1] = [replace(before, parts=words)]
+            along = index_of(Purpose.ALONG, before.parts)
+            blocks[n - 1 : n + 1] = [replace(before, parts=before.parts[:along])]
             break
     return iter(blocks)
 
@@ -342,9 +345,9 @@ def _rest(meaning: ResultMeaning) -> Iterator[Block]:
             q = _coordinate(meaning)
             near = math(q, branch.relations[0].rhs + xi) if branch.relations[0].lhs == q else place
             motion = (": ", near, ", ", equation, ", with the period ")
-            periods.append(prose(Emphasis("Small motion"), *motion, math(period), "."))
+            periods.append(prose(Emphasis("Small motion"), *motion, math(period), ".", purpose=Purpose.SMALL_MOTION))
     if places:
-        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".")
+        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".", purpose=Purpose.AT_REST)
     yield from periods
 
 
@@ -397,7 +400,7 @@ def _limit(limit: LimitingCase, final: Sequence[sp.Expr]) -> Block:
     forces: tuple[Part, ...] = ()
     if limit.reactions:
         forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
-    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".")
+    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".", purpose=Purpose.LIMIT)
 
 
 def _units(meaning: ResultMeaning) -> Iterator[Block]:
@@ -405,7 +408,7 @@ def _units(meaning: ResultMeaning) -> Iterator[Block]:
         return
     first, other, unit = meaning.terms
     yield prose(Emphasis("Units"), ": in the equation of motion every term is in ", f"{raised(unit)}: ", math(other),
-                " like ", math(first), ".")  # fmt: skip
+                " like ", math(first), ".", purpose=Purpose.UNITS)  # fmt: skip
 
 
 def _caution(meaning: ResultMeaning) -> Iterator[Block]:

@@ -10,13 +10,14 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, variation
 from lagrange.core.vectors import FIXED, Vector
-from lagrange.document.builders import display, listed, math, paired, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, prose
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.displacements import conditions, of_points, solved_displacements
 from lagrange.explain.limits import LONGEST_DISPLACEMENT, LONGEST_SUM
-from lagrange.explain.motion import WRITTEN_OUT, accelerations_of
+from lagrange.explain.motion import accelerations_of
 from lagrange.explain.page.system import are_short
-from lagrange.explain.words import plural, suffix_of
+from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
@@ -36,11 +37,14 @@ def displacements_shortly(step: Step) -> Step:
 
 def without_lecture(step: Step) -> Step:
     """Lagrange's equations with no more than the first sentence of why T is not reduced before it is differentiated."""
-    body = [
-        prose(*b.parts[:3]) if isinstance(b, Prose) and "not substituted into" in str(b.parts[0]) else b
-        for b in step.body
-    ]
-    return replace(step, body=tuple(body))
+    return replace(step, body=tuple(map(_without_reasons, step.body)))
+
+
+def _without_reasons(block: Block) -> Block:
+    if not has_purpose(block, Purpose.NOT_SUBSTITUTED):
+        return block
+    end = index_of(Purpose.REASON, block.parts)
+    return block if end is None else prose(*block.parts[: end + 1])
 
 
 def displacements_of_geometric(configuration: Configuration, elimination: Elimination) -> Step:
@@ -49,7 +53,7 @@ def displacements_of_geometric(configuration: Configuration, elimination: Elimin
     lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
     body = (
         prose("Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
-              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,"),
+              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,", purpose=Purpose.TIMELESS),
         display(*lines),
         *solved_displacements(elimination, configuration),
         *of_points(configuration, elimination),
@@ -81,7 +85,7 @@ def principle_shortly(step: Step, coordinates: frozenset[object], *, known: bool
         kinematic = all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
         if (known and kinematic) or all(_is_evident(e, coordinates) for e in block.equations):
             body[n - 1 : n + 1] = []
-            at = body.index(prose(WRITTEN_OUT))
+            at = next(k for k, b in enumerate(body) if has_purpose(b, Purpose.WRITTEN_OUT))
             before, after = body[at - 1], body[at + 1]
             if isinstance(before, Display) and isinstance(after, Display):
                 body[at - 1 : at + 2] = [display(*before.equations, *after.equations)]
@@ -169,9 +173,9 @@ def _conditional(block: Block, excluded: Sequence[sp.Expr], motion: EquationsOfM
 
 def in_one_step(coordinates: Step, equations: Step) -> tuple[Step, Step]:
     """Generalized coordinates and the equations in them under one title."""
-    first, _, choice = coordinates.title.partition(" (")
-    second, _, _ = equations.title.partition(" (")
-    title = f"{first} and {second[:1].lower()}{second[1:]}{f' ({choice}' if choice else ''}"
+    choice = title_in("", coordinates.choice)
+    first, second = (step.title.removesuffix(choice) for step in (coordinates, equations))
+    title = f"{first} and {second[:1].lower()}{second[1:]}{choice}"
     body = tuple(
         replace(b, equations=paired(b.equations)) if isinstance(b, Display) and are_short(b.equations) else b
         for b in coordinates.body
@@ -205,8 +209,7 @@ def _is_kinematic(block: Display) -> bool:
 def without_multipliers(step: Step) -> Step:
     """The equations without those with multipliers, where Newton's law has given the same."""
     body = list(step.body)
-    begins = (n for n, b in enumerate(body) if isinstance(b, Prose) and str(b.parts[0]).startswith("With multipliers"))
-    at = next(begins, None)
+    at = next((n for n, b in enumerate(body) if has_purpose(b, Purpose.MULTIPLIERS)), None)
     return step if at is None else replace(step, body=tuple(body[:at] + body[at + 2 :]))
 
 

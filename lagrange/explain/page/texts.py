@@ -27,7 +27,6 @@ _SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])
 _ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
 _NUMBERED = re.compile(r"[a-z]_?\d")
 """Vectors whose names are no words: n1, e_3."""
-_NAMED = re.compile(r"`(\w+)` is not declared")
 _WORDS = frozenset({"a", "A", "I"})
 
 
@@ -54,7 +53,7 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
     try:
         return _read(text, problem.scope)
     except ProblemError as error:
-        names = [name for d in error.diagnostics if d.code == "unknown-symbol" for name in _NAMED.findall(d.message)]
+        names = [d.about for d in error.diagnostics if d.code == "unknown-symbol"]
     known = {name: sp.Symbol(name, real=True) for name in names}
     try:
         return _read(text, replace(problem.scope, scalars={**known, **problem.scope.scalars}))

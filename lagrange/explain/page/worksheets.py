@@ -28,6 +28,7 @@ from lagrange.document.derivation import (
     Step,
     Task,
 )
+from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import LEAST_ROOM, LINES_OF_EQUATION, MOST_ROOM
 from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
 from lagrange.explain.words import as_stated, constraints_called, plural, spoken
@@ -145,7 +146,7 @@ def _task(solution: Solution, steps: Sequence[Step]) -> tuple[str, tuple[Part, .
         return _about_motion(view, rules)
     [rule] = rules
     if rule is Rule.QUESTION:
-        return _about_question(solution.problem.questions, steps[0].title)
+        return _about_question(solution.problem.questions, steps[0])
     if rule is Rule.MEANING:
         return "What it says", _about_meaning(steps[0])
     if rule in _TASKS:
@@ -219,30 +220,32 @@ def _about_motion(view: InCoordinates, rules: set[Rule]) -> tuple[str, tuple[Par
     return title, tuple(words)
 
 
-def _about_question(questions: Sequence[Question], title: str) -> tuple[str, tuple[Part, ...]]:
+def _about_question(questions: Sequence[Question], step: Step) -> tuple[str, tuple[Part, ...]]:
     for q in questions:
-        if title == f"Question: {spoken(q.name)}":
+        if step.about == q.name:
             by: tuple[Part, ...] = () if q.by is None else (" as a function of ", math(q.by))
             when = (" when ", *listed(map(as_stated, q.when))) if q.when else ()
-            return title, ("Find ", math(q.quantity), *by, *when, ".")
-    return title, ("Integrate the equations of motion from the initial state as far as you can.",)
+            return step.title, ("Find ", math(q.quantity), *by, *when, ".")
+    return step.title, ("Integrate the equations of motion from the initial state as far as you can.",)
 
 
 _OF_MEANING = {
-    "At rest": "Where can the system stay at rest, and is it stable there?",
-    "Small motion": "How long is the period of small oscillations?",
-    "Limit": "Check a limit in which the result is plain.",
-    "Units": "Check the units.",
+    Purpose.AT_REST: "Where can the system stay at rest, and is it stable there?",
+    Purpose.SMALL_MOTION: "How long is the period of small oscillations?",
+    Purpose.LIMIT: "Check a limit in which the result is plain.",
+    Purpose.UNITS: "Check the units.",
 }
-"""What is asked by the catchwords of the paragraphs; those of conserved quantities have names of their own."""
-_NO_QUESTION = ("In short", "One way", "Caution")
+"""What is asked where there is a paragraph of that purpose."""
 
 
 def _about_meaning(step: Step) -> tuple[Part, ...]:
-    words = [b.parts[0].word for b in step.body if isinstance(b, Prose) and isinstance(b.parts[0], Emphasis)]
-    conserved = any(w not in _OF_MEANING and w not in _NO_QUESTION for w in words)
+    purposes = {b.purpose for b in step.body if isinstance(b, Prose)}
+    labels = (e.label or "" for b in step.body if isinstance(b, Display) for e in b.equations)
+    conserved = purposes & {Purpose.CONSERVED, Purpose.MOMENTUM} or any(
+        label.startswith("conserved") for label in labels
+    )
     sentences = ["Which quantities does the motion conserve?"] if conserved else []
-    sentences += [sentence for word, sentence in _OF_MEANING.items() if word in words]
+    sentences += [sentence for purpose, sentence in _OF_MEANING.items() if purpose in purposes]
     return (" ".join(sentences),) if sentences else ()
 
 

@@ -14,6 +14,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.document.references import referring_to
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
 from lagrange.explain.rest.equilibrium import but_for_drift, full_turns, outside_ranges, singular_places, why_it_drifts
@@ -88,7 +89,7 @@ def _copies(n: int, linearization: Linearization) -> Iterator[Block]:
         return
     places: list[tuple[Part, ...]] = []
     for turned, numbers in sorted(groups.items(), key=lambda group: len(group[0])):
-        refs = listed(Ref(label_of(linearization, "at-rest", k)) for k in numbers)
+        refs = listed(Ref(label_about_equilibrium(linearization, "at-rest", k)) for k in numbers)
         signs = plural(len(turned), " with the sign of ", " with the signs of ")
         end: tuple[Part, ...] = (signs, *listed(math(x) for x in turned), " reversed") if turned else ()
         places.append(("about ", *refs, *end))
@@ -98,7 +99,7 @@ def _copies(n: int, linearization: Linearization) -> Iterator[Block]:
                 detail=Detail.BRIEF)  # fmt: skip
 
 
-def label_of(linearization: Linearization, kind: str, n: int) -> str:
+def label_about_equilibrium(linearization: Linearization, kind: str, n: int) -> str:
     """The label of an equation about the nth equilibrium."""
     return f"{kind}{suffix_of(linearization.configuration.name)}-{n}"
 
@@ -126,7 +127,12 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
         one = len(shown) == 1
         yield prose(start, ", and the equation of motion reduces to" if one else
                     ", and the equations of motion reduce to")  # fmt: skip
-        yield display(*(Equation((c, ZERO), label=label_of(linearization, "rest", n)) for n, c in enumerate(shown, 1)))
+        yield display(
+            *(
+                Equation((c, ZERO), label=label_about_equilibrium(linearization, "rest", n))
+                for n, c in enumerate(shown, 1)
+            )
+        )
         start = "This holds"
     if not linearization.branches:
         nowhere = f"{start} nowhere: there is no equilibrium."
@@ -143,10 +149,12 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
             yield prose("every position.")
             continue
         last = lines[-1]
-        lines[-1] = Equation(last.sides, label=label_of(linearization, "at-rest", n), condition=branch_conditions(b))
+        lines[-1] = Equation(
+            last.sides, label=label_about_equilibrium(linearization, "at-rest", n), condition=branch_conditions(b)
+        )
         yield display(*lines, detail=Detail.BRIEF)
     branches = enumerate(linearization.branches, start=1)
-    yield from existence_left_open((Ref(label_of(linearization, "at-rest", n)), b) for n, b in branches)
+    yield from existence_left_open((Ref(label_about_equilibrium(linearization, "at-rest", n)), b) for n, b in branches)
     yield from singular_places(e)
     yield from outside_ranges(e)
     yield from full_turns(e)
@@ -180,7 +188,7 @@ def explain_about(
 ) -> Iterator[Block]:
     """The linear equations about one equilibrium, or whatever `noun` says; its relations are those of the branch."""
     is_stated = bool(b.equations if relations is None else relations)
-    place: Part = Ref(label_of(linearization, "at-rest", n)) if is_stated else "any position"
+    place: Part = Ref(label_about_equilibrium(linearization, "at-rest", n)) if is_stated else "any position"
     if s is None:
         if b.left or b.special or any(linearization.branches[k] is b for k in linearization.omitted):
             return
@@ -204,7 +212,10 @@ def explain_about(
     yield prose("About ", place, *taken, plural(len(s.equations), " the equation of motion becomes",
                                                 " the equations of motion become"))  # fmt: skip
     hidden = s.judgement.stability.verdict is StabilityVerdict.UNSTABLE
-    lines = [Equation((e, ZERO), label=label_of(linearization, f"linear-{k}", n)) for k, e in enumerate(s.equations, 1)]
+    lines = [
+        Equation((e, ZERO), label=label_about_equilibrium(linearization, f"linear-{k}", n))
+        for k, e in enumerate(s.equations, 1)
+    ]
     yield display(*lines, boxed=not hidden, detail=Detail.STEPS if hidden else Detail.BRIEF)
     yield from _bound(s, linearization)
     yield from _matrices(s)
@@ -218,7 +229,7 @@ def explain_about(
         yield prose(f"{several} to a uniform motion: ", *why_it_drifts(drift, V), ". So ", *named, " is ",
                     *but_for_drift(drift), ".", detail=Detail.BRIEF)  # fmt: skip
         return
-    yield from _verdict(named, s, label_of(linearization, "omega-1", n), exact=is_linear(linearization))
+    yield from _verdict(named, s, label_about_equilibrium(linearization, "omega-1", n), exact=is_linear(linearization))
 
 
 def _bound(s: SmallOscillations, linearization: Linearization) -> Iterator[Block]:
@@ -253,11 +264,11 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
         return
     if s.long_square is not None:
         [x] = (linearization.displacements[k] for k in s.free)
-        equation = Ref(label_of(linearization, "linear-1", n))
+        equation = Ref(label_about_equilibrium(linearization, "linear-1", n))
         yield prose("There are solutions proportional to cos(", math(unknown), " ", math(TIME), "), where ",
                     math(unknown**2), " is the coefficient of ", math(x), " in ", equation, " divided by that of ",
                     math(prime(x, 2)), ".", detail=detail)  # fmt: skip
-        label = label_of(linearization, "omega-1", n)
+        label = label_about_equilibrium(linearization, "omega-1", n)
         yield display(Equation((unknown**2, s.long_square), label=label), detail=Detail.FULL)
         return
     if c is None:
@@ -269,18 +280,22 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     if len(s.free) > 1 and count_operations(c) <= LONGEST_CHARACTERISTIC:
         words = ", with constant amplitudes not all zero, exist if"
         yield prose("Solutions proportional to ", *wave, words, detail=detail)
-        yield display(Equation((c, ZERO), label=label_of(linearization, "frequencies", n)), detail=detail)
+        yield display(
+            Equation((c, ZERO), label=label_about_equilibrium(linearization, "frequencies", n)), detail=detail
+        )
         yield prose("The roots are" if closed else _not_closed(s), detail=detail)
     else:
-        amplitude = ", with a constant amplitude" if closed and len(s.free) == 1 else ""
-        amplitude = ", with constant amplitudes" if closed and len(s.free) > 1 else amplitude
-        yield prose("There are solutions proportional to ", *wave, f"{amplitude}, where", detail=detail)
+        subject = Phrase("There are", Purpose.SUBJECT, plural(len(s.free), "It has", "They have"))
+        amplitude = plural(len(s.free), ", with a constant amplitude", ", with constant amplitudes") if closed else ""
+        ending = Phrase(f"{amplitude}, where", Purpose.WHERE, " with")
+        purpose = Purpose.WAVES if closed else None
+        yield prose(subject, " solutions proportional to ", *wave, ending, detail=detail, purpose=purpose)
     several = len(s.frequencies) > 1
     lines = []
     for k, f in enumerate(s.frequencies, start=1):
         if f.square is not None:
             omega = sp.Symbol(f"{unknown.name}_{k}", real=True) if several else unknown
-            label = label_of(linearization, f"omega-{k}", n)
+            label = label_about_equilibrium(linearization, f"omega-{k}", n)
             ratios = _long_ratios(f, s, linearization)
             lines.append(
                 Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, linearization))
@@ -332,7 +347,7 @@ def _damped(n: int, s: SmallOscillations, linearization: Linearization) -> Itera
     wave = ("exp(", math(p), " ", math(TIME), ")")
     if c is not None and count_operations(c) <= LONGEST_CHARACTERISTIC:
         yield prose("Nonzero solutions proportional to ", *wave, " exist if")
-        yield display(Equation((c, ZERO), label=label_of(linearization, "exponents", n)))
+        yield display(Equation((c, ZERO), label=label_about_equilibrium(linearization, "exponents", n)))
     if s.damped is not None:
         yield from _one_damped(n, s, s.damped, linearization)
     elif s.decaying is not None and s.judgement.stability.verdict is not StabilityVerdict.UNSTABLE:
@@ -349,10 +364,12 @@ def _one_damped(
     yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio),
                 ", the decay rate ", math(sigma), ":")  # fmt: skip
     lines = [
-        Equation((own**2, damped.own), label=label_of(linearization, "own", n)),
-        Equation((ratio, damped.rate / own), label=label_of(linearization, "ratio", n)),
-        Equation((sigma, damped.rate), label=label_of(linearization, "decay", n)),
-        Equation((omega**2, own**2 * (1 - ratio**2), damped.square), label=label_of(linearization, "omega", n)),
+        Equation((own**2, damped.own), label=label_about_equilibrium(linearization, "own", n)),
+        Equation((ratio, damped.rate / own), label=label_about_equilibrium(linearization, "ratio", n)),
+        Equation((sigma, damped.rate), label=label_about_equilibrium(linearization, "decay", n)),
+        Equation(
+            (omega**2, own**2 * (1 - ratio**2), damped.square), label=label_about_equilibrium(linearization, "omega", n)
+        ),
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     less, more = (math(ratio, sp.S.One, relation=r) for r in ("<", ">"))
@@ -390,14 +407,18 @@ def _decaying(n: int, s: SmallOscillations, damped: DampedModes, linearization: 
         oscillates = m.square is not None and m.oscillates is not False
         critical: tuple[Part, ...] = ("twice",) if m.is_critical else ()
         lines.append(
-            Equation((name, rate), label=label_of(linearization, f"decay-{k}", n),
+            Equation((name, rate), label=label_about_equilibrium(linearization, f"decay-{k}", n),
                      condition=() if oscillates else (*critical, *((", " if critical and shape else "",)), *shape))
         )  # fmt: skip
         if oscillates and m.square is not None:
             own = sp.Symbol(f"{omega.name}_{k}", real=True) if several else omega
             where = ("where ", *sign_conditions([m.condition])) if m.condition is not None else ()
             words = (*where, ", " if where and shape else "", *shape)
-            lines.append(Equation((own**2, m.square), label=label_of(linearization, f"omega-{k}", n), condition=words))
+            lines.append(
+                Equation(
+                    (own**2, m.square), label=label_about_equilibrium(linearization, f"omega-{k}", n), condition=words
+                )
+            )
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if any(m.condition is not None for m in damped.modes):
         root = sp.Pow(-(omega**2), sp.S.Half, evaluate=False)

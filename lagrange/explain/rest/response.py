@@ -10,6 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, extremes
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -121,9 +122,12 @@ def _resonance(response: Response) -> Iterator[Block]:
     elif response.resonances:
         count = len(response.resonances)
         words = plural(count, "a frequency of free oscillations", "frequencies of free oscillations")
+        without = "resonance there is no steady state, and the amplitude grows without bound as it is approached."
         yield prose(
-            f"The denominator vanishes at {words}: at resonance there is no steady state, and the amplitude grows "
-            "without bound as it is approached."
+            "The denominator vanishes at ",
+            Phrase(words, Purpose.NOUN),
+            Phrase(f": at {without}", Purpose.AFTERMATH, f". At {without}"),
+            purpose=Purpose.RESONANCE,
         )
         lines = [
             Equation((w**2, e), label=_label(response.forced, f"resonance-{n}"))

@@ -10,7 +10,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
-from lagrange.explain.rest.oscillations import explain_about, explain_omitted, label_of
+from lagrange.explain.rest.oscillations import explain_about, explain_omitted, label_about_equilibrium
 from lagrange.explain.words import are, branch_conditions, plural, title_in
 from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 from lagrange.mechanics.momenta.steady_motions import Family, SteadyMotions
@@ -61,7 +61,9 @@ def _conditions(motions: SteadyMotions) -> Iterator[Block]:
         "The equations of motion of the others become",
     )
     yield paragraph(prose(*listed(cyclic), verb), steady, prose(become))
-    yield display(*(Equation((c, ZERO), label=label_of(about, "steady", n)) for n, c in enumerate(shown, 1)))
+    yield display(
+        *(Equation((c, ZERO), label=label_about_equilibrium(about, "steady", n)) for n, c in enumerate(shown, 1))
+    )
 
 
 def _is_contradictory(steady: SteadyMotions) -> bool:
@@ -90,7 +92,7 @@ def _branches(steady: SteadyMotions) -> Iterator[Block]:
         if not lines:
             yield prose("all values of the coordinates.")
             continue
-        label = label_of(family.about, "at-rest", n)
+        label = label_about_equilibrium(family.about, "at-rest", n)
         anywhere = ("in any position",) if family.rates and not b.equations and _without(family, coordinates) else ()
         lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b) or anywhere)
         yield display(*lines, boxed=True, detail=Detail.BRIEF)

@@ -25,10 +25,15 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.brackets import Manoeuvre, manoeuvre
 from lagrange.algebra.forms.combinations import combination
-from lagrange.algebra.forms.combined_relations import CombinedRelation, combined_relations
-from lagrange.algebra.forms.hidden_relations import HiddenRelations, differential_of, hidden_relations
+from lagrange.algebra.forms.derived_flag import Manoeuvre, manoeuvre
+from lagrange.algebra.forms.hidden_relations import (
+    CombinedRelation,
+    HiddenRelations,
+    combined_relations,
+    differential_of,
+    hidden_relations,
+)
 from lagrange.algebra.forms.integrability import Flag, derived_flag
 from lagrange.core.diagnostics import UndecidedError
 from lagrange.core.records import record

@@ -30,7 +30,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
-from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
 from lagrange.algebra.forms.integrability import (
@@ -41,8 +40,9 @@ from lagrange.algebra.forms.integrability import (
     is_integrable,
     writer,
 )
+from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, is_many_waves, tidied, written
+from lagrange.algebra.fourier.vector_cleanup import cleaned_up, in_differences, is_many_waves, tidied
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
@@ -166,8 +166,8 @@ def constraint_row(constraint: Constraint, slots: Slots) -> Row:
     """The differential form of a constraint, or Chetaev's coefficients if it is not linear in the velocities."""
     f = constraint.function
     if not constraint.kinematic:
-        gradient = tuple(written(f.diff(q)) for q in slots.coordinates)
-        return Row(constraint.name, gradient, written(slots.frozen_derivative(f)), f)
+        gradient = tuple(cleaned_up(f.diff(q)) for q in slots.coordinates)
+        return Row(constraint.name, gradient, cleaned_up(slots.frozen_derivative(f)), f)
     at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     coefficients = tuple(_coefficient(f, v, slots) for v in slots.velocities)
     if any(c is None for c in coefficients):

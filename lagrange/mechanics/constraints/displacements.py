@@ -24,7 +24,7 @@ import sympy as sp
 from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short, ordered_differences, written
+from lagrange.algebra.fourier.vector_cleanup import cleaned_up, in_differences, is_short, ordered_differences
 from lagrange.core.expression_size import Sizes
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
@@ -331,5 +331,5 @@ def _tidy(entry: sp.Expr) -> sp.Expr:
     reduced = _cancelled(entry)
     if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
-    tidied = written(reduced)
+    tidied = cleaned_up(reduced)
     return tidied if count_operations(tidied) <= count_operations(reduced) else reduced

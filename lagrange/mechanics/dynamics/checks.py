@@ -47,7 +47,7 @@ from lagrange.mechanics.dynamics.comparison import (
     agreed_in_motion,
     compare,
     follow,
-    state,
+    random_state,
     symbols_of,
 )
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
@@ -101,7 +101,7 @@ def _vanish(parts: tuple[sp.Expr, ...], configuration: Configuration) -> bool | 
     def vanish(moving: Point) -> bool:
         return all(moving.is_zero(e) for e in parts)
 
-    return agreed(configuration.surface, vanish, parts, prepare=lambda p: state(p, configuration, symbols))
+    return agreed(configuration.surface, vanish, parts, prepare=lambda p: random_state(p, configuration, symbols))
 
 
 @record

@@ -77,7 +77,7 @@ class System:
         if kept is None:
             if len(self._moving) >= MOST_STATES_KEPT:
                 self._moving.clear()
-            kept = self._moving[id(point)] = point, state(point, self.configuration, symbols)
+            kept = self._moving[id(point)] = point, random_state(point, self.configuration, symbols)
         return kept[1]
 
     @cached_property
@@ -148,7 +148,7 @@ def compare_really(
     symbols = symbols_of((*answer, *system.equations, *system.accelerated_constraints))
 
     def at(point: Point) -> EquationComparison:
-        moving = state(point, configuration, symbols)
+        moving = random_state(point, configuration, symbols)
         given = {s: point.arithmetic.float(v) for s, v in values.items()}
         return _compared(moving.with_values(given), answer, system, free)
 
@@ -167,7 +167,7 @@ def agreed_in_motion(
     """The value of `evaluate` at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
     symbols = symbols_of(expressions)
     states = configuration.states
-    return agreed(states, evaluate, expressions, lambda _: False, lambda p: state(p, configuration, symbols))
+    return agreed(states, evaluate, expressions, lambda _: False, lambda p: random_state(p, configuration, symbols))
 
 
 def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
@@ -175,7 +175,7 @@ def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
     return tuple(sorted(set().union(*(symbols_in(e) for e in expressions)), key=lambda s: s.name))
 
 
-def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:
+def random_state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:
     """The point of `configuration.states` with velocities that satisfy A q' + a_t = 0 and are random otherwise.
 
     All `symbols` have their values afterwards, so that points made from it share them.

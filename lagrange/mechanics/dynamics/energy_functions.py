@@ -25,10 +25,18 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.algebra.forms.exact_forms import primitive
+from lagrange.algebra.forms.exact_forms import potential_of, varies
 from lagrange.algebra.fourier.polynomials import unpack
 from lagrange.algebra.fourier.ring import Element, FourierRing
-from lagrange.algebra.fourier.terms import Exponent, PowerProduct, as_term, common_powers, divided, multiplied, sum_of
+from lagrange.algebra.fourier.terms import (
+    Exponent,
+    PowerProduct,
+    as_term,
+    common_powers,
+    multiplied,
+    quotient_of_powers,
+    sum_of,
+)
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -195,7 +203,7 @@ def _potential(forces: tuple[Element, ...], configuration: Configuration, ring: 
     if not _is_closed(forces, configuration, ring):
         return None
     slots = configuration.slots
-    return primitive([-f.to_sympy() for f in forces], slots.coordinates, slots)
+    return potential_of([-f.to_sympy() for f in forces], slots.coordinates, slots)
 
 
 @record
@@ -337,7 +345,7 @@ class EnergyFunctions:
         doubled = _doubled(written)
         if len(varying) < len(element) and doubled:
             # 1 − cos 2θ without its constant would be −cos 2θ; with it, it is written 2 sin² θ.
-            with_constants = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
+            with_constants = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if varies(e, self._moving)))
             written = written if with_constants.has(*doubled) else with_constants
         return written
 
@@ -405,11 +413,11 @@ def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
 
     @cache
     def turns(index: int) -> bool:
-        return _moves(basis.angles[index], moving)
+        return varies(basis.angles[index], moving)
 
     @cache
     def moves(index: int) -> bool:
-        return _moves(basis.generators[index].expression, moving)
+        return varies(basis.generators[index].expression, moving)
 
     def is_constant(monomial: int, frequency: int) -> bool:
         return not any(turns(i) for i, _ in unpack(frequency)) and not any(moves(i) for i, _ in unpack(monomial))
@@ -418,16 +426,12 @@ def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
     return basis.element(kept, element.denominator)
 
 
-def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
-    return any(base(s) in moving for s in e.free_symbols)
-
-
 def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
     """Terms with the same constants, up to the sign, as one product with a bracket."""
     groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, Exponent]]], list[PowerProduct]] = {}
     for summand in sp.Add.make_args(e):
         term = as_term(summand)
-        constants = frozenset((f, n) for f, n in term.factors.items() if not _moves(f, moving))
+        constants = frozenset((f, n) for f, n in term.factors.items() if not varies(f, moving))
         groups.setdefault((abs(term.number), constants), []).append(term)
     gathered = []
     for (number, constants), terms in groups.items():
@@ -438,7 +442,9 @@ def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
         sign = 1 if sum(1 if term.number > 0 else -1 for term in terms) > 0 else -1
         first = terms[0].number / number
         sign = sign if sum(term.number for term in terms) else int(first)
-        rest = sum_of(PowerProduct(sign * term.number / number, divided(term.factors, common)) for term in terms)
+        rest = sum_of(
+            PowerProduct(sign * term.number / number, quotient_of_powers(term.factors, common)) for term in terms
+        )
         gathered.append(PowerProduct(sign * number, multiplied(common, {rest: 1})).to_sympy())
     return sp.Add(*gathered)
 

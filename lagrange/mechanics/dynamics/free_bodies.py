@@ -115,7 +115,7 @@ def placed_freely(configuration: Configuration) -> Placed | None:
     return tuple(sorted(chosen, key=lambda f: (order.index(f.name), f.turning)))
 
 
-def left_out(row: Row, configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+def idle_forces(row: Row, configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     """The nonzero coefficients of coordinates that move nothing."""
     moved = _moved(_freedoms(configuration), configuration)
     pairs = enumerate(zip(configuration.slots.coordinates, row.coefficients, strict=True))

@@ -41,7 +41,7 @@ from lagrange.mechanics.dynamics.free_bodies import (
     Placed,
     Rod,
     form_as_forces,
-    left_out,
+    idle_forces,
     marks_on_bodies,
     placed_freely,
     recognised_rod,
@@ -347,7 +347,7 @@ def normals(configuration: Configuration) -> tuple[Normal, ...]:
     gradients = []
     for row in configuration.rows if placed else ():
         acts = None if row.finite is None or placed is None else form_as_forces(row, placed, configuration.states)
-        if acts is None or len(acts.forces) != 1 or acts.moments or left_out(row, configuration):
+        if acts is None or len(acts.forces) != 1 or acts.moments or idle_forces(row, configuration):
             continue
         [(particle, gradient)] = acts.forces.items()
         gradients.append(Normal(row, particle, gradient, textbook_form(-row.drift)))
@@ -393,7 +393,7 @@ def _reaction(
     taken: frozenset[str],
     is_surface: bool,
 ) -> Reaction:
-    others = left_out(row, configuration)
+    others = idle_forces(row, configuration)
     shown = without_root(row, configuration.slots)
     acts = None if placed is None else form_as_forces(shown, placed, configuration.states)
     rod = None

@@ -32,12 +32,12 @@ import sympy as sp
 from lagrange.algebra.exact.limits import DRAWS
 from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.zero_test import FieldPoint, InadmissibleError, Point
-from lagrange.algebra.forms.exact_forms import primitive
+from lagrange.algebra.forms.exact_forms import potential_of
 from lagrange.algebra.fourier.ring import Element
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, base, t
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.dynamics.comparison import ContradictionError, agreed_in_motion, state
+from lagrange.mechanics.dynamics.comparison import ContradictionError, agreed_in_motion, random_state
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions
 from lagrange.mechanics.dynamics.limits import (
     FIRST_DRAWS,
@@ -311,7 +311,7 @@ def _states(
             if point is None:
                 return None
             try:
-                moving_point = state(point, configuration, symbols)
+                moving_point = random_state(point, configuration, symbols)
                 columns = [moving_point.values(c.conditions) for c in group]
             except InadmissibleError:
                 continue
@@ -439,7 +439,7 @@ def _with_rates(tried: Sequence[_Rate | None], energies: EnergyFunctions) -> lis
         form = [ring.total(ring.from_sympy(c) * r.form[n] for r, c in used) for n in range(len(rates[0].form))]
         if all(ring.is_zero(e) for e in form):
             continue
-        g = primitive([e.to_sympy() for e in form], (*energies.slots.coordinates, t), energies.slots)
+        g = potential_of([e.to_sympy() for e in form], (*energies.slots.coordinates, t), energies.slots)
         if g is not None:
             combined = SymmetryCandidate(symmetry.kind, symmetry.multipliers, (), g)
             result.append(Symmetry(symmetry.kind, ((combined, sp.S.One),)))

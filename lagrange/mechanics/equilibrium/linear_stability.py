@@ -31,8 +31,8 @@ from enum import StrEnum
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
-from lagrange.algebra.closed_forms.positive_conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.operations import count_operations

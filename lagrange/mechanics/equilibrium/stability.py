@@ -26,16 +26,18 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
-from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
-from lagrange.algebra.closed_forms.positive_conditions import (
+from lagrange.algebra.closed_forms.conditions import (
     NeverPositiveError,
     conditions_for,
+    further_conditions,
+    only_excludes_equality,
     positive_part,
     sign_on,
+    solved_for,
     where_positive,
 )
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
+from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
@@ -480,7 +482,7 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
 
 def _shortest(s: Stability, b: Branch) -> Stability:
     """A conditional verdict with the shortest form of its conditions, beside those for the existence of the branch."""
-    shorter = reduced(s.conditions, b.conditions)
+    shorter = further_conditions(s.conditions, b.conditions)
     if shorter is None:
         return s
     if only_excludes_equality(shorter, b.conditions):
@@ -514,7 +516,7 @@ def not_vanishing(
                 sign = sign_of(f, known)
                 conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
     conditions = list(dict.fromkeys(conditions))
-    shorter = reduced(conditions, b.conditions)
+    shorter = further_conditions(conditions, b.conditions)
     return tuple(conditions) if shorter is None else shorter
 
 

@@ -23,7 +23,7 @@ is the Lagrangian of the other coordinates, the p_c in it being constants. Refer
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 
 import sympy as sp
 
@@ -36,14 +36,16 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter, partial, prime, t
 from lagrange.core.verdicts import all_hold
-from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.displacements import Elimination, eliminate
+from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
 from lagrange.mechanics.dynamics.checks import Check, at_random_states
 from lagrange.mechanics.dynamics.comparison import System, compare
 from lagrange.mechanics.dynamics.energies import Energies, energies
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
-from lagrange.mechanics.momenta.integrated_constraints import integrated
-from lagrange.mechanics.momenta.nonlinear_momenta import velocities_by_root
+from lagrange.mechanics.equilibrium.relative_equilibrium import is_time
+from lagrange.mechanics.limits import LONGEST_NONLINEAR
+from lagrange.mechanics.momenta.reduced_form import rates_of_dependent
 
 ZERO = sp.S.Zero
 
@@ -330,3 +332,128 @@ def _factored(expression: sp.Expr) -> sp.Expr:
 
 def _prescribed(configuration: Configuration) -> list[sp.Symbol]:
     return [prime(u, order) if order else u for u in configuration.slots.prescribed for order in range(3)]
+
+
+# -- Constraints on velocities with constant coefficients, integrated: s' + R θ' = 0 is s + R θ = const ----------------
+#
+# Where the coordinates that they determine appear nowhere else, neither does the constant, and the other coordinates
+# are
+# free: the system then has a Lagrangian and Hamilton's function of these alone. That L may be formed with the
+# velocities
+# substituted is so only because the constraints can be integrated.
+
+
+def integrated(motion: EquationsOfMotion) -> tuple[EquationsOfMotion, Mapping[sp.Symbol, sp.Expr]] | None:
+    """The motion in free coordinates, and the others in terms of them, up to constants; None where this is not so."""
+    configuration = motion.configuration
+    slots, rows = configuration.slots, configuration.rows
+    if any(r.finite is not None or r.nonlinear is not None or r.drift != 0 for r in rows):
+        return None
+    in_rows = {s for r in rows for a in r.coefficients for s in a.free_symbols}
+    if any(s in slots.coordinates or is_time(s, configuration) for s in in_rows):
+        return None
+    stated = energies(configuration)
+    used = {s for e in (stated.kinetic, stated.potential, stated.moving, *stated.applied) for s in e.free_symbols}
+    absent = [k for k, q in enumerate(slots.coordinates) if q not in used]
+    solved = eliminate(rows, len(slots.coordinates), configuration.states, absent)
+    if solved.unused or any(k not in absent for k in solved.dependent):
+        return None
+    dependent = [slots.coordinates[k] for k in solved.dependent]
+    free = [slots.coordinates[k] for k in solved.independent]
+    expressed = {
+        q: sp.Add(*(b * x for b, x in zip(row, free, strict=True)))
+        for q, row in zip(dependent, solved.solution, strict=True)
+    }
+    reduced = substituted_configuration(configuration, configuration.name, tuple(free), expressed, ())
+    rates = rates_of_dependent(solved, slots)
+    equations = tuple(replace(e, expression=e.expression.xreplace(rates)) for e in motion.final)
+    elimination = Elimination(tuple(range(len(free))), (), (), (), (), ())
+    return replace(motion, configuration=reduced, elimination=elimination, equations=equations, closed=None), expressed
+
+
+# -- Momenta that contain a root of a function of the velocities: p = m v/√(1 − v²/c²) of a fast particle --------------
+#
+# Where all momenta contain one root only, S = √B(q, q'), they are linear in the velocities except for S,
+#
+#     p_k − b_k = Σ m_kj(q, S) q_j' ,     which gives     q' = M(q, S)⁻¹ (p − b) .
+#
+# With these velocities S² = B is an equation for S² alone. Where that is linear, a S² + c = 0, the velocities follow
+# in
+# closed form, S = √(−c/a) being positive: of the fast particle S = m c/√(m² c² + p²). Reference: Goldstein, § 8.4.
+
+
+def velocities_by_root(
+    lagrangian: sp.Expr,
+    stated: Sequence[sp.Expr],
+    velocities: Sequence[sp.Symbol],
+    momenta: Sequence[sp.Symbol],
+    surface: Surface,
+) -> tuple[tuple[sp.Expr, ...], sp.Expr] | None:
+    """The velocities in terms of the momenta, and Σ p_k q_k' − L; None where they are not found.
+
+    stated  shape (n,): ∂L/∂q_k'
+    """
+    moving = {*velocities}
+    powers = {p for e in (lagrangian, *stated) for p in e.atoms(sp.Pow) if _is_root(p) and p.base.free_symbols & moving}
+    if not powers or count_operations(lagrangian) > LONGEST_NONLINEAR:
+        return None
+    base, S = min((p.base for p in powers), key=count_operations), sp.Dummy("S", positive=True)
+    shares = {p: sp.cancel(p.base / base) for p in powers}  # c² of c² − v² to 1 − v²/c²
+    if any(not e.is_positive or e.free_symbols & moving for e in shares.values()):
+        return None
+    with_letter = {p: e**p.exp * S ** (2 * p.exp) for p, e in shares.items()}
+    written = [sp.expand(e.xreplace(with_letter)) for e in stated]
+    mass = [[partial(e, v) for v in velocities] for e in written]
+    if any(e.free_symbols & moving for row in mass for e in row) or not base.is_polynomial(*velocities):
+        return None
+    still = dict.fromkeys(velocities, sp.S.Zero)
+    shifts = [e.xreplace(still) for e in written]
+    moved = [sp.Dummy(p.name, real=True) if b != 0 else p for p, b in zip(momenta, shifts, strict=True)]  # p − b
+    meant = {u: p - b for u, p, b in zip(moved, momenta, shifts, strict=True) if u != p}
+    solved = solved_linear(mass, moved, surface)
+    if solved is None or any(e is None for e in solved):
+        return None
+    inverted = {v: e for v, e in zip(velocities, solved, strict=True) if e is not None}
+    root = _root_of(base.xreplace(inverted) - S**2, S)
+    if root is None:
+        return None
+    work = sp.Add(*((u + b if u in meant else u) * v for u, b, v in zip(moved, shifts, velocities, strict=True)))
+    function = (work - lagrangian.xreplace(with_letter)).xreplace(inverted)
+    in_momenta = [_with_root(e, S, root).xreplace(meant) for e in (*(inverted[v] for v in velocities), function)]
+    return tuple(in_momenta[:-1]), in_momenta[-1]
+
+
+def _is_root(p: sp.Expr) -> bool:
+    return bool(p.exp.is_Rational and p.exp.q == 2)
+
+
+def _root_of(equation: sp.Expr, S: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """a and b with S² = a/b, from an equation that is linear in S²."""
+    above = sp.fraction(sp.cancel(sp.together(equation)))[0]
+    if not above.is_polynomial(S) or count_operations(above) > LONGEST_NONLINEAR:
+        return None
+    terms: Mapping[tuple[int, ...], sp.Expr] = sp.Poly(above, S).as_dict()
+    degrees = sorted(k for (k,) in terms)
+    if len(degrees) != 2 or degrees[1] - degrees[0] != 2:
+        return None
+    a, b = sp.fraction(sp.factor(-terms[(degrees[0],)] / terms[(degrees[1],)]))
+    if a.could_extract_minus_sign() and b.could_extract_minus_sign():
+        a, b = -a, -b
+    squares = sp.Mul(*(f for f in sp.Mul.make_args(a) if f.is_Pow and f.exp == 2 and not f.base.is_positive))
+    return a / squares, sp.expand(b / squares)  # p_r² + p_φ²/r² + m² c² instead of this times r²
+
+
+def _with_root(e: sp.Expr, S: sp.Symbol, root: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
+    """An expression with S = √(a/b): what is even in S, and what is odd, where b cancels if it can."""
+    a, b = root
+    even, odd = sp.S.Zero, sp.S.Zero
+    for power, coefficient in sp.collect(sp.expand(e), S, evaluate=False).items():
+        n = int(sp.degree(power, S)) if power.is_polynomial(S) else -int(sp.degree(1 / power, S))
+        if n % 2:
+            odd += coefficient * (a / b) ** ((n - 1) // 2)
+        else:
+            even += coefficient * (a / b) ** (n // 2)
+    factor = sp.factor(sp.cancel(sp.together(odd)))
+    without = sp.factor(sp.cancel(sp.together(odd / b)))
+    shorter = count_operations(without) < count_operations(factor)
+    return sp.Add(without * sp.sqrt(a) * sp.sqrt(b) if shorter else factor * sp.sqrt(a) / sp.sqrt(b), even)

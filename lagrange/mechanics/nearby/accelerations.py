@@ -74,8 +74,8 @@ def at_state(configuration: Configuration, near: ReferenceState) -> StateInNumbe
     names = [row.name for row in rows]
     return StateInNumbers(
         {s: near.values[s] for s in (*slots.coordinates, *slots.velocities)},
-        {s: _number(x) for s, x in zip(slots.accelerations, accelerations[:n], strict=True)},
-        {name: _number(x) for name, x in zip(names, accelerations[n:], strict=True)},
+        {s: shown_number(x) for s, x in zip(slots.accelerations, accelerations[:n], strict=True)},
+        {name: shown_number(x) for name, x in zip(names, accelerations[n:], strict=True)},
         agrees,
     )
 
@@ -85,7 +85,7 @@ def has_numbers(problem: Problem) -> bool:
     return all(p.value is not None for p in problem.parameters) and not problem.functions
 
 
-def at_start(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
+def start_in_numbers(problem: Problem, configuration: Configuration) -> StateInNumbers | None:
     """What happens at t = 0; None where parameters have no value, or `initial` does not determine the state."""
     if not problem.initial or not has_numbers(problem):
         return None
@@ -107,5 +107,6 @@ def check_state(state: StateInNumbers, what: str) -> Check:
     return Check(f"the {what} in numbers satisfy Lagrange's equations", state.agrees, "in numbers: T differentiated")
 
 
-def _number(x: Any) -> sp.Expr:
+def shown_number(x: Any) -> sp.Expr:
+    """A number with as many digits as are shown; one that is a remainder of rounding is zero."""
     return sp.S.Zero if abs(x) < CHECKED_REMAINDER else sp.Float(x, SHOWN_DIGITS)

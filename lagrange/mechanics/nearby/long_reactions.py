@@ -28,10 +28,10 @@ from lagrange.mechanics.dynamics.spot_values import SpotValue
 from lagrange.mechanics.nearby.accelerations import (
     NOT_POSSIBLE,
     StateInNumbers,
-    at_start,
     at_state,
     check_state,
     has_numbers,
+    start_in_numbers,
 )
 from lagrange.mechanics.nearby.limits import LONGEST_BY_ACCELERATIONS
 from lagrange.mechanics.nearby.reference import reference
@@ -190,7 +190,7 @@ def _at(
     """The numbers at the state with which the motion begins, or at the one that equations of motion are tried at."""
     if not has_numbers(problem):
         return None, False
-    start = at_start(problem, configuration)
+    start = start_in_numbers(problem, configuration)
     if start is not None:
         return start, True
     if spot is None or t in spot.values:

@@ -26,10 +26,10 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.nearby.accelerations import NOT_POSSIBLE, has_numbers
+from lagrange.mechanics.nearby.accelerations import NOT_POSSIBLE, has_numbers, shown_number
 from lagrange.mechanics.nearby.checks import lagrange_in_numbers
 from lagrange.mechanics.nearby.expansions import Expansions
-from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, REST_STEPS, SHOWN_DIGITS
+from lagrange.mechanics.nearby.limits import CHECKED_REMAINDER, REST_STEPS
 from lagrange.mechanics.nearby.linear_equations import FirstOrderTerms, first_order
 from lagrange.mechanics.nearby.reference import reference
 from lagrange.problem.model import Problem
@@ -165,12 +165,8 @@ def _at_rest(
         least = min(symmetric_eigensystem(reduced)[0])
         stable = True if least > small else False if least < -small else None
     return RestInNumbers(
-        {q: _number(about.number(values[q])) for q in slots.coordinates},
-        {configuration.rows[j].name: _number(p) for j, p in zip(used, pulls, strict=True)},
+        {q: shown_number(about.number(values[q])) for q in slots.coordinates},
+        {configuration.rows[j].name: shown_number(p) for j, p in zip(used, pulls, strict=True)},
         stable,
         all(abs(a - b) < CHECKED_REMAINDER * scale for a, b in zip(left, loads, strict=True)),
     )
-
-
-def _number(x: Any) -> sp.Expr:
-    return sp.S.Zero if abs(x) < CHECKED_REMAINDER else sp.Float(x, SHOWN_DIGITS)

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations

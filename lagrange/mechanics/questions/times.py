@@ -14,7 +14,12 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, polynomial_roots
+from lagrange.algebra.closed_forms.polynomial_roots import (
+    factored_quotient,
+    irreducible_factors,
+    numerator,
+    polynomial_roots,
+)
 from lagrange.algebra.closed_forms.signs import (
     SignCondition,
     between_minus_one_and_one,
@@ -119,7 +124,7 @@ def _of_polynomial(e: sp.Expr) -> list[TimeRoot] | None:
     if not e.is_polynomial(t):
         return None
     parts = numerator(e)
-    pieces = factors(parts[0]) if parts is not None else None
+    pieces = irreducible_factors(parts[0]) if parts is not None else None
     if pieces is None:
         return None
     roots: list[TimeRoot] = []
@@ -208,7 +213,7 @@ def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
     polynomial = sp.fraction(sp.together(e.xreplace(rule)))[0]
     if t in polynomial.free_symbols:
         return None
-    pieces = factors(sp.expand(polynomial))
+    pieces = irreducible_factors(sp.expand(polynomial))
     if pieces is None:
         return None
     return _logarithms(pieces, letter, first)

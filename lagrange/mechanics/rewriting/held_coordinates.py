@@ -13,7 +13,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified, partial, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.equations import WithEliminatedRates, closed
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion, WithEliminatedRates, closed
 from lagrange.mechanics.results import InCoordinates
 
 
@@ -71,3 +71,35 @@ def given_rates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
 def where_held(e: sp.Expr, held: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
     """An expression with `held_values` substituted, unless it has unspecified functions, whose arguments are kept."""
     return e if e.has(Unspecified) or not e.free_symbols & {*held} else textbook_form(e.xreplace(dict(held)))
+
+
+# -- A conserved quantity without the velocities that constraints give -------------------------------------------------
+#
+# Where a choice of coordinates keeps kinematic constraints, ẋ + R θ̇ = 0, its equations of motion end without θ̇. The
+# energy ½ m ẋ² + ½ I θ̇² is then ½ (m + I/R²) ẋ²: a quadratic form in the velocities that remain, whose coefficients
+# are
+# collected. Where the coordinate itself occurs, as in a potential, both stay.
+
+
+def in_remaining_velocities(e: sp.Expr, motion: EquationsOfMotion) -> sp.Expr:
+    """The expression with the eliminated velocities substituted, collected where that is shorter."""
+    closed = motion.closed
+    if closed is None or e.has(Unspecified) or not e.free_symbols & {*closed.velocities}:
+        return e
+    if any(prime(q) in closed.velocities and e.has(q) for q in motion.configuration.slots.coordinates):
+        return e
+    substituted = e.xreplace(dict(closed.velocities))
+    remaining = [v for v in motion.configuration.slots.velocities if v not in closed.velocities]
+    at_rest = substituted.xreplace(dict.fromkeys(remaining, sp.S.Zero))
+    moving = sp.expand(substituted - at_rest)
+    if not moving.is_polynomial(*remaining):
+        return substituted
+    terms = sp.Poly(moving, *remaining).terms()
+    powers = (sp.Mul(*(v**n for v, n in zip(remaining, exponents, strict=True))) for exponents, _ in terms)
+    kinetic = (_shorter(c) * p for p, (_, c) in zip(powers, terms, strict=True))
+    collected = sp.Add(*kinetic, at_rest)
+    return min(substituted, collected, key=count_operations)
+
+
+def _shorter(coefficient: sp.Expr) -> sp.Expr:
+    return min(sp.factor(coefficient), sp.factor_terms(coefficient), key=count_operations)

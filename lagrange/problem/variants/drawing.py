@@ -22,10 +22,10 @@ RULE = "lagsolve variant 1"
 
 def values_drawn(varied: Sequence[Varied], seed: str) -> Mapping[str, str]:
     """The value, as text, that a seed draws for each parameter."""
-    return {v.name: v.values[drawn(seed, v.name, len(v.values))] for v in varied}
+    return {v.name: v.values[drawn_place(seed, v.name, len(v.values))] for v in varied}
 
 
-def drawn(seed: str, name: str, number: int) -> int:
+def drawn_place(seed: str, name: str, number: int) -> int:
     """The place of the value, from 0, that a seed draws for a parameter with a number of values."""
     text = "\0".join((RULE, _plain(seed), _plain(name)))
     return int.from_bytes(hashlib.sha256(text.encode("utf-8", "surrogatepass")).digest(), "big") % number

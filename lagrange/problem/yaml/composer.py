@@ -187,11 +187,7 @@ def _dash(p: _Place) -> _Mistake:
     return _Mistake(p.at, "a value cannot begin with `- `", f"{_QUOTES_HELP}, or write `-x` without the space")
 
 
-def _block_scalar(p: _Place) -> _Mistake:
-    return _Mistake(p.began, f"a value cannot begin with `{p.text[p.began]}`", _QUOTES_HELP)
-
-
-def _anchor(p: _Place) -> _Mistake:
+def _reserved(p: _Place) -> _Mistake:
     return _Mistake(p.began, f"a value cannot begin with `{p.text[p.began]}`", _QUOTES_HELP)
 
 
@@ -222,8 +218,8 @@ _EXPLANATIONS: tuple[tuple[str, Callable[[_Place], _Mistake]], ...] = (
     ("mapping values are not allowed", _mapping_value),
     ("could not find expected ':'", _no_colon),
     ("entries are not allowed", _dash),
-    ("block scalar", _block_scalar),
-    ("scanning an (alias|anchor)", _anchor),
+    ("block scalar", _reserved),
+    ("scanning an (alias|anchor)", _reserved),
     ("a tag;|tag handle", _bad_tag),
     ("directive|incompatible YAML", _directive),
     ("document start", _outdented),

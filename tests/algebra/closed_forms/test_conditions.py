@@ -4,11 +4,21 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
+from random import Random
 
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
+from lagrange.algebra.closed_forms.conditions import (
+    NeverPositiveError,
+    conditions_for,
+    further_conditions,
+    only_excludes_equality,
+    positive_part,
+    sign_on,
+    solved_for,
+    where_positive,
+)
 from lagrange.algebra.closed_forms.signs import SignCondition
 
 m, g, k, R, l, P, H, c = sp.symbols("m g k R l P H c", positive=True)
@@ -53,7 +63,7 @@ CASES = [
 def test_conditions_are_shortened_and_say_the_same(
     given: list[SignCondition], shortest: list[SignCondition] | None
 ) -> None:
-    found = reduced(given)
+    found = further_conditions(given)
     assert found is not None
     assert [*found] == (given if shortest is None else shortest)
     rng = random.Random(3)
@@ -68,7 +78,7 @@ def test_conditions_are_shortened_and_say_the_same(
 
 def test_critical_loads() -> None:
     """Two bars with equal springs: λ = P l/k with λ² − 3 λ + 1 > 0 and λ < 2."""
-    found = reduced([condition(2 * k, ">", l * P), condition(k**2 + l**2 * P**2, ">", 3 * k * l * P)])
+    found = further_conditions([condition(2 * k, ">", l * P), condition(k**2 + l**2 * P**2, ">", 3 * k * l * P)])
     assert found is not None
     [critical] = solved_for(found, [P])
     assert (critical.lhs, critical.relation) == (P, "<")
@@ -78,14 +88,60 @@ def test_critical_loads() -> None:
 
 
 def test_conditions_that_exclude_each_other() -> None:
-    assert reduced([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
-    assert reduced([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
+    assert further_conditions([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
+    assert further_conditions([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
 
 
 def test_what_is_known_is_not_repeated() -> None:
     known = [condition(k * R, "≥", 2 * m * g)]
-    assert reduced([pulls], known) == ()
+    assert further_conditions([pulls], known) == ()
     strict = condition(k * R, ">", 2 * m * g)
-    assert reduced([strict, pulls], known) == (strict,)
+    assert further_conditions([strict, pulls], known) == (strict,)
     assert only_excludes_equality([strict], known)
     assert not only_excludes_equality([condition(k * R, ">", 3 * m * g)], known)
+
+
+# -- Conditions under which several expressions are positive, against signs at random values of the parameters ---------
+
+
+a, b, c = sp.symbols("a b c", positive=True)
+x = sp.Symbol("x", real=True)
+
+
+@pytest.mark.parametrize(
+    ("expressions", "number"),
+    [
+        ((a + b,), 0),
+        ((x - 2 * a, x - 4 * a), 1),  # the second implies the first
+        ((a - b, (a - b) * c), 1),
+        ((a - b, b - c), 2),
+    ],
+)
+def test_the_conditions_are_those_of_the_signs(expressions: tuple[sp.Expr, ...], number: int) -> None:
+    found = conditions_for(expressions, ())
+    assert found is not None
+    assert len(found) == number
+    random = Random(1)
+    for _ in range(40):
+        there = {s: sp.Rational(random.randint(1, 30), random.randint(1, 9)) for s in (a, b, c, x)}
+        positive = all(e.xreplace(there) > 0 for e in expressions)
+        assert all(positive_part(k).xreplace(there) > 0 for k in found) == positive
+
+
+@pytest.mark.parametrize("expressions", [(a - b, b - a), (-a,), (a - b, 2 * b - 2 * a)])
+def test_what_is_never_positive(expressions: tuple[sp.Expr, ...]) -> None:
+    with pytest.raises(NeverPositiveError):
+        conditions_for(expressions, ())
+    assert where_positive([-a], ()) == ()
+
+
+def test_alternatives_without_those_that_imply_another() -> None:
+    [only] = where_positive([x - 2 * a, x - 4 * a], ())
+    assert sp.expand(positive_part(only) - (x - 2 * a)) == 0
+
+
+def test_the_sign_where_others_are_positive() -> None:
+    assert sign_on(c * (a - b), [a - b]) == 1
+    assert sign_on(b - a, [a - b]) == -1
+    assert sign_on(a - b, []) is None
+    assert sign_on(sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1, []) == 0

@@ -6,7 +6,8 @@ import pytest
 import sympy as sp
 from mpmath import matrix, mp, mpf
 
-from lagrange.algebra.closed_forms.eigenmodes import closed_roots
+from lagrange.algebra.closed_forms.eigenmodes import closed_roots, with_repeated_roots_apart
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from tests.support.linearized_systems import (
     SYSTEMS,
@@ -120,3 +121,37 @@ def test_the_square_under_the_root_stays_where_that_is_shorter() -> None:
     assert sp.sqrt((M * g + g * m + k * l) ** 2 - 4 * M * g * k * l) in first.atoms(sp.Pow)
     assert sp.expand(first + second - b / (M * l)) == 0
     assert sp.expand(sp.expand(first * second) - g * k / (M * l)) == 0
+
+
+# -- Roots that are equal by a relation between roots or sines ---------------------------------------------------------
+
+
+w = sp.Symbol("w", real=True)
+a, b, alpha = sp.symbols("a b alpha", positive=True)
+root = sp.sqrt(14)
+length = sp.sqrt(a**2 + b**2)
+
+
+def same(f: sp.Expr, g: sp.Expr) -> bool:
+    """Whether two polynomials have the same roots with the same multiplicities."""
+    a, b = sp.Poly(f, w), sp.Poly(g, w)
+    return a.degree() == b.degree() and is_zero(a.LC() * g - b.LC() * f) is True
+
+
+@pytest.mark.parametrize(
+    ("pieces", "wanted"),
+    [
+        ([(w**2 - 2 * root * w + 14, 1)], [(w - root, 2)]),
+        ([(sp.expand((w - root) ** 3), 1)], [(w - root, 3)]),
+        ([(sp.expand((w - root) ** 2 * (w - a)), 2)], [(w - a, 2), (w - root, 4)]),
+        ([(w**2 - 2 * length * w + a**2 + b**2, 1)], [(w - length, 2)]),
+        ([(w - sp.sin(alpha) ** 2, 1), (w - 1 + sp.cos(alpha) ** 2, 1)], [(w - sp.sin(alpha) ** 2, 2)]),
+        ([(w**2 - 2 * root * w + 13, 1)], [(w**2 - 2 * root * w + 13, 1)]),  # √14 ± 1
+        ([(w - root, 1), (w - a, 2)], [(w - root, 1), (w - a, 2)]),
+    ],
+)
+def test_equal_roots_are_one(pieces: list[tuple[sp.Expr, int]], wanted: list[tuple[sp.Expr, int]]) -> None:
+    found = with_repeated_roots_apart(pieces, w)
+    assert len(found) == len(wanted)
+    for f, n in wanted:
+        assert any(n == m and same(f, g) for g, m in found)

@@ -7,7 +7,7 @@ from random import Random
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator, polynomial_roots, square_root
+from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, polynomial_roots, square_root
 
 x, p = sp.symbols("x p", real=True)
 a, b, c = sp.symbols("a b c", positive=True)
@@ -49,10 +49,10 @@ def test_what_is_not_solved_is_none(f: sp.Expr) -> None:
 
 
 def test_factors_are_each_given_once() -> None:
-    found = factors((x - a) ** 3 * (x + b) * 6)
+    found = irreducible_factors((x - a) ** 3 * (x + b) * 6)
     assert found is not None
     assert sorted(map(str, found)) == sorted(map(str, [x - a, x + b]))
-    assert factors(sp.Add(*(sp.Symbol(f"s{n}") for n in range(20)))) is None
+    assert irreducible_factors(sp.Add(*(sp.Symbol(f"s{n}") for n in range(20)))) is None
 
 
 def test_numerator_in_lowest_terms() -> None:

@@ -15,6 +15,7 @@ from lagrange.algebra.closed_forms.signs import (
     more_than_zero,
     not_negative,
     sign_of,
+    takes_both_signs,
 )
 from lagrange.core.symbols import Bounded
 
@@ -141,3 +142,15 @@ def test_roots_on_both_sides_are_raised_to_their_common_power() -> None:
     assert different_from_zero(b ** (2 * third) - c ** (2 * third)) == (SignCondition(b, "≠", c),)
     assert more_than_zero(a * b**third - c) == SignCondition(a**3 * b, ">", c**3)
     assert more_than_zero(sp.sqrt(2) * a - b) == SignCondition(sp.sqrt(2) * a, ">", b)
+
+
+# -- Whether an expression takes both signs, seen at points ------------------------------------------------------------
+
+
+def test_both_signs_are_seen_at_points_and_one_sign_is_not() -> None:
+    long = (a + b) * (a + c) * (b + c) + a * b
+    assert takes_both_signs(sp.expand(long - 3 * a * b * c * x)) is True
+    assert takes_both_signs(sp.expand(long)) is False
+    # where x > 0 it is positive, and points outside are not looked at
+    assert takes_both_signs(sp.expand(long * x), (x,)) is False
+    assert sign_of(sp.expand(long * x), (x,)) == 1

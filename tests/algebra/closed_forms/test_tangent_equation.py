@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.algebra.closed_forms.tangent_equation import beside_zero, coefficients, slope
+from lagrange.algebra.closed_forms.tangent_equation import beside_zero, slope, tangent_coefficients
 
 q = sp.Symbol("theta", real=True)
 R, h = sp.symbols("R h", positive=True)
@@ -44,5 +44,5 @@ def test_numbers(ratio: sp.Rational, a: int) -> None:
 
 @pytest.mark.parametrize("e", [sp.sin(q) - q, h * sp.sin(2 * q) - R * q * sp.cos(q), sp.sin(q) - q**2 * sp.cos(q)])
 def test_other_equations_are_left_as_they_are(e: sp.Expr) -> None:
-    assert coefficients(e, q) is None
+    assert tangent_coefficients(e, q) is None
     assert beside_zero(branch(e), q) == branch(e)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.algebra.forms.exact_forms import differentiated, potential, primitive
+from lagrange.algebra.forms.exact_forms import differentiated, potential, potential_of
 from lagrange.core.symbols import Slots, Unspecified, prime, t
 from tests.support.exterior import concrete, real_point
 
@@ -100,7 +100,7 @@ FUNCTIONS = [
 @pytest.mark.parametrize("e", FUNCTIONS, ids=str)
 def test_the_differential_of_a_function_is_integrated(e):
     """The difference of e and what comes out has no variables: it is the same at five real points."""
-    found = primitive(differential(e), EVERYTHING, SLOTS)
+    found = potential_of(differential(e), EVERYTHING, SLOTS)
     assert found is not None
     difference = concrete(found - e, (u,))
     parameters = real_point((), (), list(difference.free_symbols - {*EVERYTHING}), 1)
@@ -150,4 +150,4 @@ def test_scaling_and_order_of_variables_do_not_matter():
     order = (theta, t, y, x)
     coefficients = [7 * m * differentiated(e, v, SLOTS) for v in order]
     assert sp.expand(potential(coefficients, order, SLOTS) - e) == 0
-    assert sp.expand(primitive(coefficients, order, SLOTS) - 7 * m * e) == 0
+    assert sp.expand(potential_of(coefficients, order, SLOTS) - 7 * m * e) == 0

@@ -14,7 +14,7 @@ import sympy as sp
 from mpmath import mp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.hidden_relations import hidden_relations
+from lagrange.algebra.forms.hidden_relations import combined_relations, hidden_relations
 from lagrange.core.symbols import Slots, t
 from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve
@@ -168,3 +168,21 @@ def test_two_trolleys_in_twelve_coordinates(problem: Read) -> None:
     for n, relation in enumerate(found.hidden.found, start=1):
         a, p, q = (sp.Symbol(f"{v}{n}", real=True) for v in "apq")
         assert sp.expand(relation.function - 2 * b * a + R * (p - q)) == 0
+
+
+# -- Relations that are added so that a coordinate drops out -----------------------------------------------------------
+
+
+w, x, y, z = sp.symbols("w x y z", real=True)
+R, b = sp.symbols("R b", positive=True)
+
+
+def test_two_relations_leave_one_with_fewer_coordinates() -> None:
+    [found] = combined_relations([R * (x - w) - 2 * b * y, R * (x - w) + 2 * b * z], [w, x, y, z])
+    assert sp.expand(found.function - (y + z)) == 0
+    assert found.places == (0, 1)
+
+
+def test_nothing_where_it_is_no_shorter_or_not_linear() -> None:
+    assert combined_relations([x + y, y + z], [x, y, z]) == ()
+    assert combined_relations([x**2 + y + z, x**3 + y - z], [x]) == ()

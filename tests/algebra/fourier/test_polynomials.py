@@ -14,9 +14,9 @@ from lagrange.algebra.fourier.polynomials import (
     factorization,
     lowest,
     pack,
-    place,
     shared,
     unpack,
+    value_at_place,
 )
 
 l, m, M, a, omega = sp.symbols("l m M a omega", positive=True)
@@ -26,12 +26,14 @@ numbers = st.integers(-1000, 1000)
 @given(st.lists(numbers, max_size=6), st.lists(numbers, max_size=6))
 def test_packing(one: list[int], two: list[int]) -> None:
     p, q = pack(enumerate(one)), pack(enumerate(two))
-    assert [place(p, i) for i in range(len(one))] == one
+    assert [value_at_place(p, i) for i in range(len(one))] == one
     assert dict(unpack(p)) == {i: n for i, n in enumerate(one) if n}
     width = max(len(one), len(two))
     padded = [v + [0] * (width - len(v)) for v in (one, two)]
-    assert [place(p + q, i) for i in range(width)] == [a + b for a, b in zip(*padded, strict=True)]
-    assert [place(lowest((p, q)), i) for i in range(width)] == [min(pair) for pair in zip(*padded, strict=True)]
+    assert [value_at_place(p + q, i) for i in range(width)] == [a + b for a, b in zip(*padded, strict=True)]
+    assert [value_at_place(lowest((p, q)), i) for i in range(width)] == [
+        min(pair) for pair in zip(*padded, strict=True)
+    ]
 
 
 def test_common_monomials() -> None:

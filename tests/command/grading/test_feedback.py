@@ -12,7 +12,7 @@ from lagrange.answers.equations import EquationVerdict, Verdict
 from lagrange.answers.points import PartScore, Score
 from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import AnswerVerdict
-from lagsolve.grading.feedback import code, page, page_names, prose
+from lagsolve.grading.feedback import code, marked_up, page, page_names
 
 HOSTILE = "</code><script>alert(1)</script> ![x](http://x) [a](b) `code` ``more`` *b* # h | t"
 
@@ -66,7 +66,7 @@ def test_code_in_a_line(text: str, written: str) -> None:
 
 
 def test_names_in_backticks_stay_code() -> None:
-    assert prose("`x_1` is *not* declared ` <b>") == "`x_1` is \\*not\\* declared \\` \\<b\\>"
+    assert marked_up("`x_1` is *not* declared ` <b>") == "`x_1` is \\*not\\* declared \\` \\<b\\>"
 
 
 @pytest.mark.parametrize(

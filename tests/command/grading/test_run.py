@@ -21,6 +21,7 @@ import pytest
 from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import Source
 from lagsolve.grading.examine import examine, outcomes
+from lagsolve.grading.run import Progress
 from tests.command.test_main import run
 from tests.support import grading_calls
 from tests.support.paths import PROBLEMS, ROOT
@@ -472,3 +473,18 @@ def test_without_the_extra_the_message_says_what_to_install(answers: Path, monke
     result = run("grade", PENDULUM, "answers", "--dask", "tcp://127.0.0.1:1")
     assert (result.exit_code, result.stdout) == (2, "")
     assert "pip install 'lagsolve[cluster]'" in result.stderr
+
+
+# -- The progress of a batch -------------------------------------------------------------------------------------------
+
+
+def test_a_line_now_and_then(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    times = iter([0.0, 1.0, 100.0, 200.0])
+    monkeypatch.setattr("lagsolve.grading.run.time.monotonic", lambda: next(times))
+    progress = Progress(1000)
+    progress.step(1, graded=True)  # too soon
+    progress.step(101, graded=True)
+    progress.step(201, graded=True)
+    progress.end()
+    lines = capsys.readouterr().err.splitlines()
+    assert lines == ["101 of 1,000 graded, 100 s, about 890 s more", "201 of 1,000 graded, 200 s, about 795 s more"]

@@ -9,7 +9,7 @@ import pytest
 
 from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import ProblemError
-from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries
+from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, named_submissions
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def named(*names: str | Path, own: tuple[Path, ...] = ()) -> list[str]:
-    return [e.name for e in entries([str(n) for n in names], own)]
+    return [e.name for e in named_submissions([str(n) for n in names], own)]
 
 
 def read(path: Path) -> Submission:

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 
 from lagrange.answers.equations import EquationVerdict, Verdict
 from lagrange.answers.submissions import Graded, Submission
-from lagsolve.grading.submissions import shown
+from lagsolve.grading.submissions import printable_name
 from lagsolve.grading.table import HEADER, TableRow, csv_text, harmless, table_text
 
 
@@ -28,7 +28,7 @@ from lagsolve.grading.table import HEADER, TableRow, csv_text, harmless, table_t
     ],
 )
 def test_names_are_shown_without_what_cannot_be_seen(name: str, text: str) -> None:
-    assert shown(name) == text
+    assert printable_name(name) == text
     text.encode()
 
 

@@ -9,12 +9,14 @@ from lagrange.core.symbols import CONSTANT, UnitVector, VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.page.economy import freedom_in_one, in_pairs, lagrangian_once, likewise_in_a_line, said_before
 from lagrange.render import terminal
 from tests.support.shared import reported
 
 x, y, z = sp.symbols("x y z", real=True)
 D = sp.Symbol("Delta", real=True)
+IN_SHORT = prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
 
 
 def step(*blocks: Block, rule: Rule = Rule.MEANING, title: str = "") -> Step:
@@ -41,7 +43,7 @@ def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
     first = step(display(Equation((x, y / D)), Equation((D, z)), boxed=True))
     again = step(display(Equation((z, x / D)), Equation((D, z)), boxed=True))
     other = step(display(Equation((z, x / D)), Equation((D, x)), boxed=True))
-    short = step(prose(Emphasis("In short"), ","), display(Equation((x, y)), Equation((y, z)), boxed=True))
+    short = step(IN_SHORT, display(Equation((x, y)), Equation((y, z)), boxed=True))
     _, a, b, c, d = said_before([head, first, again, other, short])
     assert a == first
     [box] = b.body
@@ -52,7 +54,7 @@ def test_a_letter_is_defined_once_and_the_head_is_not_repeated() -> None:
 
 
 def test_a_form_in_short_that_the_head_does_not_have_stays() -> None:
-    short = step(prose(Emphasis("In short"), ","), display(Equation((x, y)), Equation((y, CONSTANT)), boxed=True))
+    short = step(IN_SHORT, display(Equation((x, y)), Equation((y, CONSTANT)), boxed=True))
     assert [*said_before([short])] == [short]
 
 
@@ -86,8 +88,8 @@ def test_classification_and_freedom_are_one_section() -> None:
 def test_a_further_form_that_is_not_integrable_takes_one_paragraph() -> None:
     first, question, end = (
         prose(Ref("form-b"), " is not"),
-        prose("With ", math(x), ", "),
-        prose("This does not vanish."),
+        prose("With ", math(x), ", ", purpose=Purpose.NEXT_PRODUCT),
+        prose(Phrase("This does", Purpose.SUBJECT), " not vanish.", purpose=Purpose.NEXT_NOT_INTEGRABLE),
     )
     [said] = likewise_in_a_line([first, question, display(Equation((x, y * z))), end])
     assert isinstance(said, Prose)
@@ -127,7 +129,7 @@ def test_what_the_reaction_is_a_question_does_not_display_again() -> None:
 def test_accelerations_that_a_choice_leaves_as_they_are_stand_once() -> None:
     def kinematics(label: str) -> Step:
         line = Equation((VectorSymbol("r''"), x), label=label)
-        return step(prose("The acceleration is"), display(line))
+        return step(prose("The acceleration is", purpose=Purpose.KINEMATICS), display(line))
 
     first, second = said_before([kinematics("acceleration-P"), kinematics("acceleration-choice-P")])
     assert first == kinematics("acceleration-P")

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.document.derivation import Derivation, Detail, Display, Picture, Prose, Rule, Task
+from lagrange.document.builders import prose
+from lagrange.document.derivation import Derivation, Detail, Display, Emphasis, Picture, Prose, Rule, Step, Task
+from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import LEAST_ROOM, MOST_ROOM
+from lagrange.explain.page import worksheets
 from lagrange.explain.page.worksheets import worked_solution, worksheet
 from lagrange.explain.report import Report
 from lagrange.render import terminal
@@ -112,3 +115,11 @@ def test_equations_of_the_statement_have_no_numbers() -> None:
     assert "(1)" not in words(sheet)
     assert "(1)" in words(solution)
     assert [b for s in sheet.page[1:] for b in s.body if isinstance(b, Prose)] == []
+
+
+def test_conserved_quantities_are_asked_for_where_the_page_has_some() -> None:
+    uniform = prose(Emphasis("Accelerations"), ": none; every coordinate changes uniformly.")
+    energy = prose(Emphasis("Energy"), ": constant.", purpose=Purpose.CONSERVED)
+    assert worksheets._about_meaning(Step(Rule.MEANING, "What it says", (uniform,))) == ()
+    [asked] = worksheets._about_meaning(Step(Rule.MEANING, "What it says", (uniform, energy)))
+    assert asked == "Which quantities does the motion conserve?"

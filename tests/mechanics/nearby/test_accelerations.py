@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import pytest
 
-from lagrange.mechanics.nearby.accelerations import at_start, check_state
+from lagrange.mechanics.nearby.accelerations import check_state, start_in_numbers
 from tests.mechanics.nearby.test_linear_motion import PENDULUM, problem_of
 
 
 def test_a_pendulum_that_moves(tmp_path) -> None:
     """m = 2, l = 3, k = 5, c = 7 at (9/5, 12/5) with the speed 1: a = −(v²/l²) r + s t, and λ from the radial part."""
     problem, configuration = problem_of(tmp_path, PENDULUM.replace("x: 0, y: l, x': 0", "x: 9/5, y: 12/5, x': 4/5"))
-    found = at_start(problem, configuration)
+    found = start_in_numbers(problem, configuration)
     assert found is not None
     assert found.agrees
     x, y, v, u = 1.8, 2.4, 0.8, -0.6
@@ -28,7 +28,7 @@ def test_a_pendulum_that_moves(tmp_path) -> None:
 
 @pytest.mark.parametrize("start", ["x: 0, y: l", "x': 0"])
 def test_a_state_that_is_not_determined_has_no_numbers(tmp_path, start: str) -> None:
-    assert at_start(*problem_of(tmp_path, PENDULUM.replace("x: 0, y: l, x': 0", start))) is None
+    assert start_in_numbers(*problem_of(tmp_path, PENDULUM.replace("x: 0, y: l, x': 0", start))) is None
 
 
 def test_accelerations_that_a_state_leaves_open_are_not_given(tmp_path) -> None:
@@ -42,7 +42,7 @@ gravity: -g*k
 initial: {theta: START, phi: 0, theta': 0, phi': 1}
 """
     start = text.replace("MASS", "1").replace("START", "0")
-    assert at_start(*problem_of(tmp_path, start)) is None
-    assert at_start(*problem_of(tmp_path, start.replace("theta: 0", "theta: 1"))) is not None
+    assert start_in_numbers(*problem_of(tmp_path, start)) is None
+    assert start_in_numbers(*problem_of(tmp_path, start.replace("theta: 0", "theta: 1"))) is not None
     varying = text.replace("MASS", "2 - t, leaves: {relative: 0}").replace("START", "1")
-    assert at_start(*problem_of(tmp_path, varying)) is None
+    assert start_in_numbers(*problem_of(tmp_path, varying)) is None

@@ -17,7 +17,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import CONSTANT, differential, t
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.constraints import time_of
+from lagrange.explain.constraints import explain_time
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.limits import LONGEST_INTEGRATED_RELATION
 from lagrange.explain.page.constraints import relation_of
@@ -141,7 +141,7 @@ def _conclusions(classification: Classification) -> list[Prose]:
     count = f"{classification.coordinates}\u00a0−\u00a0{classification.rank}\u00a0=\u00a0"
     return [
         time,
-        *([] if timeless else [time_of(classification)]),
+        *([] if timeless else [explain_time(classification)]),
         prose(f"It has {count}", Emphasis(f"{counted(freedom, 'degree')} of freedom"), "."),
         *explain_one_sided(classification.constraints),
     ]

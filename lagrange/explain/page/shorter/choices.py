@@ -11,10 +11,10 @@ from dataclasses import replace
 from itertools import pairwise
 
 from lagrange.core.symbols import VectorSymbol
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.builders import display, has_purpose, index_of, listed, math, parts_of, prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_PRINCIPLE, LONGEST_PRINCIPLE_OF_BODIES, LONGEST_SOLVED_RELATION
-from lagrange.explain.page.shorter.sentences import parts_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, plural
 
@@ -34,41 +34,26 @@ def in_few_lines(steps: Sequence[Step]) -> Iterator[Step]:
         yield step
 
 
-def _words(block: Block | None) -> str:
-    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
-    return first if isinstance(first, str) else ""
-
-
 def _without_announcement(body: list[Block]) -> list[Block]:
     """No `ψ is eliminated through its velocity`, where the velocity is then solved for."""
-    return [b for b in body if not (isinstance(b, Prose) and _announces(b))]
+    return [b for b in body if not has_purpose(b, Purpose.ELIMINATED)]
 
 
-def _announces(block: Prose) -> bool:
-    last = block.parts[-1]
-    return isinstance(last, str) and last.endswith(("eliminated through its velocity.",
-                                                    "eliminated through their velocities."))  # fmt: skip
+def _place(purpose: Purpose, body: Sequence[Block]) -> int | None:
+    return next((n for n, b in enumerate(body) if has_purpose(b, purpose)), None)
 
 
 def _displacements_solved(body: list[Block]) -> list[Block]:
     """`In a virtual displacement δψ = (1/R) δs` without the equation of which this is the solution."""
-    at = next(
-        (n for n, b in enumerate(body) if isinstance(b, Prose) and b.parts == ("In a virtual displacement",)), None
-    )
+    at = _place(Purpose.VIRTUAL, body)
     if at is None or len(body) < at + 4:
         return body
     solving, solved = body[at + 2], body[at + 3]
-    if (
-        not isinstance(solving, Prose)
-        or not _words(solving).startswith("Solving for")
-        or not isinstance(solved, Display)
-    ):
+    if not has_purpose(solving, Purpose.SOLVING) or not isinstance(solved, Display) or solved.detail is Detail.FULL:
         return body
     where = _condition(solving)
-    if solving.parts[-1] != " gives":
-        return body
     rest = body[at + 4 :]
-    if rest and isinstance(rest[0], Prose) and str(rest[0].parts[-1]).endswith("free."):
+    if rest and has_purpose(rest[0], Purpose.FREE):
         rest = rest[1:]
     begins: tuple[Part, ...] = ("In a virtual displacement", *where)
     if len(solved.equations) == 1 and solved.operations <= LONGEST_SOLVED_RELATION:
@@ -78,13 +63,13 @@ def _displacements_solved(body: list[Block]) -> list[Block]:
 
 def _condition(solving: Prose) -> tuple[Part, ...]:
     """`, where x ≠ 0,` of `Solving for δx, where x ≠ 0, gives`."""
-    at = next((n for n, p in enumerate(solving.parts) if p == ", where "), None)
-    return () if at is None else (*solving.parts[at:-2], ",") if solving.parts[-2] == "," else solving.parts[at:-1]
+    at = index_of(Purpose.WHERE, solving.parts)
+    return () if at is None else solving.parts[at:-1]
 
 
 def _velocities_solved(body: list[Block]) -> list[Block]:
     """Velocities and accelerations side by side, or in a sentence where there is one of each."""
-    at = next((n for n, b in enumerate(body) if _words(b) == "Solving " and _ends(b, "differentiating, gives")), None)
+    at = _place(Purpose.RATES, body)
     if at is None:
         return body
     solving, rates = body[at], body[at + 1]
@@ -108,13 +93,9 @@ def _velocities_solved(body: list[Block]) -> list[Block]:
     return [*body[: at + 1], display(*lines), *body[at + 2 :]]
 
 
-def _ends(block: Block, words: str) -> bool:
-    return isinstance(block, Prose) and str(block.parts[-1]).endswith(words)
-
-
 def _brackets_once(body: list[Block], steps: Sequence[Step]) -> list[Block]:
     """A long principle not written out, where nothing is left to be done but to read off its brackets."""
-    at = next((n for n, b in enumerate(body) if _words(b) == "and d'Alembert's principle "), None)
+    at = _place(Purpose.PRINCIPLE, body)
     if at is None or len(body) < at + 4:
         return body
     reads, written, vanish, box = body[at : at + 4]
@@ -147,7 +128,7 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
     lines = [e for b in shown for e in b.equations]
     if not all(_is_vector(e) for e in lines):
         return body
-    first = _what(body[places[0] - 1])
+    first = _subject(body[places[0] - 1])
     moved = plural(len(shown[1].equations), "the virtual displacement", "the virtual displacements")
     turned = plural(len(shown[-1].equations), "the virtual rotation", "the virtual rotations")
     whats = [first, moved, turned] if len(shown) == 3 else [first, turned]
@@ -165,10 +146,11 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
     return [*body[: places[0] - 1], prose(f"{capital(what)} are"), display(*lines), *body[places[-1] + 1 :]]
 
 
-def _what(block: Block) -> str:
-    words = _words(block)
-    words = words.removesuffix(" are").removesuffix(" is").replace(" and the rate", ", the rate")
-    return f"{words[:1].lower()}{words[1:]}"
+def _subject(lead: Block) -> str:
+    """`the accelerations, the rates of change of the angular momenta`, whose values follow."""
+    assert isinstance(lead, Prose)
+    subject = next(p for p in lead.parts if isinstance(p, Phrase) and p.purpose is Purpose.SUBJECT)
+    return subject.instead
 
 
 def _kind(block: Display) -> str:

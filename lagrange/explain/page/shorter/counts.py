@@ -10,13 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import prose
-from lagrange.document.derivation import Block, Prose, Rule, Step
+from lagrange.document.builders import has_purpose, prose
+from lagrange.document.derivation import Block, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
-
-_ENDS = " unknowns remain."
 
 
 def counted_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -30,10 +29,7 @@ def counted_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]
 
 def _shortly(block: Block, newton: Newton) -> Block:
     before, after = newton.before, newton.after
-    words = block.parts[0] if isinstance(block, Prose) and len(block.parts) == 1 else ""
-    if before is None or after is None or not isinstance(words, str):
-        return block
-    if not words.startswith("The ") or not words.endswith(_ENDS) or "equations for" not in words:
+    if before is None or after is None or not has_purpose(block, Purpose.COUNT) or after.unknowns != after.equations:
         return block
     constraints = before.equations - sum(len(b.laws) for b in newton.bodies or ()) - len(newton.idle)
     bound = plural(constraints, "the constraint", f"the {constraints} constraints")

@@ -9,12 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import listed, paragraph, prose
+from lagrange.document.builders import has_purpose, index_of, listed, paragraph, parts_of, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.page.shorter.sentences import parts_of
-
-_LEFT_SIDE = " times the left side of "
-_BEGINS = "Time does not appear in "
+from lagrange.document.purposes import Purpose
 
 
 def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
@@ -39,7 +36,7 @@ def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[
     if len(step.body) < 2:
         return []
     first, shown, *rest = step.body
-    if not isinstance(first, Prose) or first.parts[:1] != (_BEGINS,) or not isinstance(shown, Display):
+    if not has_purpose(first, Purpose.TIMELESS) or not isinstance(shown, Display):
         return []
     labels = [e.label or "" for e in shown.equations]
     if not labels or not all(label.startswith("virtual-") for label in labels):
@@ -87,7 +84,7 @@ def _referring(step: Step, rule: dict[str, str]) -> Step:
     def block(b: Block) -> Block:
         if isinstance(b, Prose):
             parts = tuple(map(part, b.parts))
-            if parts != b.parts and parts[-1] == ":" and _LEFT_SIDE in parts:
+            if parts != b.parts and index_of(Purpose.LEFT_SIDES, parts[-1:]) is not None:
                 parts = (*parts[:-1], ", with δ in place of d:")  # it is a left side with d now
             return replace(b, parts=parts, short=tuple(map(part, b.short)))
         if isinstance(b, Display):

@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import prose
-from lagrange.document.derivation import Block, Display, Prose, Rule, Step
+from lagrange.document.builders import has_purpose, prose
+from lagrange.document.derivation import Block, Display, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 
 _RULES = (Rule.LINEARIZATION, Rule.STEADY)
-_BEGINS = "There are solutions proportional to "
-_ENDS = (", with a constant amplitude, where", ", with constant amplitudes, where")
 
 
 def in_one_box(steps: Sequence[Step]) -> Iterator[Step]:
@@ -27,19 +26,14 @@ def in_one_box(steps: Sequence[Step]) -> Iterator[Step]:
 def _in_one_box(body: Sequence[Block]) -> Iterator[Block]:
     for n, block in enumerate(body):
         follows = body[n + 1 : n + 3]
-        if _is_linear(block) and len(follows) == 2 and _leads(follows[0]) and _is_box(follows[1]):
+        if _is_linear(block) and len(follows) == 2 and has_purpose(follows[0], Purpose.WAVES) and _is_box(follows[1]):
             assert isinstance(block, Display)
             yield replace(block, boxed=False)
-        elif isinstance(block, Prose) and _leads(block):
-            begins = "It has" if block.parts[-1] == _ENDS[0] else "They have"
-            yield prose(f"{begins} solutions proportional to ", *block.parts[1:-1], " with", detail=block.detail)
+        elif has_purpose(block, Purpose.WAVES):
+            parts = (p.instead if isinstance(p, Phrase) else p for p in block.parts)
+            yield prose(*parts, detail=block.detail)
         else:
             yield block
-
-
-def _leads(block: Block) -> bool:
-    """`There are solutions proportional to cos(ω t), with a constant amplitude, where`."""
-    return isinstance(block, Prose) and block.parts[0] == _BEGINS and block.parts[-1] in _ENDS
 
 
 def _is_linear(block: Block) -> bool:

@@ -12,8 +12,9 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import prime
-from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
+from lagrange.document.builders import has_purpose, listed, math, prose
+from lagrange.document.derivation import Block, Display, Equation, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_RESONANCE
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations
@@ -72,13 +73,12 @@ def _with_roots(body: list[Block]) -> list[Block]:
     letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
                    for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
     before = body[at - 1] if at else None
-    if at is None or letter is None or not isinstance(before, Prose):
+    if at is None or letter is None or not has_purpose(before, Purpose.RESONANCE):
         return body
     shown = body[at]
     assert isinstance(shown, Display)
-    begins, words = "The denominator vanishes at ", str(before.parts[0])
-    if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE or not words.startswith(begins):
+    if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE:
         return body
-    follows = words.removeprefix(begins).replace(": at resonance", ". At resonance")
-    roots = prose("The roots of ", math(letter, sp.S.Zero), f" are the {follows}")
+    frequencies = (p for p in before.parts if isinstance(p, Phrase))
+    roots = prose("The roots of ", math(letter, sp.S.Zero), " are the ", *(p.instead or p for p in frequencies))
     return [*body[: at - 1], roots, *body[at + 1 :]]

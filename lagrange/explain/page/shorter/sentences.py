@@ -10,15 +10,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import listed, paired, prose
-from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.builders import has_purpose, index_of, listed, paired, parts_of, prose
+from lagrange.document.derivation import Block, Display, Equation, Math, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.limits import LONGEST_PLAIN_FORCES
 from lagrange.explain.page.system import are_short
-
-_LAW = ("Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular momentum, "
-        "its rate of change about the mass centre equal to the moment of both, have the components")  # fmt: skip
-_SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
-_TOO_LONG = " too long to be written as functions of position and velocity. "
 
 
 def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
@@ -40,36 +36,25 @@ def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block
             yield block
 
 
-def parts_of(block: Block) -> Iterator[Part]:
-    """What a paragraph, or the conditions of displayed equations, are made of."""
-    if isinstance(block, Prose):
-        yield from block.parts
-    elif isinstance(block, Display):
-        yield from (p for e in block.equations for p in e.condition)
-
-
 def _words(block: Prose, follows: Block | None) -> Prose:
     first = block.parts[0] if block.parts else ""
-    if not isinstance(first, str):
-        return block
-    if first == _LAW:
-        return prose(_SHORT_LAW)
-    if first.startswith("With multipliers instead, nothing is eliminated.") and str(block.parts[-1]).endswith(
-        "coordinate"
-    ):
+    if isinstance(first, Phrase) and first.purpose is Purpose.LAW:
+        return prose(first.instead)
+    if has_purpose(block, Purpose.MULTIPLIERS) and index_of(Purpose.EVERY_COORDINATE, block.parts) is not None:
         letters = [p for p in block.parts if isinstance(p, Math)]
         multipliers = letters[: _count(block)]
         return prose("With ", "a multiplier " if len(multipliers) == 1 else "multipliers ", *listed(multipliers),
                      " of the constraint" if len(multipliers) == 1 else " of the constraints",
                      " instead, nothing is eliminated, and for every coordinate")  # fmt: skip
-    if _TOO_LONG in first and isinstance(follows, Display) and follows.operations <= LONGEST_PLAIN_FORCES:
-        return replace(block, parts=(first.partition(_TOO_LONG)[2], *block.parts[1:]))
+    too_long = index_of(Purpose.REASON, block.parts[:1]) is not None
+    if too_long and isinstance(follows, Display) and follows.operations <= LONGEST_PLAIN_FORCES:
+        return replace(block, parts=block.parts[1:])
     return block
 
 
 def _count(block: Prose) -> int:
     """How many multipliers a paragraph names before it says what becomes of them."""
-    end = next(n for n, p in enumerate(block.parts) if isinstance(p, str) and p in (", is", ", are"))
+    end = index_of(Purpose.VERB, block.parts)
     return sum(isinstance(p, Math) for p in block.parts[:end])
 
 

@@ -25,8 +25,9 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, CrossProduct, DotProduct, VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.builders import display, has_purpose, math, prose
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Ref, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.results import Solution
@@ -209,9 +210,7 @@ def _reaction(link: RodLink, step: Step) -> Step:
         prose("With ", laws[1], " and ", laws[0], ", each divided by its mass, put into it:"),
         display(link.tension, boxed=True),
     ]
-    bounds: list[Block] = [
-        b for b in step.body if isinstance(b, Prose) and str(b.parts[0]).startswith(("A rod may", "Rods may"))
-    ]
+    bounds: list[Block] = [b for b in step.body if has_purpose(b, Purpose.MAY_PUSH)]
     if link.falls_as_one and bounds:
         bounds = [prose(math(link.reaction.force), " is never negative: a string would do as well as the rod.")]
     return replace(step, body=(*body, *bounds))
@@ -221,7 +220,7 @@ def meaning_of_link(link: RodLink, step: Step) -> Step:
     """What it says: the mass centre, the rod about it, the energy."""
     if not link.falls_as_one:
         return step
-    kept = [b for b in step.body if not (isinstance(b, Prose) and _keyword(b) in ("Momentum", "Angular momentum"))]
+    kept = [b for b in step.body if not has_purpose(b, Purpose.MOMENTUM)]
     parts: tuple[Part, ...] = (
         Emphasis("Mass centre"), ": by ", Ref("link-together"), " it moves as a single particle under both forces, "
         "whatever the rod does.",
@@ -233,8 +232,3 @@ def meaning_of_link(link: RodLink, step: Step) -> Step:
         math(link.reaction.force), " is constant.",
     )  # fmt: skip
     return replace(step, body=(prose(*parts), prose(*turns), *kept))
-
-
-def _keyword(block: Prose) -> str:
-    first = block.parts[0] if block.parts else ""
-    return first.word if isinstance(first, Emphasis) else ""

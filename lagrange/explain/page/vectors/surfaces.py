@@ -30,11 +30,11 @@ from lagrange.core.symbols import (
     t,
 )
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, prose
+from lagrange.document.builders import display, has_purpose, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Purpose
 from lagrange.explain.newton import works_when_moving
 from lagrange.explain.page.laws import missing_relations
-from lagrange.explain.reactions import ONLY_PUSHES
 from lagrange.explain.words import capital, constraints_called, the
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -182,7 +182,7 @@ def _stated(s: OnSurface, step: Step) -> Step:
         if isinstance(block, Display) and any(e.label == label for e in block.equations):
             lines = (replace(e, sides=(e.sides[0], force)) if e.label == label else e for e in block.equations)
             body.append(display(*lines))
-        elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("The friction contains")):
+        elif not has_purpose(block, Purpose.FRICTION_INSIDE):
             body.append(block)
     return replace(step, body=tuple(body))
 
@@ -227,13 +227,9 @@ def _displacements(s: OnSurface, step: Step) -> Step:
         tangent += ("as it is at that time; a possible displacement in general is not.",)
     else:
         tangent += ("and so is every possible one: without a term in ", dt, " they are the same.")
-    drift = next((n for n, b in enumerate(step.body) if _begins(b, "Possible and virtual displacements differ")), None)
+    drift = next((n for n, b in enumerate(step.body) if has_purpose(b, Purpose.DRIFT)), None)
     rest = step.body[drift:] if drift is not None else ()
     return replace(step, body=(prose(*words), display(virtual), prose(*tangent), *rest))
-
-
-def _begins(block: Block, words: str) -> bool:
-    return isinstance(block, Prose) and isinstance(block.parts[0], str) and block.parts[0].startswith(words)
 
 
 def _virtual(s: OnSurface) -> VectorSymbol:
@@ -287,7 +283,12 @@ def _work(s: OnSurface) -> Step:
         body.append(prose("In a virtual displacement the reaction does no work:"))
     else:
         body += [
-            prose("Time does not appear in ", Ref(f"form-{s.row.name}"), ": virtual displacements satisfy it too,"),
+            prose(
+                "Time does not appear in ",
+                Ref(f"form-{s.row.name}"),
+                ": virtual displacements satisfy it too,",
+                purpose=Purpose.TIMELESS,
+            ),
             display(Equation((work, ZERO), label=virtual)),
             prose("They are tangent to the surface, and in them the reaction does no work:"),
         ]
@@ -367,7 +368,7 @@ def _reaction(s: OnSurface, step: Step) -> Step:
             Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True
         ),
     ]
-    bounds = [b for b in step.body if _begins(b, ONLY_PUSHES)]
+    bounds = [b for b in step.body if has_purpose(b, Purpose.ONLY_PUSHES)]
     return replace(step, body=(*body, *bounds))
 
 

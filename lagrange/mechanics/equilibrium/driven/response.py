@@ -22,7 +22,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.polynomial_roots import factors
+from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -179,5 +179,5 @@ class Balance:
 
 def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
     above, _ = sp.fraction(sp.together(pivot))
-    split = factors(above)
+    split = irreducible_factors(above)
     return [pivot] if split is None else [f for f in split if signs.of(f) is None]

@@ -7,12 +7,14 @@ import sympy as sp
 from lagrange.core.symbols import differential, variation
 from lagrange.document.builders import display, listed, prose
 from lagrange.document.derivation import Display, Equation, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.page.shorter.displacements import with_one_list
 
 x, y = sp.symbols("x y", real=True)
 FORMS = display(Equation((differential(x), sp.S.Zero), label="form-floor"))
 VIRTUAL = display(Equation((variation(x), sp.S.Zero), label="virtual-floor"))
-BEGINS = prose("Time does not appear in ", Ref("form-floor"), ": virtual displacements satisfy it too,")
+BEGINS = prose("Time does not appear in ", Ref("form-floor"), ": virtual displacements satisfy it too,",
+               purpose=Purpose.TIMELESS)  # fmt: skip
 CONSTRAINT = Step(Rule.CONSTRAINT, "The constraint", (FORMS, prose("It has one degree of freedom.")))
 WORK = Step(Rule.WORKLESS, "", (prose("which is zero by ", *listed([Ref("virtual-floor")]), "."),))
 
@@ -45,7 +47,9 @@ def test_the_list_stays_where_the_forms_are_not_shown() -> None:
 
 
 def test_a_left_side_that_is_now_one_with_d_is_said_to_be_taken_with_delta() -> None:
-    words = prose("The work is ", "N", " times the left side of ", Ref("virtual-floor"), ":")
+    words = prose(
+        "The work is ", "N", " times the left side of ", Ref("virtual-floor"), Phrase(":", Purpose.LEFT_SIDES)
+    )
     steps = [CONSTRAINT, Step(Rule.DISPLACEMENTS, "", (BEGINS, VIRTUAL)), Step(Rule.WORKLESS, "", (words,))]
     _, work = with_one_list(steps)
     assert work.body == (

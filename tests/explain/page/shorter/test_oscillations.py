@@ -6,7 +6,8 @@ import sympy as sp
 
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Block, Display, Equation, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Prose, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.page.shorter.oscillations import in_one_box
 
 xi, omega, k = sp.symbols("xi omega k", positive=True)
@@ -20,12 +21,23 @@ def said(*blocks: Block, rule: Rule = Rule.LINEARIZATION) -> tuple[Block, ...]:
     return step.body
 
 
+def waves(shorter: str) -> Prose:
+    begins, ends = (
+        Phrase("There are", Purpose.SUBJECT, shorter),
+        Phrase(", with constant amplitudes, where", None, " with"),
+    )
+    return prose(begins, " solutions proportional to ", *WAVE, ends, purpose=Purpose.WAVES)
+
+
+def words_of(block: Block) -> str:
+    return "".join(p for p in block.parts if isinstance(p, str)) if isinstance(block, Prose) else ""
+
+
 def test_one_box() -> None:
-    solved = prose("There are solutions proportional to ", *WAVE, ", with a constant amplitude, where")
-    linear, words, square = said(LINEAR, solved, SQUARE)
+    linear, words, square = said(LINEAR, waves("It has"), SQUARE)
     assert isinstance(linear, Display)
     assert not linear.boxed
-    assert words == prose("It has solutions proportional to ", *WAVE, " with")
+    assert words_of(words) == "It has solutions proportional to cos() with"
     assert square == SQUARE
 
 
@@ -35,7 +47,7 @@ def test_a_linear_equation_without_a_frequency_keeps_its_box() -> None:
 
 
 def test_steady_motions_too_and_nothing_else() -> None:
-    solved = prose("There are solutions proportional to ", *WAVE, ", with constant amplitudes, where")
-    assert said(LINEAR, solved, SQUARE, rule=Rule.STEADY)[1] == prose("They have solutions proportional to ", *WAVE,
-                                                                      " with")  # fmt: skip
+    solved = waves("They have")
+    _, words, _ = said(LINEAR, solved, SQUARE, rule=Rule.STEADY)
+    assert words_of(words) == "They have solutions proportional to cos() with"
     assert said(LINEAR, solved, SQUARE, rule=Rule.MEANING) == (LINEAR, solved, SQUARE)

@@ -18,8 +18,8 @@ def test_an_absorber(name: str) -> None:
     assert not any(x.startswith(("forced-", "resonance-")) for x in labels)
     words = [p for b in step.body if isinstance(b, Prose) for p in b.parts]
     assert " are linear, and about " in words
-    assert any(str(p).endswith("frequencies of free oscillations. At resonance there is no steady state, and the "
-                               "amplitude grows without bound as it is approached.") for p in words)  # fmt: skip
+    assert "frequencies of free oscillations" in words
+    assert any(str(p).startswith(". At resonance there is no steady state, and the amplitude grows") for p in words)
     head = pages[0]
     c2, m2, w = (next(s for e in _box(head) for x in e.sides for s in x.free_symbols if s.name == n)
                  for n in ("c_2", "m_2", "w"))  # fmt: skip

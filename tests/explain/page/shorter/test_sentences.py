@@ -8,6 +8,7 @@ import sympy as sp
 from lagrange.core.symbols import variation
 from lagrange.document.builders import display, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Prose, Ref, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.page.shorter.sentences import in_fewer_words
 from tests.support.shared import reported
 
@@ -42,9 +43,10 @@ def test_a_number_that_is_referred_to_stays() -> None:
 
 def test_multipliers() -> None:
     words = prose("With multipliers instead, nothing is eliminated. The ", "constraint on the displacements, times a "
-                  "multiplier ", math(F), ", is", " subtracted from ", Ref("a"), ", the multiplier being chosen so that "
-                  "the ", "coefficient of ", math(variation(x1)), " vanishes", ". The other displacements are free, so "
-                  "for every coordinate")  # fmt: skip
+                  "multiplier ", math(F), Phrase(", is", Purpose.VERB), " subtracted from ", Ref("a"), ", the multiplier being chosen so that "
+                  "the ", "coefficient of ", math(variation(x1)), " vanishes",
+                  Phrase(". The other displacements are free, so for every coordinate", Purpose.EVERY_COORDINATE),
+                  purpose=Purpose.MULTIPLIERS)  # fmt: skip
     assert said(words) == (
         prose("With ", "a multiplier ", math(F), " of the constraint",
               " instead, nothing is eliminated, and for every coordinate"),
@@ -52,8 +54,8 @@ def test_multipliers() -> None:
 
 
 def test_that_reactions_are_long_is_not_said_of_short_ones() -> None:
-    words = prose("The reaction of the rod is too long to be written as functions of position and velocity. In terms of "
-                  "the accelerations, Newton's equations give")  # fmt: skip
+    reason = Phrase("The reaction of the rod is too long. ", Purpose.REASON)
+    words = prose(reason, "In terms of the accelerations, Newton's equations give")
     short = display(Equation((F, m * x1)), boxed=True)
     assert said(words, short)[0] == prose("In terms of the accelerations, Newton's equations give")
     long = display(Equation((F, sp.Add(*(sp.Symbol(f"q{n}") * x1**n for n in range(2, 30))))), boxed=True)
