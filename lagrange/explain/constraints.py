@@ -32,6 +32,7 @@ from lagrange.explain.words import brief, capital, constraints_called, counted, 
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent
 from lagrange.mechanics.constraints.displacements import possible_displacement
+from lagrange.mechanics.rewriting.factors import without_shared_constant
 
 if TYPE_CHECKING:
     from lagrange.algebra.forms.restrictions import FiniteForm, Restriction
@@ -65,7 +66,7 @@ def _explain_restriction(restriction: Restriction) -> list[Block]:
     if angles:
         named = (plural(len(angles), ", with an angle ", ", with angles "), *listed(math(a.symbol) for a in angles))
     words = prose("There ", *rules, *named, ", and the form becomes")
-    return [words, _shown(restriction.form, restriction.variables)]
+    return [words, _shown(without_shared_constant(restriction.form), restriction.variables)]
 
 
 def _explain_multiplied(form: FiniteForm) -> list[Block]:
@@ -78,7 +79,8 @@ def _explain_multiplied(form: FiniteForm) -> list[Block]:
         return [prose("Its mixed partial derivatives agree", ":" if pairs else "."), *pairs]
     words = prose("An integrating factor is ", math(factor.factor), ". Multiplied by it, the form is")
     agree = prose("and now the mixed partial derivatives agree", ":" if pairs else ", all being zero.")
-    return [words, _shown(factor.form, factor.variables), agree, *pairs]
+    shown = factor.form if form.restriction is None or telling else without_shared_constant(factor.form)
+    return [words, _shown(shown, factor.variables), agree, *pairs]
 
 
 def _moral(form: FiniteForm) -> Prose:
