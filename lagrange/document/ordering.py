@@ -7,7 +7,8 @@ masses, other parameters, then what moves, m r φ'^2 sin θ cos θ. `FactorOrder
 Within a class of factors, parameters are alphabetic, Latin before Greek; what moves keeps the declared order;
 functions follow their coordinate, sine before cosine. Within a class of terms, a higher degree comes first, then the
 declared order of the coordinates. A constant comes first if only functions follow (a + b cos ωt), and a sum begins
-with a plus if it can (l^2 - y^2); of constants that would begin with a minus, those with a plus come first (a + b - μ h). Terms with differentials or unit vectors keep the order of these.
+with a plus if it can (l^2 - y^2); where it would begin with a minus,
+all constants, or all forces, with a plus come first (a + b - μ h). Terms with differentials or unit vectors keep the order of these.
 
 Nothing is multiplied out and nothing cancels; only signs are collected: -(-a - b) c is written (a + b) c. Sort keys
 never depend on hashes, so that every run prints the same.
@@ -270,11 +271,12 @@ class WritingOrder:
         terms.sort(key=keys.__getitem__)
         # A sum begins with a plus if it can, unless differentials or unit vectors fix the order.
         if all(keys[term][0] == () for term in terms):
-            if terms and is_negative(terms[0]) and all(map(self.is_constant, terms)):
-                terms.sort(key=is_negative)  # of constants all with a plus are together: a + b - μ h
-            else:
-                positive = (n for n, term in enumerate(terms) if not is_negative(term))
-                terms.insert(0, terms.pop(next(positive, 0)))
+            first = next((term for term in terms if not is_negative(term)), None)
+            if first is not None and first is not terms[0]:
+                forces = self._class(first) is TermOrder.FORCE
+                together = forces or all(map(self.is_constant, terms))  # N_A + N_B - m g, a + b - μ h
+                front = [term for term in terms if not is_negative(term)] if together else [first]
+                terms = [*front, *(term for term in terms if term not in front)]
         return terms
 
     def _class(self, term: sp.Expr) -> TermOrder:

@@ -99,6 +99,7 @@ from lagrange.explain.page.shorter.relations import with_symbol_first
 from lagrange.explain.page.shorter.response import response_shortly
 from lagrange.explain.page.shorter.sentences import in_fewer_words
 from lagrange.explain.page.shorter.springs import with_lengths
+from lagrange.explain.page.shorter.together import put_in, with_values_put_in
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -112,6 +113,7 @@ from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constraint_forms import common_number, with_short_forms, without_common_number
 from lagrange.mechanics.rewriting.factors import has_one_sign
+from lagrange.mechanics.rewriting.held_together import held_together
 from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations, in_names
 
@@ -183,6 +185,7 @@ def _arranged(
     if not every_choice:
         open_, tested = without_test(solution, open_)
         folded += tested
+        open_ = [*with_values_put_in(solution, open_)]
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
@@ -233,6 +236,7 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
     at_sight = integrates_at_sight(solution)
     step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
+    step = step and put_in(held_together(solution), step)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
