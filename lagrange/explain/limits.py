@@ -149,6 +149,9 @@ LONGEST_MINORS = 30
 DIGITS_AS_STATED = 12
 """Digits of a number that a file gives with its unit."""
 
+SHORTER_AS_STATED = 0.8
+"""A reaction is printed as the file's answer has it if that takes four fifths of the operations: less is a matter of taste."""
+
 DECIMALS = 10**6
 """A rational initial value is printed as a decimal if that has at most six places, 0.7: more are no longer read."""
 

@@ -28,6 +28,7 @@ from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import without_common_number
 from lagrange.mechanics.rewriting.factors import with_common_factor
+from lagrange.mechanics.rewriting.named_components import in_named_components
 from lagrange.mechanics.rewriting.named_directions import Directions, unit_along, unit_directions
 from lagrange.mechanics.rewriting.readable_equality import is_same
 
@@ -47,8 +48,8 @@ def has_vector_laws(solution: Solution) -> bool:
 
 def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
-    bodies = newton.bodies or ()
     units = unit_directions(solution.problem)
+    bodies = tuple(in_named_components(b, units) for b in newton.bodies or ())
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
@@ -66,6 +67,25 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
           for b in bodies if (unit := _held(b)) is not None),
     ]  # fmt: skip
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def along_named(solution: Solution, step: Step) -> Step:
+    """The step with the components of Newton's law for bodies along vectors of `let`, where they are shorter so."""
+    units = unit_directions(solution.problem)
+    bodies = () if solution.law is None or not units else solution.law.newton.bodies or ()
+    lines: dict[str, tuple[sp.Expr, sp.Expr]] = {}
+    for body in bodies:
+        named = in_named_components(body, units)
+        if named is not body:
+            lines |= {f"newton-{body.name}-{n}": (c.inertia, c.right) for n, c in enumerate(named.components, start=1)}
+    if not lines:
+        return step
+
+    def line(e: Equation) -> Equation:
+        return replace(e, sides=lines.get(e.label or "", e.sides))
+
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
+    return replace(step, body=tuple(blocks))
 
 
 def _held(body: FreeBody) -> sp.Symbol | None:

@@ -30,9 +30,17 @@ def multiplied_out(v: Vector) -> tuple[sp.Expr, ...]:
 
 
 def are_same_equations(left: Sequence[tuple[sp.Expr, ...]], right: Sequence[sp.Expr]) -> bool:
-    """Whether each equation a = b of the left is one of e = 0 of the right, or its negative."""
+    """Whether each equation a = b of the left is one of e = 0 of the right, or a number times it."""
     differences, expressions = [in_sines(a - b) for a, b, *_ in left], [in_sines(e) for e in right]
-    return all(any(is_same(d, e) or is_same(d, -e) for e in expressions) for d in differences)
+    return all(any(_is_multiple(d, e) for e in expressions) for d in differences)
+
+
+def _is_multiple(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether the first is the second, or −1, ½ or another number times it."""
+    if is_same(a, b) or is_same(a, -b):
+        return True
+    (m, a), (n, b) = (sp.expand(e).primitive() for e in (a, b))
+    return m != n and (is_same(a, b) or is_same(a, -b))
 
 
 def are_same_formulas(a: sp.Expr, b: sp.Expr, rule: dict[sp.Symbol, sp.Expr]) -> bool:
