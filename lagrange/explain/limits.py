@@ -152,6 +152,9 @@ DIGITS_AS_STATED = 12
 SHORTER_AS_STATED = 0.8
 """A reaction is printed as the file's answer has it if that takes four fifths of the operations: less is a matter of taste."""
 
+FEWEST_WITHOUT_SUMS = 4
+"""The reactions on each of so many bodies are not added up before the laws, which have them again."""
+
 DECIMALS = 10**6
 """A rational initial value is printed as a decimal if that has at most six places, 0.7: more are no longer read."""
 

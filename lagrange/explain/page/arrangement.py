@@ -194,7 +194,7 @@ def _arranged(
     if not every_choice:
         open_, tested = without_test(solution, open_)
         folded += tested
-        open_ = [*with_values_put_in(solution, with_stated_forces(open_, named))]
+        open_ = [*with_values_put_in(solution, with_stated_forces(solution, open_, named, stated))]
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)

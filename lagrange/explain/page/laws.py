@@ -16,7 +16,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variati
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
+from lagrange.explain.limits import FEWEST_WITHOUT_SUMS, LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import law_of, natures
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
@@ -70,10 +70,15 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
 
 
 def along_named(solution: Solution, step: Step) -> Step:
-    """The step with the components of Newton's law for bodies along vectors of `let`, where they are shorter so."""
+    """The step with the components of Newton's law for bodies along vectors of `let`, where they are shorter so.
+
+    Of a single body also along its normal force and at a right angle to it.
+    """
     units = unit_directions(solution.problem)
-    bodies = () if solution.law is None or not units else solution.law.newton.bodies or ()
+    bodies = () if solution.law is None else solution.law.newton.bodies or ()
     lines: dict[str, tuple[sp.Expr, sp.Expr]] = {}
+    if len(bodies) == 1 and in_named_components(bodies[0], units) is bodies[0]:
+        step, units = _along_forces(bodies[0], step)
     for body in bodies:
         named = in_named_components(body, units)
         if named is not body:
@@ -86,6 +91,33 @@ def along_named(solution: Solution, step: Step) -> Step:
 
     blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
+
+
+def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
+    """The directions of the forces on a body in a plane, if its law is shorter along them, and words that say so."""
+    forces = {r.force: r.single.direction.fixed() for r in body.bound
+              if r.single is not None and r.single.direction is not None and r.single.on == body.name}  # fmt: skip
+    units = {f.name: u for f, u in forces.items() if u.components[2] == 0 and sum(c != 0 for c in u.components) == 2}
+    if not units or len(units) < len(forces):
+        return step, {}
+    along = listed(math(f) for f in forces)
+    if len(units) == 1:
+        [(name, unit)] = units.items()
+        x, y, _ = unit.components
+        units[f"across {name}"] = Vector((-y, x, ZERO))
+        along = (*along, " and at a right angle to it")
+    if in_named_components(body, units) is body:
+        return step, {}
+    label = f"newton-{body.name}-1"
+    at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label == label), 0)
+    lead = step.body[at - 1] if at else None
+    if not isinstance(lead, Prose) or not str(lead.parts[-1]).endswith((" have the components", " has the components")):
+        return step, {}
+    *parts, end = lead.parts
+    said = prose(*parts, str(end).removesuffix(" the components") + ", along ", *along, ", the components")
+    if body.turning:
+        said = prose("Newton's law along ", *along, " and the law of angular momentum about the mass centre are")
+    return replace(step, body=(*step.body[: at - 1], said, *step.body[at:])), units
 
 
 def _held(body: FreeBody) -> sp.Symbol | None:
@@ -301,7 +333,18 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
     sentences = [prose(*s) for s in _alike(newton.reactions)]
     if sentences:
         before = [b for b in before if not isinstance(b, Prose)] + [paragraph(*sentences)]
+        if len(names) >= FEWEST_WITHOUT_SUMS:  # the laws have them, body by body
+            return replace(step, body=(*before, *map(_by_kind, after)))
     return replace(step, body=(*before, prose(f"On each body {what} add up to"), display(*sums), *after))
+
+
+def _by_kind(block: Block) -> Block:
+    """The laws of motion of all mass centres before those of all rotations."""
+    kinds = ("newton", "turning")
+    if not isinstance(block, Display) or {(e.label or "").partition("-")[0] for e in block.equations} != {*kinds}:
+        return block
+    ordered = sorted(block.equations, key=lambda e: kinds.index((e.label or "").partition("-")[0]))
+    return replace(block, equations=tuple(ordered))
 
 
 def _is_free_body(block: Block) -> bool:
@@ -337,6 +380,7 @@ def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
 def shares_shortly(solution: Solution, step: Step) -> Step:
     """The work of the reactions, without the shares of each body one by one where there are several."""
     several = [w for w in solution.works if len(w.working) > 1]
+    step = _as_a_whole(solution, step)
     if len(several) < 2:
         return step
     labels = tuple(f"share-{w.reaction.name}-" for w in several)
@@ -347,6 +391,21 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
         elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
             body.append(block)
     return replace(step, body=(*body, *_single(several, ())))
+
+
+def _as_a_whole(solution: Solution, step: Step) -> Step:
+    """δW instead of R·δr and Γ·δπ of each of many bodies."""
+    bodies = () if solution.law is None else solution.law.newton.bodies or ()
+    if len(bodies) < FEWEST_WITHOUT_SUMS:
+        return step
+    name = variation(sp.Symbol(free_letter("W", "A", "w", taken={*solution.problem.scope.names()}), real=True))
+    blocks = (
+        replace(b, equations=tuple(replace(e, sides=(name, *e.sides[1:])) for e in b.equations))
+        if isinstance(b, Display) and _is_work(b) and len(b.equations[0].sides) > 1
+        else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(blocks))
 
 
 def work_by_forms(solution: Solution, step: Step) -> Step:

@@ -133,6 +133,9 @@ def _conserved(
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
+    telling = tuple(i for i in kept if not _is_seen(i, conserved))
+    kept = telling or kept
+    unbound = unbound or len(kept) > 1
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
     bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
     if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
@@ -161,6 +164,13 @@ def _conserved(
         name = Emphasis(_CALLED[called])
         quantity = math(in_remaining_velocities(integral.expression, conserved.motion), CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+
+
+def _is_seen(integral: Integral, conserved: Conserved) -> bool:
+    """Whether it is a constant times a velocity whose acceleration is zero by one of the equations of motion."""
+    final = {e.expression for e in conserved.motion.equations}
+    moving = integral.expression.free_symbols & {*conserved.motion.configuration.slots.velocities}
+    return len(moving) == 1 and integral.expression.is_Mul and {prime(base(*moving), 2)} <= final
 
 
 def _balances_loads(integral: Integral, conserved: Conserved) -> bool:

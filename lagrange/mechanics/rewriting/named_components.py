@@ -18,6 +18,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.newton import FreeBody, LawComponent
 from lagrange.mechanics.limits import LONGEST_IN_DIRECTIONS
+from lagrange.mechanics.rewriting.factors import with_common_factor
 from lagrange.mechanics.rewriting.named_directions import Directions
 
 
@@ -50,7 +51,7 @@ def _along(e: Vector, shares: list[sp.Expr], laws: tuple[LawComponent, ...]) -> 
 
     return LawComponent(
         e,
-        projected(*(c.inertia for c in laws)),
+        with_common_factor(projected(*(c.inertia for c in laws))),
         projected(*(c.applied for c in laws)),
         projected(*(c.reaction for c in laws)),
     )

@@ -5,6 +5,7 @@ The full derivation says what Newton's law and multipliers are wherever they occ
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
@@ -18,6 +19,11 @@ from lagrange.explain.page.system import are_short
 _LAW = ("Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular momentum, "
         "its rate of change about the mass centre equal to the moment of both, have the components")  # fmt: skip
 _SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
+_SUM_AND_MOMENT = " In terms of the forces, their sum and their moment about the mass centre are"
+_ONLY_VELOCITIES = re.compile(
+    r"The space of reachable configurations has dimension \d+\. The kinematic constraints? restricts? the velocities at "
+    r"each position, but not the positions\."
+)
 _TOO_LONG = " too long to be written as functions of position and velocity. "
 
 
@@ -54,6 +60,13 @@ def _words(block: Prose, follows: Block | None) -> Prose:
         return block
     if first == _LAW:
         return prose(_SHORT_LAW)
+    if first.startswith("On ") and first.endswith(_SUM_AND_MOMENT):
+        return prose("Their sum and their moment about the mass centre are")
+    if any(isinstance(p, str) and _ONLY_VELOCITIES.search(p) for p in block.parts):
+        reached = "All positions can be reached: only the velocities are restricted."
+        return replace(block, parts=tuple(
+            _ONLY_VELOCITIES.sub(reached, p) if isinstance(p, str) else p for p in block.parts
+        ))  # fmt: skip
     if first.startswith("With multipliers instead, nothing is eliminated.") and str(block.parts[-1]).endswith(
         "coordinate"
     ):
