@@ -150,7 +150,7 @@ DIGITS_AS_STATED = 12
 """Digits of a number that a file gives with its unit."""
 
 SHORTER_AS_STATED = 0.8
-"""A reaction is printed as the file's answer has it if that takes four fifths of the operations: less is a matter of taste."""
+"""A reaction is printed as the file's answer has it if that takes at most four fifths of the operations."""
 
 FEWEST_WITHOUT_SUMS = 4
 """The reactions on each of so many bodies are not added up before the laws, which have them again."""

@@ -58,6 +58,8 @@ initial: {{theta: {value}, theta': 0}}
     assert str(first.sides[-1]) == shown
 
 
-@pytest.mark.parametrize(("value", "shown"), [("7/10", "0.7"), ("1/2", "1/2"), ("2/3", "2/3"), ("-9/4", "-9/4"), ("3", "3")])
+@pytest.mark.parametrize(
+    ("value", "shown"), [("7/10", "0.7"), ("1/2", "1/2"), ("2/3", "2/3"), ("-9/4", "-9/4"), ("3", "3")]
+)
 def test_decimals_of_an_initial_state(value: str, shown: str) -> None:
     assert str(in_decimals(sp.Rational(value))) == shown

@@ -333,7 +333,11 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
-            step = explain_laws(solution, newton) if laws else explain_laws_of_bodies(solution, along_named(solution, step))
+            step = (
+                explain_laws(solution, newton)
+                if laws
+                else explain_laws_of_bodies(solution, along_named(solution, step))
+            )
             known = own is not None
             yield step if own is None else with_kinematics(step, own)
         elif vectors and step.rule is Rule.WORKLESS and newton is not None:

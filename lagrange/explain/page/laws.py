@@ -50,6 +50,12 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
     units = unit_directions(solution.problem)
     bodies = tuple(in_named_components(b, units) for b in newton.bodies or ())
+    along: list[Block] = []
+    if len(bodies) == 1 and bodies == newton.bodies and all(r.is_normal for r in newton.reactions):
+        bodies = (in_named_components(bodies[0], _directions_of_forces(bodies[0])),)
+        if bodies != newton.bodies:
+            forces = listed(math(r.force) for r in newton.reactions)
+            along = [prose("and, along ", *forces, " and at a right angle to it," if len(forces) == 1 else ",")]
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
@@ -61,7 +67,8 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
-        display(*vectors, *(paired(components) if are_short(components) else components)),
+        *([display(*vectors), *along] if along else []),
+        display(*(() if along else vectors), *(paired(components) if are_short(components) else components)),
         *(prose("The component of the force on ", the(b.name), " along ", math(unit), " is balanced by what keeps "
                 f"{the(b.name)} from moving along it, which does no virtual work and is not shown.")
           for b in bodies if (unit := _held(b)) is not None),
@@ -93,18 +100,27 @@ def along_named(solution: Solution, step: Step) -> Step:
     return replace(step, body=tuple(blocks))
 
 
-def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
-    """The directions of the forces on a body in a plane, if its law is shorter along them, and words that say so."""
+def _directions_of_forces(body: FreeBody) -> dict[str, Vector]:
+    """The unit vectors of the forces that the file names, on a body in a plane; of one, and at a right angle to it."""
     forces = {r.force: r.single.direction.fixed() for r in body.bound
-              if r.single is not None and r.single.direction is not None and r.single.on == body.name}  # fmt: skip
+              if r.given and r.single and r.single.direction is not None and r.single.on == body.name}  # fmt: skip
     units = {f.name: u for f, u in forces.items() if u.components[2] == 0 and sum(c != 0 for c in u.components) == 2}
     if not units or len(units) < len(forces):
-        return step, {}
-    along = listed(math(f) for f in forces)
+        return {}
     if len(units) == 1:
         [(name, unit)] = units.items()
         x, y, _ = unit.components
         units[f"across {name}"] = Vector((-y, x, ZERO))
+    return units
+
+
+def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
+    """The directions of the forces on a body in a plane, if its law is shorter along them, and words that say so."""
+    units = _directions_of_forces(body)
+    if not units:
+        return step, {}
+    along = listed(math(r.force) for r in body.bound)
+    if len(body.bound) == 1:
         along = (*along, " and at a right angle to it")
     if in_named_components(body, units) is body:
         return step, {}

@@ -21,6 +21,7 @@ from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
+from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, where_held
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
@@ -167,7 +168,9 @@ def _conserved(
 
 
 def _is_seen(integral: Integral, conserved: Conserved) -> bool:
-    """Whether it is a constant times a velocity whose acceleration is zero by one of the equations of motion."""
+    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line."""
+    if integral.quantity is ConservedQuantity.MOMENTUM:
+        return False
     final = {e.expression for e in conserved.motion.equations}
     moving = integral.expression.free_symbols & {*conserved.motion.configuration.slots.velocities}
     return len(moving) == 1 and integral.expression.is_Mul and {prime(base(*moving), 2)} <= final
@@ -239,6 +242,9 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
         if last is None or not (last.label or "").startswith("energy-rate"):
             continue
         rate = last.sides[-1]
+        if isinstance(rate, sp.Expr) and isinstance(block, Display):  # −μ N (x' + R θ'), the power of friction
+            short = replace(last, sides=(*last.sides[:-1], in_factors(rate)))
+            blocks[n] = replace(block, equations=(*block.equations[:-1], short))
         if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)

@@ -103,7 +103,9 @@ def _forces(solution: Solution, rule: Values) -> Values | None:
     unknown = [*wanted, *(a for a in own.configuration.slots.accelerations if a not in rule)]
     laws = [e for e in laws if e != 0]
     rows = [[sp.expand(e).diff(u) for u in unknown] for e in laws]
-    if any(e.has(sp.Abs, Sign, sp.sign) or c.free_symbols & {*unknown} for e, r in zip(laws, rows, strict=True) for c in r):
+    if any(
+        e.has(sp.Abs, Sign, sp.sign) or c.free_symbols & {*unknown} for e, r in zip(laws, rows, strict=True) for c in r
+    ):
         return None
     rest = dict.fromkeys(unknown, sp.S.Zero)
     solved = solved_linear(rows, [-e.xreplace(rest) for e in laws], own.configuration.states)

@@ -44,17 +44,16 @@ def _forms(laws: tuple[LawComponent, ...], units: Directions) -> Iterator[tuple[
 
 
 def _along(e: Vector, shares: list[sp.Expr], laws: tuple[LawComponent, ...]) -> LawComponent:
-    """Σ (e·a) times the component along a."""
+    """Σ (e·a) times the component along a; along −e where every term of the inertia would have a minus."""
 
     def projected(*parts: sp.Expr) -> sp.Expr:
         return textbook_form(sp.Add(*(share * part for share, part in zip(shares, parts, strict=True))))
 
-    return LawComponent(
-        e,
-        with_common_factor(projected(*(c.inertia for c in laws))),
-        projected(*(c.applied for c in laws)),
-        projected(*(c.reaction for c in laws)),
-    )
+    inertia = projected(*(c.inertia for c in laws))
+    if all(a.could_extract_minus_sign() for a in sp.Add.make_args(sp.expand(inertia))) and inertia != 0:
+        return _along(e * sp.S.NegativeOne, [-share for share in shares], laws)
+    applied, reaction = projected(*(c.applied for c in laws)), projected(*(c.reaction for c in laws))
+    return LawComponent(e, with_common_factor(inertia), applied, reaction)
 
 
 def _length(law: LawComponent) -> int:

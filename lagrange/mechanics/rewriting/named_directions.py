@@ -41,7 +41,7 @@ def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
 
 
 def in_named_directions(vector: Vector, units: Directions) -> Vector | sp.Expr:
-    """The vector as c n + w, as a sum of two such multiples, or by three of the vectors; unchanged if none is shorter."""
+    """The vector as c n + w, as a sum of two such multiples, or by three vectors; unchanged if none is shorter."""
     if sum(c != 0 for c in vector.components) < 2 or _length(vector) > LONGEST_IN_DIRECTIONS:
         return vector
     units = {n: u for n, u in units.items() if n not in vector.triad.names}
@@ -69,8 +69,10 @@ def _by_two(vector: Vector, units: Directions) -> sp.Expr | None:
 
 def _triads(units: Directions) -> Iterator[dict[sp.Symbol, Vector]]:
     """Three perpendicular unit vectors, at least two of them named: with i, j or k the directions of a cylinder."""
-    named = {VectorSymbol(n): u.fixed() for n, u in units.items()}
-    axes = {unit: Vector(tuple(sp.Integer(k == n) for k in range(3))) for n, unit in enumerate(FIXED.units)}
+    named: dict[sp.Symbol, Vector] = {VectorSymbol(n): u.fixed() for n, u in units.items()}
+    axes: dict[sp.Symbol, Vector] = {
+        unit: Vector(tuple(sp.Integer(k == n) for k in range(3))) for n, unit in enumerate(FIXED.units)
+    }
     for a, b in combinations(named, 2):
         if is_zero(named[a].dot(named[b])) is not True:
             continue

@@ -40,7 +40,11 @@ def _is_multiple(a: sp.Expr, b: sp.Expr) -> bool:
     """Whether the first is the second, or −1, ½ or another constant times it: R times it."""
     if is_same(a, b) or is_same(a, -b):
         return True
-    if any(not s.is_positive for s in a.free_symbols ^ b.free_symbols) or b == 0 or count_operations(a) + count_operations(b) > LONGEST_RATIO:
+    if (
+        any(not s.is_positive for s in a.free_symbols ^ b.free_symbols)
+        or b == 0
+        or count_operations(a) + count_operations(b) > LONGEST_RATIO
+    ):
         return False
     ratio = sp.cancel(a / b)
     return ratio.is_nonzero is True and all(s.is_positive for s in ratio.free_symbols)

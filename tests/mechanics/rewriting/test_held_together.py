@@ -46,5 +46,5 @@ def test_two_axles_hold_height_and_tilt() -> None:
 )
 def test_what_is_not_held_together(constraints: str) -> None:
     head, _, rest = CAR.partition("  front:")
-    text = f"{head}  {constraints}\n{rest[rest.index('gravity'):]}"
+    text = f"{head}  {constraints}\n{rest[rest.index('gravity') :]}"
     assert held_together(solve(read_problem(Source("car.yaml", text)), complete=False)) is None

@@ -21,8 +21,8 @@ _LAW = ("Newton's law, mass times acceleration equal to applied force plus react
 _SHORT_LAW = "Newton's law and the law of angular momentum about the mass centre have the components"
 _SUM_AND_MOMENT = " In terms of the forces, their sum and their moment about the mass centre are"
 _ONLY_VELOCITIES = re.compile(
-    r"The space of reachable configurations has dimension \d+\. The kinematic constraints? restricts? the velocities at "
-    r"each position, but not the positions\."
+    r"The space of reachable configurations has dimension \d+\. "
+    r"The kinematic constraints? restricts? the velocities at each position, but not the positions\."
 )
 _TOO_LONG = " too long to be written as functions of position and velocity. "
 
@@ -30,9 +30,13 @@ _TOO_LONG = " too long to be written as functions of position and velocity. "
 def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps with shorter sentences, and with displacements and substitutions in pairs."""
     referred = {p.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref)}
+    moves = any(s.rule in (Rule.EQUATIONS_OF_MOTION, Rule.QUASI_VELOCITIES) for s in steps)
     for step in steps:
         kept = step.folded or step.rule is Rule.RESULT
-        yield step if kept else replace(step, body=tuple(_shortly(step.body, referred)))
+        body = step.body if kept else tuple(_shortly(step.body, referred))
+        if moves and not kept and step.rule is Rule.DEGREES_OF_FREEDOM:
+            body = tuple(map(_only_velocities, body))  # where constraints are the subject it is said in full
+        yield replace(step, body=body)
 
 
 def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block]:
@@ -54,6 +58,14 @@ def parts_of(block: Block) -> Iterator[Part]:
         yield from (p for e in block.equations for p in e.condition)
 
 
+def _only_velocities(block: Block) -> Block:
+    if not isinstance(block, Prose):
+        return block
+    reached = "All positions can be reached: only the velocities are restricted."
+    parts = (_ONLY_VELOCITIES.sub(reached, p) if isinstance(p, str) else p for p in block.parts)
+    return replace(block, parts=tuple(parts))
+
+
 def _words(block: Prose, follows: Block | None) -> Prose:
     first = block.parts[0] if block.parts else ""
     if not isinstance(first, str):
@@ -62,11 +74,6 @@ def _words(block: Prose, follows: Block | None) -> Prose:
         return prose(_SHORT_LAW)
     if first.startswith("On ") and first.endswith(_SUM_AND_MOMENT):
         return prose("Their sum and their moment about the mass centre are")
-    if any(isinstance(p, str) and _ONLY_VELOCITIES.search(p) for p in block.parts):
-        reached = "All positions can be reached: only the velocities are restricted."
-        return replace(block, parts=tuple(
-            _ONLY_VELOCITIES.sub(reached, p) if isinstance(p, str) else p for p in block.parts
-        ))  # fmt: skip
     if first.startswith("With multipliers instead, nothing is eliminated.") and str(block.parts[-1]).endswith(
         "coordinate"
     ):

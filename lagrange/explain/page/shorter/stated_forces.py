@@ -1,4 +1,4 @@
-"""Reactions in the form of the file's answers, where these are right and shorter, or by the quantities of its equations.
+"""Reactions in the form of the file's answers, if these are right and shorter, or by quantities of its equations.
 
 A ball that rolls on a ball has forces of friction that are products of five angular velocities each; by the spin ω·out
 about the line of centres, in which the equations of motion are stated, they are two terms.

@@ -1,4 +1,4 @@
-"""Coordinates that constraints hold together, such as the height and tilt of a car on its two axles: their values put in.
+"""Coordinates that constraints hold together, as the height and tilt of a car on two axles: their values put in.
 
 The constraints are stated in general, with their differentials; after that every line is written for the constant
 values that they leave. Displacements in which the reactions do work are those of the constraints, whatever the rest.
