@@ -89,6 +89,7 @@ def along_named(solution: Solution, step: Step) -> Step:
     for body in bodies:
         named = in_named_components(body, units)
         if named is not body:
+            step = _with_directions(step, named, units)
             lines |= {f"newton-{body.name}-{n}": (c.inertia, c.right) for n, c in enumerate(named.components, start=1)}
     if not lines:
         return step
@@ -98,6 +99,25 @@ def along_named(solution: Solution, step: Step) -> Step:
 
     blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
+
+
+def _with_directions(step: Step, body: FreeBody, units: Directions) -> Step:
+    """The step, with the named vectors along which the law of a body is written."""
+    along = [unit_along(c.along, units) for c in body.components]
+    label = f"newton-{body.name}-1"
+    at = next(
+        (n for n, b in enumerate(step.body) if isinstance(b, Display) and label in [e.label for e in b.equations]), 0
+    )
+    lead = step.body[at - 1] if at else None
+    if not isinstance(lead, Prose) or not str(lead.parts[-1]).endswith(" the components"):
+        return step
+    named = listed(math(u) for u in along if u is not None and not str(u).startswith(("across", "-across")))
+    if len(named) < 2 * len(along) - 1:
+        return step
+    of = f", those of {the(body.name)} along " if str(lead.parts[-1]).endswith("have the components") else ", along "
+    *parts, end = lead.parts
+    said = prose(*parts, f"{end}{of}", *named)
+    return replace(step, body=(*step.body[: at - 1], said, *step.body[at:]))
 
 
 def _directions_of_forces(body: FreeBody) -> dict[str, Vector]:

@@ -70,8 +70,8 @@ def _words(block: Prose, follows: Block | None) -> Prose:
     first = block.parts[0] if block.parts else ""
     if not isinstance(first, str):
         return block
-    if first == _LAW:
-        return prose(_SHORT_LAW)
+    if first.startswith(_LAW):
+        return prose(first.replace(_LAW, _SHORT_LAW), *block.parts[1:])
     if first.startswith("On ") and first.endswith(_SUM_AND_MOMENT):
         return prose("Their sum and their moment about the mass centre are")
     if first.startswith("With multipliers instead, nothing is eliminated.") and str(block.parts[-1]).endswith(
