@@ -169,7 +169,7 @@ def _conserved(
 
 def _is_seen(integral: Integral, conserved: Conserved) -> bool:
     """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line."""
-    if integral.quantity is ConservedQuantity.MOMENTUM:
+    if quantity_of(integral, conserved.motion.configuration) is ConservedQuantity.MOMENTUM:
         return False
     final = {e.expression for e in conserved.motion.equations}
     moving = integral.expression.free_symbols & {*conserved.motion.configuration.slots.velocities}

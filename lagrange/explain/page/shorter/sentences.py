@@ -34,7 +34,7 @@ def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
     for step in steps:
         kept = step.folded or step.rule is Rule.RESULT
         body = step.body if kept else tuple(_shortly(step.body, referred))
-        if moves and not kept and step.rule is Rule.DEGREES_OF_FREEDOM:
+        if moves and not kept and step.rule in (Rule.CLASSIFICATION, Rule.DEGREES_OF_FREEDOM):
             body = tuple(map(_only_velocities, body))  # where constraints are the subject it is said in full
         yield replace(step, body=body)
 
