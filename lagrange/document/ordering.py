@@ -7,7 +7,8 @@ masses, other parameters, then what moves, m r φ'^2 sin θ cos θ. `FactorOrder
 Within a class of factors, parameters are alphabetic, Latin before Greek; what moves keeps the declared order;
 functions follow their coordinate, sine before cosine. Within a class of terms, a higher degree comes first, then the
 declared order of the coordinates. A constant comes first if only functions follow (a + b cos ωt), and a sum begins
-with a plus if it can (l^2 - y^2). Terms with differentials or unit vectors keep the order of these.
+with a plus if it can (l^2 - y^2); where it would begin with a minus, all constants, or all forces, with a plus come
+first (a + b - μ h). Terms with differentials or unit vectors keep the order of these.
 
 Nothing is multiplied out and nothing cancels; only signs are collected: -(-a - b) c is written (a + b) c. Sort keys
 never depend on hashes, so that every run prints the same.
@@ -270,8 +271,13 @@ class WritingOrder:
         terms.sort(key=keys.__getitem__)
         # A sum begins with a plus if it can, unless differentials or unit vectors fix the order.
         if all(keys[term][0] == () for term in terms):
-            positive = (n for n, term in enumerate(terms) if not is_negative(term))
-            terms.insert(0, terms.pop(next(positive, 0)))
+            first = next((term for term in terms if not is_negative(term)), None)
+            if first is not None and first is not terms[0]:
+                forces = self._class(first) is TermOrder.FORCE
+                plain = not any(a.has(sp.Function) or _has_root(a) for a in terms)
+                together = forces or (plain and all(map(self.is_constant, terms)))  # N_A + N_B - m g, a + b - μ h
+                front = [term for term in terms if not is_negative(term)] if together else [first]
+                terms = [*front, *(term for term in terms if term not in front)]
         return terms
 
     def _class(self, term: sp.Expr) -> TermOrder:
@@ -394,6 +400,10 @@ def _leading(degrees: Degrees) -> SortKey:
 
 def _degree(exponent: sp.Expr) -> float:
     return float(exponent) if exponent.is_Rational else 1.0
+
+
+def _has_root(term: sp.Expr) -> bool:
+    return any(p.exp.is_Rational and not p.exp.is_Integer for p in term.atoms(sp.Pow))
 
 
 def _is_slope(base: sp.Expr) -> bool:

@@ -56,6 +56,10 @@ class Purpose(Enum):
     CONCLUSION = auto()  # , so the system is
     REASON = auto()  # the end of the first reason
     MOMENTA = auto()  # and its angular momentum about the mass centre
+    REACHED = auto()  # The space of reachable configurations has dimension 3. ...
+    SUM_AND_MOMENT = auto()  # On the disc act ... In terms of the forces, their sum and their moment are
+    NO_TIME = auto()  # Time appears in none of them.
+    COMPONENTS = auto()  # the components
     ALONG = auto()  # Along the motion
     THAT_IS = auto()  # , that is,
     LEFT_SIDES = auto()  # the colon after `N times the left side of (3)`

@@ -33,6 +33,7 @@ from lagrange.explain.words import brief, capital, constraints_called, counted, 
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent
 from lagrange.mechanics.constraints.displacements import possible_displacement
+from lagrange.mechanics.rewriting.factors import without_shared_constant
 
 if TYPE_CHECKING:
     from lagrange.algebra.forms.restrictions import FiniteForm, Restriction
@@ -66,7 +67,7 @@ def _explain_restriction(restriction: Restriction) -> list[Block]:
     if angles:
         named = (plural(len(angles), ", with an angle ", ", with angles "), *listed(math(a.symbol) for a in angles))
     words = prose("There ", *rules, *named, ", and the form becomes")
-    return [words, _shown(restriction.form, restriction.variables)]
+    return [words, _shown(without_shared_constant(restriction.form), restriction.variables)]
 
 
 def _explain_multiplied(form: FiniteForm) -> list[Block]:
@@ -79,7 +80,8 @@ def _explain_multiplied(form: FiniteForm) -> list[Block]:
         return [prose("Its mixed partial derivatives agree", ":" if pairs else "."), *pairs]
     words = prose("An integrating factor is ", math(factor.factor), ". Multiplied by it, the form is")
     agree = prose("and now the mixed partial derivatives agree", ":" if pairs else ", all being zero.")
-    return [words, _shown(factor.form, factor.variables), agree, *pairs]
+    shown = factor.form if form.restriction is None or telling else without_shared_constant(factor.form)
+    return [words, _shown(shown, factor.variables), agree, *pairs]
 
 
 def _moral(form: FiniteForm) -> Prose:
@@ -166,7 +168,13 @@ def explain_constraints(classification: Classification, built_in: bool = False) 
         sentences.append(prose("Time appears in ", *listed(Ref(f"constraint-{c.row.name}") for c in timed), "."))
     else:
         sentences.append(
-            prose(plural(len(constraints), "Time does not appear in it.", "Time appears in none of them."))
+            prose(
+                plural(
+                    len(constraints),
+                    Phrase("Time does not appear in it.", Purpose.NO_TIME, "Time does not appear in it"),
+                    Phrase("Time appears in none of them.", Purpose.NO_TIME, "Time appears in none of them"),
+                )
+            )
         )
     sentences += explain_in_contact(constraints)
     title = plural(len(constraints), "The constraint", "Constraints")
@@ -496,6 +504,8 @@ def explain_freedom(classification: Classification) -> Step:
     else:
         angles = ", the orientation of a body counted with three angles" if classification.further_angles else ""
         kinematic = sum(c.constraint.kinematic for c in classification.constraints)
-        sentences.append(prose(f"The space of reachable configurations has dimension {dimension}{angles}. "
-                               + _difference(classification.integrable_rank or 0, kinematic)))  # fmt: skip
+        finite = classification.integrable_rank or 0
+        words = f"The space of reachable configurations has dimension {dimension}{angles}. "
+        shortly = "" if angles or finite else "All positions can be reached: only the velocities are restricted."
+        sentences.append(prose(Phrase(words + _difference(finite, kinematic), Purpose.REACHED, shortly)))
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences), sentences[0]),))

@@ -149,6 +149,15 @@ LONGEST_MINORS = 30
 DIGITS_AS_STATED = 12
 """Digits of a number that a file gives with its unit."""
 
+SHORTER_AS_STATED = 0.8
+"""A reaction is printed as the file's answer has it if that takes at most four fifths of the operations."""
+
+FEWEST_WITHOUT_SUMS = 4
+"""The reactions on each of so many bodies are not added up before the laws, which have them again."""
+
+DECIMALS = 10**6
+"""A rational initial value is printed as a decimal if that has at most six places, 0.7: more are no longer read."""
+
 MOST_PARTS_OF_PI = 12
 """An angle that is a multiple of π/12 is printed so: 15° and its multiples."""
 

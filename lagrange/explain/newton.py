@@ -286,7 +286,10 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
     its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "it", "their sum")
     moment = f"{its} moment about the mass centre"
     what = f"{force} and {moment} are" if body.reactions and body.moments else f"{moment if body.moments else force} is"
-    return [prose(f"{sentence} In terms of {_unknowns(body.bound)}, {what}", purpose=Purpose.ACTING), display(*lines)]
+    words = f"{sentence} In terms of {_unknowns(body.bound)}, {what}"
+    if len(body.bound) > 1 and body.reactions and body.moments:
+        words = Phrase(words, Purpose.SUM_AND_MOMENT, "Their sum and their moment about the mass centre are")
+    return [prose(words, purpose=Purpose.ACTING), display(*lines)]
 
 
 def _unknowns(reactions: Sequence[Reaction]) -> str:
@@ -357,12 +360,12 @@ def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Bloc
         words = "Newton's law"
     blocks: list[Block] = [prose(words), display(*lines)]
     if not at_rest and not turned:
-        words = "Newton's law, mass times acceleration equal to applied force plus reaction, has the components"
-        blocks[0] = prose(words)
+        end = Phrase(" the components", Purpose.COMPONENTS)
+        blocks[0] = prose("Newton's law, mass times acceleration equal to applied force plus reaction, has", end)
         if len(bodies) <= MOST_LAWS:
             laws = listed(math(*law_of(b)) for b in bodies)
             law, have = ("Newton's law, ", ", has") if len(bodies) == 1 else ("Newton's laws, ", ", have")
-            blocks[0] = prose(law, *laws, f"{have} the components")
+            blocks[0] = prose(law, *laws, have, end)
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
         lines = [Equation((ZERO, right), label=f"idle-{q.name}") for q, right in newton.idle.items()]

@@ -244,7 +244,8 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
         return _bound(equation, values, digits) if equation.relation in _BOUNDS and len(sides) == 2 else None
     if len(sides) != len(equation.sides):
         return None
-    if not _is_found_in_numbers(equation) and not any(s.free_symbols & values.parameters for s in sides):
+    has_unit = _is_found_in_numbers(equation) or _is_plain_number(equation, values)
+    if not has_unit and not any(s.free_symbols & values.parameters for s in sides):
         return None
     right = values.quantity(sides[-1])
     if right is None:
@@ -263,6 +264,13 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
     except NotRealError:
         return None
     return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+
+
+def _is_plain_number(equation: Equation, values: Values) -> bool:
+    """Whether it has a number for what has a unit: x' = 10/7 m/s, of an initial state in numbers with their units."""
+    left, right = equation.sides[0], equation.sides[-1]
+    plain = isinstance(left, sp.Symbol) and isinstance(right, sp.Expr) and right.is_number and right != 0
+    return plain and values.unit_of(left) not in ("", "rad")
 
 
 def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.answers.limits import UNITS_OF_CHECKING
-from lagrange.answers.questions.own_answers import compared_answers, not_compared, stated_equations
+from lagrange.answers.questions.own_answers import (
+    compared_answers,
+    not_compared,
+    stated_equations,
+    stated_reactions,
+)
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import allowed_for
@@ -161,7 +166,9 @@ def _explained(
     def on_page() -> Iterator[Step]:
         right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
         stated = stated_equations(solution) if right and solution.own.motion is not None else ()
-        return without_names_of_choices(finished(steps_of_page(solution, steps, stated, every_choice=every_choice)))
+        forces = stated_reactions(solution, answers)
+        arranged = steps_of_page(solution, steps, stated, forces, every_choice=every_choice)
+        return without_names_of_choices(finished(arranged))
 
     if not solution.own.elimination.is_closed:
         steps = tuple(illustrated(_of_large(solution, answers), solution, notation))

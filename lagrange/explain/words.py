@@ -14,7 +14,7 @@ from lagrange.core.units import NO_DIMENSION, split_number, unit_of
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Math, Part, Prose
 from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.limits import DIGITS_AS_STATED, MOST_PARTS_OF_PI
+from lagrange.explain.limits import DECIMALS, DIGITS_AS_STATED, MOST_PARTS_OF_PI
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 
 if TYPE_CHECKING:
@@ -218,4 +218,14 @@ def as_given(given: Measured, value: sp.Expr | None = None) -> sp.Expr | None:
 
 def at_start(state: Iterable[Substituted]) -> tuple[Part, ...]:
     """`x = 0.7 m and ẋ = 0`: the state at t = 0."""
-    return listed(math(v.symbol, (as_given(v.measured, v.value) if v.measured else None) or v.value) for v in state)
+    given = ((v.symbol, as_given(v.measured, v.value) if v.measured else None, v.value) for v in state)
+    return listed(math(symbol, measured or in_decimals(value)) for symbol, measured, value in given)
+
+
+def in_decimals(value: sp.Expr) -> sp.Expr:
+    """0.7 for 7/10, which nobody writes for the state at t = 0; 1/2 and 2/3 as they are."""
+    if not isinstance(value, sp.Rational) or value.q % 5 or DECIMALS % value.q:
+        return value
+    from lagrange.values.quantities import rounded
+
+    return rounded(value, DIGITS_AS_STATED)

@@ -2,6 +2,8 @@
 
 UNITS_OF_SOLVING = 800_000
 """About twenty seconds; 32 links of a chain take most of it, a shipped problem less than a twentieth."""
+LONGEST_RATIO = 80
+"""The most operations of two equations of which one may be a constant times the other."""
 LONGEST_IN_DIRECTIONS = 120
 """The most operations of a vector that is written by unit vectors with names."""
 LONGEST_SPOT_FORMULA = 30

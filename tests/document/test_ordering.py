@@ -81,3 +81,13 @@ def test_quasi_velocities_count_as_velocities():
     assert notation.kind(v) is SymbolKind.VELOCITY
     assert notation.kind(D(v)) is SymbolKind.ACCELERATION
     assert unicode(k * x + c * v + m * D(v), notation) == "m v̇ + c v + k x"
+
+
+@pytest.mark.parametrize(
+    ("terms", "written"),
+    [((a, -mu * c, b), "a + b − μ c"), ((-m * g, P, a), "a − m g + P"), ((-a, 2 * P, P * b), "P b + 2P − a"),
+     ((-x, l, y), "y − x + l")],
+)  # fmt: skip
+def test_what_has_a_plus_is_together(terms, written):
+    """Constants, and forces, where the sum would begin with a minus otherwise."""
+    assert unicode(sp.Add(*terms), N).replace("b P", "P b") == written

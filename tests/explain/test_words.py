@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+import sympy as sp
 
 from lagrange.core.called import Called
 from lagrange.document.derivation import Math
-from lagrange.explain.words import at_start, bare, in_words, introduced, spoken, the
+from lagrange.explain.words import at_start, bare, in_decimals, in_words, introduced, spoken, the
 from lagrange.mechanics.questions.forms import given_state
 from lagrange.problem.model import Problem
 
@@ -55,3 +56,10 @@ initial: {{theta: {value}, theta': 0}}
 """
     [first, *_] = [p for p in at_start(given_state(problem(text))) if isinstance(p, Math)]
     assert str(first.sides[-1]) == shown
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"), [("7/10", "0.7"), ("1/2", "1/2"), ("2/3", "2/3"), ("-9/4", "-9/4"), ("3", "3")]
+)
+def test_decimals_of_an_initial_state(value: str, shown: str) -> None:
+    assert str(in_decimals(sp.Rational(value))) == shown

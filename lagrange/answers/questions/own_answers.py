@@ -295,6 +295,21 @@ def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
     return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
 
 
+def stated_reactions(solution: Solution, compared: Sequence[AnswerVerdict]) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The file's reactions `F = value` as they are written there, as far as they are right for F as it is derived."""
+    answers, law = solution.problem.answers, solution.law
+    judged = [p for a in compared if a.name == "reactions" for p in a.equations]
+    if answers is None or law is None or not judged:
+        return ()
+    right = {p.text.partition(":")[0] for p in judged if p.verdict is Verdict.EQUIVALENT and not p.remarks}
+    forces = {r.name: r.force for r in law.newton.reactions if r.name in right}
+    fragments = [f for name, f in answers.reactions.items() if name in forces and "=" in f.text]
+    plain = [f for f in fragments if not _HAS_DECIMALS.search(f.text)]
+    sides = sides_of(plain, reference_of_solution(solution)) if plain else ()
+    pairs = (tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
+    return tuple(pair for pair in pairs if len(pair) == 2 and pair[0] in forces.values())
+
+
 _HAS_DECIMALS = re.compile(r"[0-9]\.[0-9]")
 
 

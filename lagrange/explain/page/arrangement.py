@@ -57,6 +57,7 @@ from lagrange.explain.page.kinematic import (
     without_solution,
 )
 from lagrange.explain.page.laws import (
+    along_named,
     contact_once,
     explain_laws,
     explain_laws_of_bodies,
@@ -100,6 +101,8 @@ from lagrange.explain.page.shorter.relations import with_symbol_first
 from lagrange.explain.page.shorter.response import response_shortly
 from lagrange.explain.page.shorter.sentences import in_fewer_words
 from lagrange.explain.page.shorter.springs import with_lengths
+from lagrange.explain.page.shorter.stated_forces import with_stated_forces
+from lagrange.explain.page.shorter.together import put_in, with_values_put_in
 from lagrange.explain.page.statics import said_once, with_supports
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.page.vectors import links
@@ -113,6 +116,7 @@ from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constraint_forms import common_number, with_short_forms, without_common_number
 from lagrange.mechanics.rewriting.factors import has_one_sign
+from lagrange.mechanics.rewriting.held_together import held_together
 from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations, in_names
 
@@ -128,16 +132,22 @@ ABOUT_CONSTRAINTS = (
 
 
 def steps_of_page(
-    solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
+    solution: Solution,
+    steps: Iterable[Step],
+    stated: StatedEquations = (),
+    forces: StatedEquations = (),
+    *,
+    every_choice: bool = False,
 ) -> Iterator[Step]:
     """The steps of the page.
 
     steps         of the full derivation
     stated        the equations of motion in the form of the file's answers, if these are right
+    forces        likewise the reactions
     every_choice  whether no choice of coordinates is folded
     """
     solution = _with_best_choice_first(solution)
-    arranged = in_one_name(solution, _arranged(solution, steps, stated, every_choice=every_choice))
+    arranged = in_one_name(solution, _arranged(solution, steps, stated, forces, every_choice=every_choice))
     arranged = in_directions(solution, short_in_speeds(solution, arranged))
     arranged = with_held_values(solution, [*with_one_list([*arranged])])
     arranged = counted_shortly(solution, [*in_one_box([*in_few_lines([*arranged])])])
@@ -152,13 +162,14 @@ def _with_best_choice_first(solution: Solution) -> Solution:
 
 
 def _arranged(
-    solution: Solution, steps: Iterable[Step], stated: StatedEquations = (), *, every_choice: bool = False
+    solution: Solution, steps: Iterable[Step], stated: StatedEquations, forces: StatedEquations, *, every_choice: bool
 ) -> Iterator[Step]:
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
     link = links.linked(solution)
     stated = in_names(solution, stated)
+    named = in_names(solution, forces)
     shortened = with_supports(solution, said_once(solution, _shortened(solution, steps)))
     shortened = (alike_about_all_axes(solution, s) for s in shortened)
     about = (Rule.SOLVED_REACTIONS, Rule.CONSERVED, Rule.WORKLESS)
@@ -184,6 +195,7 @@ def _arranged(
     if not every_choice:
         open_, tested = without_test(solution, open_)
         folded += tested
+        open_ = [*with_values_put_in(solution, with_stated_forces(solution, open_, named, stated))]
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
@@ -234,6 +246,7 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
     at_sight = integrates_at_sight(solution)
     step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
+    step = step and put_in(held_together(solution), step)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -321,7 +334,11 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
-            step = explain_laws(solution, newton) if laws else explain_laws_of_bodies(solution, step)
+            step = (
+                explain_laws(solution, newton)
+                if laws
+                else explain_laws_of_bodies(solution, along_named(solution, step))
+            )
             known = own is not None
             yield step if own is None else with_kinematics(step, own)
         elif vectors and step.rule is Rule.WORKLESS and newton is not None:

@@ -53,6 +53,7 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
     if len(places) < 2 or any(n == 0 or not isinstance(blocks[n - 1], Prose) for n in places):
         return list(blocks)
     lines: list[Equation] = [e for n in places for e in blocks[n].equations]  # type: ignore[union-attr]
+    lines.sort(key=lambda e: not (e.label or "").startswith("position"))
     gone = {m for n in places for m in (n - 1, n)}
     before = [b for n, b in enumerate(blocks) if n < places[0] - 1]
     after = [b for n, b in enumerate(blocks) if n > places[0] and n not in gone]

@@ -231,8 +231,9 @@ def in_pairs(steps: Sequence[Step]) -> Iterator[Step]:
 
 
 _IN_PAIRS = ("position", "force", "moment", "spin", "momentum", "acceleration", "delta", "rotation", "before",
-             "reaction", "couple", "newton", "in-speeds-r", "in-speeds-omega", "in-speeds-H",
-             "changed-in-speeds-r", "changed-in-speeds-H", "kinematic", "quasi-variation")  # fmt: skip
+             "reaction", "couple", "newton", "turning", "in-speeds-r", "in-speeds-omega", "in-speeds-H",
+             "changed-in-speeds-r", "changed-in-speeds-H", "kinematic", "quasi-variation", "speed",
+             "possible-work")  # fmt: skip
 
 
 def _paired(equations: Sequence[Equation], referred: Collection[str]) -> Iterator[Equation]:

@@ -17,7 +17,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
+from lagrange.explain.limits import FEWEST_WITHOUT_SUMS, LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import law_of, natures
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
@@ -29,6 +29,7 @@ from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import without_common_number
 from lagrange.mechanics.rewriting.factors import with_common_factor
+from lagrange.mechanics.rewriting.named_components import in_named_components
 from lagrange.mechanics.rewriting.named_directions import Directions, unit_along, unit_directions
 from lagrange.mechanics.rewriting.readable_equality import is_same
 
@@ -48,8 +49,14 @@ def has_vector_laws(solution: Solution) -> bool:
 
 def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
-    bodies = newton.bodies or ()
     units = unit_directions(solution.problem)
+    bodies = tuple(in_named_components(b, units) for b in newton.bodies or ())
+    along: list[Block] = []
+    if len(bodies) == 1 and bodies == newton.bodies and all(r.is_normal for r in newton.reactions):
+        bodies = (in_named_components(bodies[0], _directions_of_forces(bodies[0])),)
+        if bodies != newton.bodies:
+            forces = listed(math(r.force) for r in newton.reactions)
+            along = [prose("and, along ", *forces, " and at a right angle to it," if len(forces) == 1 else ",")]
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
@@ -61,12 +68,97 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
-        display(*vectors, *(paired(components) if are_short(components) else components)),
+        *([display(*vectors), *along] if along else []),
+        display(*(() if along else vectors), *(paired(components) if are_short(components) else components)),
         *(prose("The component of the force on ", the(b.name), " along ", math(unit), " is balanced by what keeps "
                 f"{the(b.name)} from moving along it, which does no virtual work and is not shown.")
           for b in bodies if (unit := _held(b)) is not None),
     ]  # fmt: skip
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def along_named(solution: Solution, step: Step) -> Step:
+    """The step with the components of Newton's law for bodies along vectors of `let`, where they are shorter so.
+
+    Of a single body also along its normal force and at a right angle to it.
+    """
+    units = unit_directions(solution.problem)
+    bodies = () if solution.law is None else solution.law.newton.bodies or ()
+    lines: dict[str, tuple[sp.Expr, sp.Expr]] = {}
+    if len(bodies) == 1 and in_named_components(bodies[0], units) is bodies[0]:
+        step, units = _along_forces(bodies[0], step)
+    for body in bodies:
+        named = in_named_components(body, units)
+        if named is not body:
+            step = _with_directions(step, named, units, several=len(bodies) > 1 or any(b.turning for b in bodies))
+            lines |= {f"newton-{body.name}-{n}": (c.inertia, c.right) for n, c in enumerate(named.components, start=1)}
+    if not lines:
+        return step
+
+    def line(e: Equation) -> Equation:
+        return replace(e, sides=lines.get(e.label or "", e.sides))
+
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
+    return replace(step, body=tuple(blocks))
+
+
+def _ends_with_components(lead: Prose) -> bool:
+    """Whether a paragraph ends with `the components`, of Newton's law or of both laws."""
+    return any(index_of(p, lead.parts[-1:]) is not None for p in (Purpose.COMPONENTS, Purpose.LAW))
+
+
+def _with_directions(step: Step, body: FreeBody, units: Directions, several: bool) -> Step:
+    """The step, with the named vectors along which the law of a body is written."""
+    along = [unit_along(c.along, units) for c in body.components]
+    label = f"newton-{body.name}-1"
+    at = next(
+        (n for n, b in enumerate(step.body) if isinstance(b, Display) and label in [e.label for e in b.equations]), 0
+    )
+    lead = step.body[at - 1] if at else None
+    if not isinstance(lead, Prose) or not _ends_with_components(lead):
+        return step
+    named = listed(math(u) for u in along if u is not None and not str(u).startswith(("across", "-across")))
+    if len(named) < 2 * len(along) - 1:
+        return step
+    of = f", those of {the(body.name)} along " if several else ", along "
+    said = prose(*lead.parts, of, *named, purpose=lead.purpose)
+    return replace(step, body=(*step.body[: at - 1], said, *step.body[at:]))
+
+
+def _directions_of_forces(body: FreeBody) -> dict[str, Vector]:
+    """The unit vectors of the forces that the file names, on a body in a plane; of one, and at a right angle to it."""
+    forces = {r.force: r.single.direction.fixed() for r in body.bound
+              if r.given and r.single and r.single.direction is not None and r.single.on == body.name}  # fmt: skip
+    units = {f.name: u for f, u in forces.items() if u.components[2] == 0 and sum(c != 0 for c in u.components) == 2}
+    if not units or len(units) < len(forces):
+        return {}
+    if len(units) == 1:
+        [(name, unit)] = units.items()
+        x, y, _ = unit.components
+        units[f"across {name}"] = Vector((-y, x, ZERO))
+    return units
+
+
+def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
+    """The directions of the forces on a body in a plane, if its law is shorter along them, and words that say so."""
+    units = _directions_of_forces(body)
+    if not units:
+        return step, {}
+    along = listed(math(r.force) for r in body.bound)
+    if len(body.bound) == 1:
+        along = (*along, " and at a right angle to it")
+    if in_named_components(body, units) is body:
+        return step, {}
+    label = f"newton-{body.name}-1"
+    at = next((n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label == label), 0)
+    lead = step.body[at - 1] if at else None
+    if not isinstance(lead, Prose) or not _ends_with_components(lead):
+        return step, {}
+    *parts, end = lead.parts
+    said = prose(*parts, ", along ", *along, ",", end, purpose=lead.purpose)
+    if body.turning:
+        said = prose("Newton's law along ", *along, " and the law of angular momentum about the mass centre are")
+    return replace(step, body=(*step.body[: at - 1], said, *step.body[at:])), units
 
 
 def _held(body: FreeBody) -> sp.Symbol | None:
@@ -282,7 +374,18 @@ def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
     sentences = [prose(*s) for s in _alike(newton.reactions)]
     if sentences:
         before = [b for b in before if not isinstance(b, Prose)] + [paragraph(*sentences)]
+        if len(names) >= FEWEST_WITHOUT_SUMS:  # the laws have them, body by body
+            return replace(step, body=(*before, *map(_by_kind, after)))
     return replace(step, body=(*before, prose(f"On each body {what} add up to"), display(*sums), *after))
+
+
+def _by_kind(block: Block) -> Block:
+    """The laws of motion of all mass centres before those of all rotations."""
+    kinds = ("newton", "turning")
+    if not isinstance(block, Display) or {(e.label or "").partition("-")[0] for e in block.equations} != {*kinds}:
+        return block
+    ordered = sorted(block.equations, key=lambda e: kinds.index((e.label or "").partition("-")[0]))
+    return replace(block, equations=tuple(ordered))
 
 
 def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
@@ -312,6 +415,7 @@ def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
 def shares_shortly(solution: Solution, step: Step) -> Step:
     """The work of the reactions, without the shares of each body one by one where there are several."""
     several = [w for w in solution.works if len(w.working) > 1]
+    step = _as_a_whole(solution, step)
     if len(several) < 2:
         return step
     labels = tuple(f"share-{w.reaction.name}-" for w in several)
@@ -322,6 +426,21 @@ def shares_shortly(solution: Solution, step: Step) -> Step:
         elif not has_purpose(block, Purpose.ONLY_SUM):
             body.append(block)
     return replace(step, body=(*body, *_single(several, ())))
+
+
+def _as_a_whole(solution: Solution, step: Step) -> Step:
+    """δW instead of R·δr and Γ·δπ of each of many bodies."""
+    bodies = () if solution.law is None else solution.law.newton.bodies or ()
+    if len(bodies) < FEWEST_WITHOUT_SUMS:
+        return step
+    name = variation(sp.Symbol(free_letter("W", "A", "w", taken={*solution.problem.scope.names()}), real=True))
+    blocks = (
+        replace(b, equations=tuple(replace(e, sides=(name, *e.sides[1:])) for e in b.equations))
+        if isinstance(b, Display) and _is_work(b) and len(b.equations[0].sides) > 1
+        else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(blocks))
 
 
 def work_by_forms(solution: Solution, step: Step) -> Step:

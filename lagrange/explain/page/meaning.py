@@ -22,6 +22,7 @@ from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
+from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
@@ -133,6 +134,9 @@ def _conserved(
     if step is None or conserved is None:
         return
     kept = tuple(i for i in conserved.integrals if not _balances_loads(i, conserved))
+    telling = tuple(i for i in kept if not _is_seen(i, conserved))
+    kept = telling or kept
+    unbound = unbound or len(kept) > 1
     taken = {q for i in kept for q in i.displacement or {}}  # with others they have a momentum that is conserved
     bound = {} if unbound else {q: p for q, p in conserved.bound.items() if q not in taken}
     if len(kept) < len(conserved.integrals) or len(bound) < len(conserved.bound):
@@ -164,6 +168,15 @@ def _conserved(
             Purpose.CONSERVED if called in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI) else Purpose.MOMENTUM
         )
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".", purpose=purpose)
+
+
+def _is_seen(integral: Integral, conserved: Conserved) -> bool:
+    """Whether it is a spin whose acceleration is zero by one of the equations of motion; a momentum is worth a line."""
+    if quantity_of(integral, conserved.motion.configuration) is ConservedQuantity.MOMENTUM:
+        return False
+    final = {e.expression for e in conserved.motion.equations}
+    moving = integral.expression.free_symbols & {*conserved.motion.configuration.slots.velocities}
+    return len(moving) == 1 and integral.expression.is_Mul and {prime(base(*moving), 2)} <= final
 
 
 def _balances_loads(integral: Integral, conserved: Conserved) -> bool:
@@ -232,6 +245,9 @@ def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[B
         if last is None or not (last.label or "").startswith("energy-rate"):
             continue
         rate = last.sides[-1]
+        if isinstance(rate, sp.Expr) and isinstance(block, Display):  # −μ N (x' + R θ'), the power of friction
+            short = replace(last, sides=(*last.sides[:-1], in_factors(rate)))
+            blocks[n] = replace(block, equations=(*block.equations[:-1], short))
         if always or (isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols)):
             before = blocks[n - 1]
             assert isinstance(before, Prose)

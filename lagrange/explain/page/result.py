@@ -39,7 +39,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
     where_held,
     without_given_rates,
 )
-from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
+from lagrange.mechanics.rewriting.readable_equality import are_same_equations, are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
 from lagrange.mechanics.valued import values_in
 
@@ -261,9 +261,18 @@ def _from_steps(
             unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named}
             lines = [e for e in lines if e.sides[0] not in unnamed or e.sides[1] != 0]
             lines = [e for e in lines if e.sides[0] not in unnamed] or lines
-        if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(e.operations for e in lines):
+        if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _is_better(stated: StatedEquations, lines: Sequence[Equation]) -> bool:
+    """Whether the form of the answers is shorter; or as short, and the same with a term on the right: m x'' = F."""
+    before, after = sum(e.operations for e in lines), operations(stated)
+    if after != before or len(lines) != len(stated):
+        return after < before
+    plain = all(e.sides[-1] == 0 and isinstance(e.sides[0], sp.Expr) and not e.condition for e in lines)
+    return plain and are_same_equations(stated, [e.sides[0] for e in lines if isinstance(e.sides[0], sp.Expr)])
 
 
 def _as_vector(solution: Solution, e: Equation) -> Equation:

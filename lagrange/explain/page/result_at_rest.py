@@ -122,7 +122,8 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
             words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
             rates = [Equation((v, value)) for v, value in family.rates.items()]
             if not b.equations:
-                yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
+                lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]  # φ'² = 2 a g: it may turn either way
+                yield from ([*lines[:-1], replace(lines[-1], condition=words)] if lines else ())
                 continue
             given = (*listed(math(*e.sides) for e in rates), ": " if words else "") if rates else ()
             yield from _branch(b, *(("with ",) if given else ()), *given, *words)

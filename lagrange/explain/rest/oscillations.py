@@ -65,7 +65,9 @@ def explain_linearization(linearization: Linearization, *, after: Equilibrium | 
 
 def _as_before(linearization: Linearization) -> Block:
     """`At rest the equation of motion is satisfied at (9) and (10).`"""
-    refs = listed(Ref(label_of(linearization, "at-rest", n + 1)) for n in range(len(linearization.branches)))
+    refs = listed(
+        Ref(label_about_equilibrium(linearization, "at-rest", n + 1)) for n in range(len(linearization.branches))
+    )
     equation = plural(len(linearization.motion.final), "equation of motion is", "equations of motion are")
     return prose(f"At rest the {equation} satisfied at ", *refs, ".")
 

@@ -147,8 +147,28 @@ def with_real_roots(b: AnswerBranch) -> AnswerBranch:
 def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
-    rhs = under_one_root(without_leading_minus(with_whole_contents(without_roots_below(b.rhs))))
-    return replace(b, rhs=rhs, conditions=joined(b.conditions))
+    rhs = without_leading_minus(with_whole_contents(without_roots_below(b.rhs)))
+    return replace(b, rhs=under_one_root(with_known_signs(rhs, b.conditions)), conditions=joined(b.conditions))
+
+
+def with_known_signs(e: sp.Expr, conditions: Iterable[SignCondition]) -> sp.Expr:
+    """A sum with −(a − b) for the factor b − a of a term where a > b is one of the conditions.
+
+    The speed at burnout is u log(m_0/m_1) − g (m_0 − m_1)/q, since m_0 > m_1.
+    """
+    greater = {sp.expand(c.lhs - c.rhs) for c in conditions if c.relation in (">", "≥")}
+    greater |= {sp.expand(c.rhs - c.lhs) for c in conditions if c.relation in ("<", "≤")}
+    if not e.is_Add or not greater:
+        return e
+
+    def positive(term: sp.Expr) -> sp.Expr:
+        for f in sp.Mul.make_args(term):
+            if f.is_Add and sp.expand(-f) in greater and term != f:
+                return sp.Mul(-1, term / f, sp.expand(-f), evaluate=False)
+        return term
+
+    terms = [*map(positive, e.args)]
+    return e if terms == list(e.args) else sp.Add(*terms, evaluate=False)
 
 
 def given_state(problem: Problem) -> tuple[Substituted, ...]:

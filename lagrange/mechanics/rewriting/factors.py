@@ -58,6 +58,28 @@ def without_constant_factors(e: sp.Expr, moving: Collection[sp.Symbol]) -> sp.Ex
     return sp.expand(sp.Mul(*kept)) if len(kept) < len(factors) else e
 
 
+def without_shared_constant(coefficients: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """The coefficients of a form that vanishes, without positive constants that all share, the first one not negative.
+
+    −l sin ψ dx − l² cos²ψ dψ = 0 says sin ψ dx + l cos²ψ dψ = 0.
+    """
+    powers = [_positive_powers(c) for c in coefficients if c != 0]
+    if not powers:
+        return tuple(coefficients)
+    shared = sp.Mul(*(s ** min(p.get(s, 0) for p in powers) for s in powers[0] if all(p.get(s, 0) > 0 for p in powers)))
+    first = next(c for c in coefficients if c != 0)
+    sign = -1 if first.could_extract_minus_sign() else 1
+    if shared == 1 and (sign == 1 or not all(c.could_extract_minus_sign() for c in coefficients if c != 0)):
+        return tuple(coefficients)
+    return tuple(sp.S.Zero if c == 0 else sp.factor_terms(c) / (sign * shared) for c in coefficients)
+
+
+def _positive_powers(e: sp.Expr) -> dict[sp.Symbol, int]:
+    """The exponents of the positive symbols among the factors."""
+    pairs = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor_terms(e)))
+    return {b: int(n) for b, n in pairs if b.is_Symbol and b.is_positive and n.is_Integer}
+
+
 def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
     """A symbol that abbreviates a value: positive where that is seen to be."""
     return sp.Symbol(name, positive=True) if sp.expand(value).is_positive else sp.Symbol(name, real=True)

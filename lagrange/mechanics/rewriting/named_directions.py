@@ -6,6 +6,7 @@ v = c n + w with c = v_k/n_k, where w lacks the component k, or with c = v·n. I
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import combinations
 
 import sympy as sp
 
@@ -13,7 +14,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
-from lagrange.core.vectors import Vector
+from lagrange.core.vectors import FIXED, Vector
 from lagrange.mechanics.limits import LONGEST_IN_DIRECTIONS
 from lagrange.problem.model import Problem
 
@@ -40,12 +41,20 @@ def unit_along(vector: Vector, units: Directions) -> sp.Expr | None:
 
 
 def in_named_directions(vector: Vector, units: Directions) -> Vector | sp.Expr:
-    """The vector as c n + w, or as a sum of two such multiples; unchanged where that is not shorter."""
+    """The vector as c n + w, as a sum of two such multiples, or by three vectors; unchanged if none is shorter."""
     if sum(c != 0 for c in vector.components) < 2 or _length(vector) > LONGEST_IN_DIRECTIONS:
         return vector
     units = {n: u for n, u in units.items() if n not in vector.triad.names}
     if not units:
         return vector
+    forms = [_along(vector, triad) for triad in _triads(units)]
+    forms += [e for e in (_by_two(vector, units),) if e is not None]
+    best = min(forms, key=count_operations, default=None)
+    return vector if best is None or count_operations(best) >= _length(vector) else best
+
+
+def _by_two(vector: Vector, units: Directions) -> sp.Expr | None:
+    """c n + w with one or two named vectors n; None where w would be in two kinds of directions."""
     left, terms = vector.fixed(), sp.S.Zero
     for _ in range(2):
         along = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
@@ -54,8 +63,29 @@ def in_named_directions(vector: Vector, units: Directions) -> Vector | sp.Expr:
             left, terms = rest, terms + factor * VectorSymbol(name)
     beside = [c for c in left.components if c != 0]
     if len(beside) > 1 and any(c.has(sp.sin, sp.cos) for c in beside):
-        return vector  # in two kinds of directions that turn it would be no clearer
-    return terms + left.as_sum() if terms != 0 and count_operations(terms) + _length(left) < _length(vector) else vector
+        return None  # in two kinds of directions that turn it would be no clearer
+    return terms + left.as_sum() if terms != 0 else None
+
+
+def _triads(units: Directions) -> Iterator[dict[sp.Symbol, Vector]]:
+    """Three perpendicular unit vectors, at least two of them named: with i, j or k the directions of a cylinder."""
+    named: dict[sp.Symbol, Vector] = {VectorSymbol(n): u.fixed() for n, u in units.items()}
+    axes: dict[sp.Symbol, Vector] = {
+        unit: Vector(tuple(sp.Integer(k == n) for k in range(3))) for n, unit in enumerate(FIXED.units)
+    }
+    for a, b in combinations(named, 2):
+        if is_zero(named[a].dot(named[b])) is not True:
+            continue
+        for c, third in {**named, **axes}.items():
+            if c not in (a, b) and all(is_zero(third.dot(named[u])) is True for u in (a, b)):
+                yield {a: named[a], b: named[b], c: third}
+                break
+
+
+def _along(vector: Vector, triad: Mapping[sp.Symbol, Vector]) -> sp.Expr:
+    """Σ (v·e) e."""
+    fixed = vector.fixed()
+    return sp.Add(*(textbook_form(fixed.dot(e)) * unit for unit, e in triad.items()))
 
 
 def _length(vector: Vector) -> int:

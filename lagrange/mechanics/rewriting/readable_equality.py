@@ -14,6 +14,7 @@ from lagrange.algebra.closed_forms.shortest_form import in_sines
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, t
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.limits import LONGEST_RATIO
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
@@ -30,9 +31,23 @@ def multiplied_out(v: Vector) -> tuple[sp.Expr, ...]:
 
 
 def are_same_equations(left: Sequence[tuple[sp.Expr, ...]], right: Sequence[sp.Expr]) -> bool:
-    """Whether each equation a = b of the left is one of e = 0 of the right, or its negative."""
+    """Whether each equation a = b of the left is one of e = 0 of the right, or a constant times it."""
     differences, expressions = [in_sines(a - b) for a, b, *_ in left], [in_sines(e) for e in right]
-    return all(any(is_same(d, e) or is_same(d, -e) for e in expressions) for d in differences)
+    return all(any(_is_multiple(d, e) for e in expressions) for d in differences)
+
+
+def _is_multiple(a: sp.Expr, b: sp.Expr) -> bool:
+    """Whether the first is the second, or −1, ½ or another constant times it: R times it."""
+    if is_same(a, b) or is_same(a, -b):
+        return True
+    if (
+        any(not s.is_positive for s in a.free_symbols ^ b.free_symbols)
+        or b == 0
+        or count_operations(a) + count_operations(b) > LONGEST_RATIO
+    ):
+        return False
+    ratio = sp.cancel(a / b)
+    return ratio.is_nonzero is True and all(s.is_positive for s in ratio.free_symbols)
 
 
 def are_same_formulas(a: sp.Expr, b: sp.Expr, rule: dict[sp.Symbol, sp.Expr]) -> bool:

@@ -5,7 +5,13 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.mechanics.questions.forms import under_one_root, without_roots_below, without_roots_in_logarithms
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.mechanics.questions.forms import (
+    under_one_root,
+    with_known_signs,
+    without_roots_below,
+    without_roots_in_logarithms,
+)
 
 g, h, m, x = sp.symbols("g h m x", positive=True)
 
@@ -25,3 +31,13 @@ def test_logarithms_and_denominators() -> None:
     e = h / (sp.sqrt(g + h) - sp.sqrt(g))
     assert sp.simplify(without_roots_below(e) - e) == 0
     assert without_roots_below(g * h) == g * h
+
+
+def test_the_signs_that_conditions_give() -> None:
+    """u log(a/b) + g (b − a)/q is written u log(a/b) − g (a − b)/q where a > b."""
+    q, u = sp.symbols("q u", positive=True)
+    e = u * sp.log(g / h) + x * (h - g) / q
+    written = with_known_signs(e, [SignCondition(g, ">", h)])
+    assert sp.expand(written - e) == 0
+    assert any((g - h) in term.args for term in written.args)
+    assert with_known_signs(e, []) is e

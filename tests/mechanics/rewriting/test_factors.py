@@ -16,6 +16,7 @@ from lagrange.mechanics.rewriting.factors import (
     with_common_factor,
     with_factor,
     without_constant_factors,
+    without_shared_constant,
 )
 
 a, b, J = sp.symbols("a b J", positive=True)
@@ -49,3 +50,12 @@ def test_signs() -> None:
     assert letter_for(a - b, "D").is_positive is None
     assert has_one_sign(-a - x**2)
     assert not has_one_sign(x)
+
+
+def test_forms_without_shared_constants() -> None:
+    """−l sin ψ dx − l² cos²ψ dψ = 0 is sin ψ dx + l cos²ψ dψ = 0; signs that differ stay."""
+    k, psi = sp.Symbol("k", positive=True), sp.Symbol("psi", real=True)
+    form = (-k * sp.sin(psi), -(k**2) * sp.cos(psi) ** 2, sp.S.Zero)
+    assert without_shared_constant(form) == (sp.sin(psi), k * sp.cos(psi) ** 2, 0)
+    mixed = (-sp.sin(psi), k * sp.cos(psi))
+    assert without_shared_constant(mixed) == mixed

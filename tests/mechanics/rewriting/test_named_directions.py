@@ -39,3 +39,10 @@ def test_nothing_is_divided_by_what_may_vanish() -> None:
     written = in_named_directions(Vector((a * s * c, a * (1 + c), sp.S.Zero)), UNITS)
     terms = written.as_sum() if isinstance(written, Vector) else written
     assert not sp.fraction(sp.together(terms))[1].has(sp.sin, sp.cos)
+
+
+def test_three_perpendicular_vectors() -> None:
+    """r'' of a pendulum on a cylinder's directions; with k as the third where two are named."""
+    written = in_named_directions(Vector((a * c - b * s, a * s + b * c, a + b)), UNITS)
+    assert isinstance(written, sp.Expr)
+    assert {str(f) for f in written.free_symbols} == {"a", "b", "s", "n", "k"}

@@ -19,6 +19,7 @@ from lagrange.mechanics.rewriting.readable_equality import (
 from tests.support.shared import solved
 
 a, b, r, x, theta = sp.symbols("a b r x theta", real=True)
+R = sp.Symbol("R", positive=True)
 SLOTS = Slots((x, theta))
 ax, at = SLOTS.accelerations
 
@@ -34,7 +35,10 @@ def test_what_is_the_same_multiplied_out() -> None:
     [
         (((ax, a * sp.cot(theta)),), [ax - a * sp.cos(theta) / sp.sin(theta)], True),
         (((a * x, ax),), [ax - a * x], True),
-        (((2 * ax, a),), [ax - a / 2], False),
+        (((2 * ax, a),), [ax - a / 2], True),
+        (((2 * ax, a),), [ax - a], False),
+        (((R * ax, R * r),), [ax - r], True),
+        (((x * ax, x * a),), [ax - a], False),
         (((ax, a), (at, b)), [ax - a], False),
     ],
 )

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from lagrange.document.builders import has_purpose, index_of, listed, paragraph, parts_of, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Purpose
+from lagrange.document.purposes import Phrase, Purpose
 
 
 def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
@@ -20,15 +20,22 @@ def with_one_list(steps: Sequence[Step]) -> Iterator[Step]:
     labels = [] if at is None else _repeated(steps, steps[at], [*steps[at + 1 :]])
     before = {e.label: n for n, s in enumerate(steps[:at]) for e in _equations(s) if not s.folded}
     forms = [f"form-{name}" for name in labels]
+    if any(form not in before for form in forms):
+        forms = [f"constraint-{name}" for name in labels]  # on velocities, as they stand
     if at is None or not labels or any(form not in before for form in forms):
         yield from steps
         return
     rule = {f"virtual-{name}": form for name, form in zip(labels, forms, strict=True)}
     last = max(before[form] for form in forms)
+    shown = {e.label: e for s in steps[:at] for e in _equations(s)}
+    how = ", with δ in place of d:"
+    if not forms[0].startswith("form-"):
+        plain = all(shown[form].sides[-1] == 0 for form in forms)
+        how = how.replace("d:", "d/dt:") if plain else ", the right sides taken to the left, and δ in place of d/dt:"
     for n, step in enumerate(steps):
         if n == at:
             continue
-        yield _referring(_with_sentence(step, forms) if n == last else step, rule)
+        yield _referring(_with_sentence(step, forms) if n == last else step, rule, how)
 
 
 def _repeated(steps: Sequence[Step], step: Step, after: Sequence[Step]) -> list[str]:
@@ -70,13 +77,18 @@ def _equations(step: Step) -> Iterator[Equation]:
 def _with_sentence(step: Step, forms: Sequence[str]) -> Step:
     """The step with the forms, and that virtual displacements satisfy them too."""
     refs = listed(map(Ref, forms))
-    words = prose("Since time does not appear, virtual displacements satisfy ", *refs, " with δ in place of d.")
     *body, last = step.body
+    if isinstance(last, Prose) and index_of(Purpose.NO_TIME, last.parts[-1:]) is not None:
+        *parts, end = last.parts
+        assert isinstance(end, Phrase)
+        so = (f"{end.instead}, so virtual displacements satisfy ", *refs, " with δ in place of d/dt.")
+        return replace(step, body=(*body, prose(*parts, *so, purpose=last.purpose)))
+    words = prose("Since time does not appear, virtual displacements satisfy ", *refs, " with δ in place of d.")
     return replace(step, body=(*body, paragraph(last, words)) if isinstance(last, Prose) else (*body, last, words))
 
 
-def _referring(step: Step, rule: dict[str, str]) -> Step:
-    """The step with references to other labels."""
+def _referring(step: Step, rule: dict[str, str], how: str) -> Step:
+    """The step with references to other labels; `how` their sides are meant where these are multiplied."""
 
     def part(p: Part) -> Part:
         return Ref(rule[p.label]) if isinstance(p, Ref) and p.label in rule else p
@@ -85,7 +97,7 @@ def _referring(step: Step, rule: dict[str, str]) -> Step:
         if isinstance(b, Prose):
             parts = tuple(map(part, b.parts))
             if parts != b.parts and index_of(Purpose.LEFT_SIDES, parts[-1:]) is not None:
-                parts = (*parts[:-1], ", with δ in place of d:")  # it is a left side with d now
+                parts = (*parts[:-1], how)  # it is a left side with d, or with velocities, now
             return replace(b, parts=parts, short=tuple(map(part, b.short)))
         if isinstance(b, Display):
             return replace(b, equations=tuple(replace(e, condition=tuple(map(part, e.condition))) for e in b.equations))

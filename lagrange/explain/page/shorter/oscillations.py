@@ -19,7 +19,7 @@ def in_one_box(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps, those on small motions with a box only around the frequencies."""
     for step in steps:
         if step.rule in _RULES and not step.folded:
-            step = replace(step, body=tuple(_in_one_box(step.body)))
+            step = replace(step, body=tuple(_with_alternatives([*_in_one_box(step.body)])))
         yield step
 
 
@@ -34,6 +34,24 @@ def _in_one_box(body: Sequence[Block]) -> Iterator[Block]:
             yield prose(*parts, detail=block.detail)
         else:
             yield block
+
+
+def _with_alternatives(body: Sequence[Block]) -> Iterator[Block]:
+    """Steady motions in one box, with `or` between them, instead of one below the other."""
+    waiting: Display | None = None
+    for block in body:
+        if waiting is not None and isinstance(block, Display) and _is_box(block):
+            *lines, last = waiting.equations
+            either = replace(last, condition=(*last.condition, ", or" if last.condition else "or"))
+            waiting = replace(waiting, equations=(*lines, either, *block.equations))
+            continue
+        if waiting is not None:
+            yield waiting
+        waiting = block if isinstance(block, Display) and _is_box(block) else None
+        if waiting is None:
+            yield block
+    if waiting is not None:
+        yield waiting
 
 
 def _is_linear(block: Block) -> bool:

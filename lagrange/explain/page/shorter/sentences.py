@@ -20,9 +20,13 @@ from lagrange.explain.page.system import are_short
 def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
     """The steps with shorter sentences, and with displacements and substitutions in pairs."""
     referred = {p.label for s in steps for b in s.body for p in parts_of(b) if isinstance(p, Ref)}
+    moves = any(s.rule in (Rule.EQUATIONS_OF_MOTION, Rule.QUASI_VELOCITIES) for s in steps)
     for step in steps:
         kept = step.folded or step.rule is Rule.RESULT
-        yield step if kept else replace(step, body=tuple(_shortly(step.body, referred)))
+        body = step.body if kept else tuple(_shortly(step.body, referred))
+        if moves and not kept and step.rule in (Rule.CLASSIFICATION, Rule.DEGREES_OF_FREEDOM):
+            body = tuple(map(_only_velocities, body))  # where constraints are the subject it is said in full
+        yield replace(step, body=body)
 
 
 def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block]:
@@ -36,9 +40,19 @@ def _shortly(body: Sequence[Block], referred: Collection[str]) -> Iterator[Block
             yield block
 
 
+def _only_velocities(block: Block) -> Block:
+    if not isinstance(block, Prose):
+        return block
+    of = Purpose.REACHED
+    parts = (p.instead if isinstance(p, Phrase) and p.purpose is of and p.instead else p for p in block.parts)
+    return replace(block, parts=tuple(parts))
+
+
 def _words(block: Prose, follows: Block | None) -> Prose:
     first = block.parts[0] if block.parts else ""
     if isinstance(first, Phrase) and first.purpose is Purpose.LAW:
+        return prose(first.instead, *block.parts[1:])
+    if isinstance(first, Phrase) and first.purpose is Purpose.SUM_AND_MOMENT:
         return prose(first.instead)
     if has_purpose(block, Purpose.MULTIPLIERS) and index_of(Purpose.EVERY_COORDINATE, block.parts) is not None:
         letters = [p for p in block.parts if isinstance(p, Math)]
