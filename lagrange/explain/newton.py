@@ -9,8 +9,9 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, t
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.contact.held_bodies import explain_held_bodies
 from lagrange.explain.limits import LONGEST_IN_TEXT, MOST_LAWS
 from lagrange.explain.words import (
     capital,
@@ -56,6 +57,7 @@ def explain_newton(
         body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
+        body += explain_held_bodies(newton, at_rest)
     title = "The reactions" if at_rest else "Newton's law and the reactions"
     return Step(Rule.REACTIONS, title, tuple(body))
 
@@ -98,11 +100,27 @@ def natures(reactions: Iterable[Reaction]) -> list[Prose]:
     alike: dict[tuple[object, ...], list[Reaction]] = {}
     for r in reactions:
         by_form = _is_of_form(r) and r.constraint.by is None and r.row.nonlinear is None
-        alike.setdefault((r.acts_on, str(_why_no_force(r))) if by_form else (r.name,), []).append(r)
-    for group in alike.values():
+        key: tuple[object, ...] = (r.acts_on, str(_why_no_force(r))) if by_form else (r.name,)
+        if r.constraint.by is Keeper.WIRE and r.is_normal and r.single is not None and r.given is not None:
+            key = (r.acts_on, Keeper.WIRE)
+        alike.setdefault(key, []).append(r)
+    for key, group in alike.items():
         first, *others = group
-        said += _by_their_forms(group) if others else nature(first)
+        together = _on_a_wire if Keeper.WIRE in key else _by_their_forms
+        said += together(group) if others else nature(first)
     return said
+
+
+def _on_a_wire(reactions: Sequence[Reaction]) -> list[Prose]:
+    """`The sphere and plane constraints together keep P on a wire, ...`: forces along the unit normals."""
+    [particle] = reactions[0].acts_on
+    words = f"{capital(constraints_called(r.name for r in reactions))} together keep {the(particle)} on a wire, and "
+    forces = series(
+        (math(r.force), " along ", math(r.single.direction))
+        for r in reactions
+        if r.single is not None and r.single.direction is not None
+    )
+    return [prose(words, "their reactions are normal to it: forces ", *forces, ".")]
 
 
 def _is_of_form(reaction: Reaction) -> bool:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.operations import count_operations
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.contact.one_sided import explain_contacts
-from lagrange.explain.limits import LONGEST_REACTION
+from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
@@ -75,7 +76,7 @@ def explain_reactions(
     body += _signs(motion)
     body += explain_contacts(reactions, newton)
     if first:
-        body += explain_bounds(newton)
+        body += explain_bounds(newton, {f.reaction.name for f in motion.friction_forces})
     return Step(Rule.SOLVED_REACTIONS, title_in(title_of_reactions(newton), choice), tuple(body)) if body else None
 
 
@@ -134,7 +135,7 @@ def _signs(motion: Motion) -> list[Block]:
 
 CORDS = ("rope", "string", "cord", "thread", "chain")
 """What can only pull, by the names of constraints."""
-ONLY_PUSHES = "Where the support can only push, contact lasts as long as "
+ONLY_PUSHES = "A support that can only push requires "
 BOTH_SIDES = ("wire", "hoop", "ring", "rail", "slot", "tube", "track")
 """What holds a particle from both sides, by the names of constraints."""
 
@@ -143,8 +144,11 @@ def _holds(reaction: Reaction) -> bool:
     return any(word in reaction.name for word in BOTH_SIDES)
 
 
-def explain_bounds(newton: Newton) -> list[Block]:
-    """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
+def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]:
+    """The forces that rods, strings and surfaces can exert, where the constraints do not tell.
+
+    pressed  names of constraints of which friction has said already that they press
+    """
     blocks: list[Block] = []
     open_ = [r for r in newton.reactions if r.constraint.side is None]
     pulling = [r for r in open_ if r.tension is not None and r.constraint.by not in (Keeper.ROD, *SURFACES)]
@@ -183,12 +187,25 @@ def explain_bounds(newton: Newton) -> list[Block]:
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE and not _holds(r)]
-    if normal:
-        forces = listed(math(r.force) for r in normal)
-        keep = plural(len(normal), " keeps its sign.", " keep their signs.")
-        blocks.append(prose(ONLY_PUSHES, *forces, keep))
+    threaded = {p for r in newton.reactions if r.constraint.by is Keeper.WIRE or _holds(r) for p in r.acts_on}
+    normal = [r for r in open_ if r.is_normal and r.name not in pressed and threaded.isdisjoint(r.acts_on)]
+    blocks += [pushed_side(r) for r in normal]
     return blocks
+
+
+def pushed_side(reaction: Reaction, gradient: sp.Expr | None = None) -> Prose:
+    """`A support that can only push requires N > 0 where P is on the side to which 𝐣 points, N < 0 ...`
+
+    gradient  the direction of the force for λ = 1, where the page has a symbol for it
+    """
+    above, below = (math(reaction.force, sp.S.Zero, relation=sign) for sign in "><")
+    [particle] = reaction.acts_on
+    along = reaction.per_unit(particle) if gradient is None else gradient
+    long = isinstance(along, Vector) and sum(map(count_operations, along.components)) > LONGEST_IN_TEXT
+    side: tuple[Part, ...] = (f"where {the(particle)} is on the side to which ", math(along), " points")
+    if along is None or long:
+        side = ("where the left side less the right side increases towards ", the(particle))
+    return prose(ONLY_PUSHES, above, " ", *side, ", ", below, " where it is on the other.")
 
 
 def explain_reactions_at_rest(

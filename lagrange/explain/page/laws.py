@@ -16,6 +16,7 @@ from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variati
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.contact.held_bodies import explain_held_bodies
 from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import law_of, natures
 from lagrange.explain.page.coordinates import is_letter
@@ -61,22 +62,9 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
-        *(prose("The component of the force on ", the(b.name), " along ", math(unit), " is balanced by what keeps "
-                f"{the(b.name)} from moving along it, which does no virtual work and is not shown.")
-          for b in bodies if (unit := _held(b)) is not None),
-    ]  # fmt: skip
+        *explain_held_bodies(newton),
+    ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
-
-
-def _held(body: FreeBody) -> sp.Symbol | None:
-    """The fixed direction in which the particle cannot be placed elsewhere, although a force acts along it."""
-    applied = body.applied.fixed()
-    for unit, force, *moved in zip(
-        applied.triad.units, applied.components, *(p.fixed().components for p in body.particle.partials), strict=True
-    ):
-        if force != 0 and not any(moved):
-            return unit
-    return None
 
 
 def _together(blocks: Sequence[Block]) -> list[Block]:

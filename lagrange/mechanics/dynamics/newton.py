@@ -127,8 +127,10 @@ class Reaction:
 
     def per_unit(self, particle: str) -> Vector | None:
         """The force on a particle for `force` = 1; None if it does not act there."""
-        if self.named and self.single is not None and self.single.on == particle:
-            return self.single.direction
+        single = self.single
+        if self.given is not None and single is not None and single.direction is not None:
+            if particle in (single.on, single.opposite):
+                return single.direction if particle == single.on else -single.direction
         return self._for_unit(self.on(particle))
 
     def moment_per_unit(self, body: str) -> Vector | None:

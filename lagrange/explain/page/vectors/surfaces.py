@@ -34,7 +34,7 @@ from lagrange.document.builders import display, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import works_when_moving
 from lagrange.explain.page.laws import missing_relations
-from lagrange.explain.reactions import ONLY_PUSHES
+from lagrange.explain.reactions import ONLY_PUSHES, pushed_side
 from lagrange.explain.words import capital, constraints_called, the
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -367,7 +367,7 @@ def _reaction(s: OnSurface, step: Step) -> Step:
             Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True
         ),
     ]
-    bounds = [b for b in step.body if _begins(b, ONLY_PUSHES)]
+    bounds = [pushed_side(r, s.gradient) for b in step.body if _begins(b, ONLY_PUSHES)]
     return replace(step, body=(*body, *bounds))
 
 
