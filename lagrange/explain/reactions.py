@@ -170,8 +170,8 @@ def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]
         else:
             outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
             blocks.append(
-                prose("What can only pull, such as a string, requires ", *tensions, "; what can only push from "
-                      "outside, such as the surface of a sphere, requires ", outside, ".")
+                prose("What can only act inwards, as a string or the inside of a bowl, requires ", *tensions,
+                      "; what can only act outwards, as the surface of a sphere, requires ", outside, ".")
             )  # fmt: skip
     elif rods:
         blocks.append(

@@ -444,7 +444,7 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exac
             contrary = (
                 f", and unstable where {reversed_}."
                 if strict
-                else "; where the sides are equal, the linear equations do not decide."
+                else "; where the sides are equal, two frequencies coincide, and a motion may grow in proportion to the time."
             )
             yield prose(*subject, f" is {stable} where ", *where, contrary, detail=detail)
         case StabilityVerdict.UNDECIDED if _stays_displaced(s):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.mechanics.questions.forms import under_one_root, without_roots_below, without_roots_in_logarithms
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.mechanics.questions.forms import settled, under_one_root, without_roots_below, without_roots_in_logarithms
 
 g, h, m, x = sp.symbols("g h m x", positive=True)
 
@@ -25,3 +26,19 @@ def test_logarithms_and_denominators() -> None:
     e = h / (sp.sqrt(g + h) - sp.sqrt(g))
     assert sp.simplify(without_roots_below(e) - e) == 0
     assert without_roots_below(g * h) == g * h
+
+
+def test_conditions_that_others_imply() -> None:
+    a = sp.Symbol("a", positive=True)
+    more = SignCondition(m * a + x, m * h + g * a, ">")
+    implied = SignCondition(m * a + x, g * a, "≠")  # the left side is more by m h
+    other = SignCondition(m * a, x, "≠")
+    assert settled((implied, more, other), g) == (more, other)
+
+
+def test_what_a_value_is_divided_by_is_not_zero() -> None:
+    theta = sp.Symbol("theta", real=True)
+    [strict] = settled((SignCondition(sp.cos(theta), sp.S.Zero, "≥"),), g / (m * sp.cos(theta)))
+    assert strict.relation == ">"
+    [open_] = settled((SignCondition(sp.cos(theta), sp.S.Zero, "≥"),), sp.sqrt(g * sp.cos(theta)))
+    assert open_.relation == "≥"
