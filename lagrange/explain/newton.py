@@ -52,7 +52,12 @@ def explain_newton(
     else:
         body.append(paragraph(*natures(newton.reactions)))
         for b in newton.bodies:
-            body += _free_body(b, field_called(configuration), {r.friction.name for r in friction_forces})
+            body += _free_body(
+                b,
+                field_called(configuration),
+                {r.friction.name for r in friction_forces},
+                {m.name for m in configuration.torques},
+            )
         body += explain_friction(friction_forces)
         body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None and not unknown_forces:
@@ -266,14 +271,13 @@ def _why_no_force(reaction: Reaction) -> str | None:
 def field_called(configuration: Configuration) -> str:
     """The sources of forces without a name: fields, springs, dampers."""
     springs, dampers = configuration.springs, configuration.dampers
-    whats = ["the field"] * configuration.has_field + [plural(len(springs), "the spring", "the springs")] * bool(
-        springs
-    )
+    whats = [plural(len(springs), "the spring", "the springs")] * bool(springs)
     whats += [plural(len(dampers), "the damper", "the dampers")] * bool(dampers)
-    return f"the force of {joined(whats)}"
+    fields = ["the force that derives from the potential energy"] * configuration.has_field
+    return joined([*fields, *([f"the force of {joined(whats)}"] if whats else [])])
 
 
-def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Block]:
+def _free_body(body: FreeBody, of_field: str, rough: Collection[str], turning: Collection[str]) -> list[Block]:
     """All forces that act on one particle."""
     name, called = body.particle.name, the(body.particle.name)
     acting = [
@@ -281,7 +285,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
         if n == "weight"
         else friction_called(n, rough)
         if n in rough
-        else load_called(n)
+        else load_called(n, "moment" if n in turning else "force")
         if n
         else of_field
         for n in body.loads

@@ -30,15 +30,15 @@ def test_logarithms_and_denominators() -> None:
 
 def test_conditions_that_others_imply() -> None:
     a = sp.Symbol("a", positive=True)
-    more = SignCondition(m * a + x, m * h + g * a, ">")
-    implied = SignCondition(m * a + x, g * a, "≠")  # the left side is more by m h
-    other = SignCondition(m * a, x, "≠")
+    more = SignCondition(m * a + x, ">", m * h + g * a)
+    implied = SignCondition(m * a + x, "≠", g * a)  # the left side is more by m h
+    other = SignCondition(m * a, "≠", x)
     assert settled((implied, more, other), g) == (more, other)
 
 
 def test_what_a_value_is_divided_by_is_not_zero() -> None:
     theta = sp.Symbol("theta", real=True)
-    [strict] = settled((SignCondition(sp.cos(theta), sp.S.Zero, "≥"),), g / (m * sp.cos(theta)))
+    [strict] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), g / (m * sp.cos(theta)))
     assert strict.relation == ">"
-    [open_] = settled((SignCondition(sp.cos(theta), sp.S.Zero, "≥"),), sp.sqrt(g * sp.cos(theta)))
+    [open_] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), sp.sqrt(g * sp.cos(theta)))
     assert open_.relation == "≥"
