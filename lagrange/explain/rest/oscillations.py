@@ -175,7 +175,8 @@ def explain_about(
             yield prose(f"Linear equations of more than {MOST_OSCILLATING} coordinates are not worked out.")
             return
         yield prose(
-            "At ", place, " there are no linear equations of motion: the coordinates or the forces are singular there."
+            "At ", place, " there are no linear equations of motion: the coordinates or the forces are singular there, so that "
+            "the conditions of rest do not show whether the system can rest there."
         )
         return
     symbols = {x for e in s.equations for x in e.free_symbols} & set(linearization.configuration.slots.coordinates)
