@@ -59,7 +59,7 @@ def explain_newton(
                 {m.name for m in configuration.torques},
             )
         body += explain_friction(friction_forces)
-        body += _law(newton, newton.bodies, at_rest)
+        body += _law(newton, newton.bodies, at_rest, field_called(configuration))
         if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
         body += explain_held_bodies(newton, at_rest)
@@ -354,7 +354,7 @@ def _are_opposite(first: FrictionForce, second: FrictionForce) -> bool:
     return same and first.friction.on != second.friction.on and (first.slip + second.slip).is_zero
 
 
-def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Block]:
+def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool, of_field: str) -> list[Block]:
     lines = []
     turned = False
     for b in bodies:
@@ -379,7 +379,11 @@ def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Bloc
         if len(bodies) <= MOST_LAWS:
             laws = listed(math(*law_of(b)) for b in bodies)
             law, have = ("Newton's law, ", ", has") if len(bodies) == 1 else ("Newton's laws, ", ", have")
-            blocks[0] = prose(law, *laws, f"{have} the components")
+            added: tuple[Part, ...] = ()
+            if any("" in b.loads for b in bodies):
+                added = (f" with {of_field} included in ", math(VectorSymbol(f"F_{bodies[0].name}")))
+                added = added if len(bodies) == 1 else (f" with {of_field} included",)
+            blocks[0] = prose(law, *laws, *added, f"{have} the components")
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
         lines = [Equation((ZERO, right), label=f"idle-{q.name}") for q, right in newton.idle.items()]

@@ -18,7 +18,7 @@ from lagrange.document.builders import display, listed, math, paired, paragraph,
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.contact.held_bodies import explain_held_bodies
 from lagrange.explain.limits import LONGEST_FORMS, MOST_NAMED, SHORT_WORK
-from lagrange.explain.newton import law_of, natures
+from lagrange.explain.newton import field_called, law_of, natures
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
@@ -58,7 +58,7 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     ]
     vectors = [line for b in bodies if (line := _reaction_line(b, units)) is not None]
     body: list[Block] = [
-        prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
+        prose(*_named(bodies, field_called(solution.own.configuration)), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
@@ -118,13 +118,15 @@ def _along(reaction: Reaction) -> str:
     return f"the distance between {the(other) if second else 'O'} and {the(first)}"
 
 
-def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
-    """`With the applied force F and the reaction R of the rod, `."""
+def _named(bodies: tuple[FreeBody, ...], of_field: str) -> tuple[Part, ...]:
+    """`With the applied force F and the reaction R of the rod, `; forces without a name are in F here only."""
     applied = any(not b.applied.is_zero for b in bodies)
     one = len(bodies) == 1
     suffix = f"_{bodies[0].name}" if one else ""
     force = (plural(len(bodies), "the applied force ", "the applied forces "), math(VectorSymbol(f"F{suffix}")))
     reaction = (plural(len(bodies), "the reaction ", "the reactions "), math(VectorSymbol(f"R{suffix}")))
+    if any("" in b.loads for b in bodies):
+        force = (*force, f", to which {of_field} is added here,")
     return ("With ", *((*force, " and ") if applied else ()), *reaction, ", ")
 
 
