@@ -26,13 +26,19 @@ def _held(held: HeldBody) -> Iterator[Block]:
         yield prose(f"The forces that keep {body} on its path are normal to it: they do no virtual work and are not "
                     "shown.")  # fmt: skip
         return
-    begin: tuple[Part, ...] = (f"The coordinates allow no motion of {body} along ", math(held.along), ". The force that ")
+    begin: tuple[Part, ...] = (
+        f"The coordinates allow no motion of {body} along ",
+        math(held.along),
+        ". The force that ",
+    )
     if value is None or count_operations(value) > LONGEST_REACTION:
         yield prose(*begin, "prevents it does no virtual work and is not shown.")
         return
     value = with_common_factor(value)
     idle = "; it does no virtual work and is in none of the equations above."
-    pushes = () if has_one_sign(value) else (" If it is that of a surface, contact lasts as long as the surface pushes.",)
+    pushes = (
+        () if has_one_sign(value) else (" If it is that of a surface, contact lasts as long as the surface pushes.",)
+    )
     if count_operations(value) <= LONGEST_IN_TEXT:
         yield prose(*begin, "prevents it is ", math(value), " in this direction", idle, *pushes)
         return

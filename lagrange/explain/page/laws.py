@@ -58,7 +58,10 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     ]
     vectors = [line for b in bodies if (line := _reaction_line(b, units)) is not None]
     body: list[Block] = [
-        prose(*_named(bodies, field_called(solution.own.configuration)), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
+        prose(
+            *_named(bodies, field_called(solution.own.configuration)),
+            plural(len(bodies), "Newton's law is", "Newton's law for each particle is"),
+        ),
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
@@ -123,7 +126,8 @@ def _named(bodies: tuple[FreeBody, ...], of_field: str) -> tuple[Part, ...]:
     applied = any(not b.applied.is_zero for b in bodies)
     one = len(bodies) == 1
     suffix = f"_{bodies[0].name}" if one else ""
-    force = (plural(len(bodies), "the applied force ", "the applied forces "), math(VectorSymbol(f"F{suffix}")))
+    forces = plural(len(bodies), "the applied force ", "the applied forces ")
+    force: tuple[Part, ...] = (forces, math(VectorSymbol(f"F{suffix}")))
     reaction = (plural(len(bodies), "the reaction ", "the reactions "), math(VectorSymbol(f"R{suffix}")))
     if any("" in b.loads for b in bodies):
         force = (*force, f", to which {of_field} is added here,")

@@ -263,7 +263,11 @@ def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | Non
     moved = [q for q in slots.coordinates if any(c.has(q) for c in conditions)]
     slopes = sp.Matrix([[c.diff(q) for q in moved] for c in conditions])
     at_zero = dict.fromkeys(moved, sp.S.Zero)
-    if all(e.is_number for e in slopes) and slopes.rank() == len(moved) and not any(c.xreplace(at_zero) for c in conditions):
+    if (
+        all(e.is_number for e in slopes)
+        and slopes.rank() == len(moved)
+        and not any(c.xreplace(at_zero) for c in conditions)
+    ):
         conditions = list(moved)
     return tuple(sorted(conditions, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
 

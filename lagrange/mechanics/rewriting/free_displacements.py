@@ -70,7 +70,7 @@ def free_displacements(elimination: Elimination, slots: Slots, taken: Collection
 def _by_headings(
     values: Mapping[sp.Symbol, sp.Expr], free: Sequence[sp.Symbol], slots: Slots
 ) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
-    """The same with a coordinate that coefficients depend on as the free one: δθ of an axle, not δφ of a wheel on it."""
+    """The same with a coordinate that coefficients depend on as the free one: δθ of an axle, not δφ of a wheel."""
     chosen, left = dict(values), list(free)
     headings = {q for e in chosen.values() for q in e.free_symbols & set(slots.coordinates)}
     for n, old in enumerate(left):

@@ -68,7 +68,7 @@ def _across(placed: list[Vector]) -> list[Vector]:
         size = textbook_form(normal.dot(normal))
         return [normal if size == 1 else (normal / sp.sqrt(size)).map(textbook_form)]
     [along] = placed
-    axes = [Vector(tuple(sp.S.One if n == m else sp.S.Zero for m in range(3))) for n in range(3)]  # type: ignore[arg-type]
+    axes = [Vector(tuple(sp.S.One if n == m else sp.S.Zero for m in range(3))) for n in range(3)]
     first = next((e for e in reversed(axes) if textbook_form(e.dot(along)) == 0), None)
     if first is None:
         return []
