@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.operations import count_operations
+from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
@@ -76,7 +77,8 @@ def explain_reactions(
     body += _signs(motion)
     body += explain_contacts(reactions, newton)
     if first:
-        body += explain_bounds(newton, {f.reaction.name for f in motion.friction_forces})
+        pressed = {f.reaction.name for f in motion.friction_forces if not isinstance(f.contact, Sign)}
+        body += explain_bounds(newton, pressed)
     return Step(Rule.SOLVED_REACTIONS, title_in(title_of_reactions(newton), choice), tuple(body)) if body else None
 
 
