@@ -15,5 +15,3 @@ SHORT_MATHML = 20
 
 USUAL_DIGITS = 6
 """Significant digits of a float that is not rounded already: one with the precision of a float or more."""
-MOST_PRIMES = 3
-"""The highest derivative of a function of one variable that is written with primes: f‴, as books count no further."""

@@ -30,7 +30,7 @@ from lagrange.core.symbols import (
 )
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
-from lagrange.document.limits import LONGEST_LIST, MOST_PRIMES
+from lagrange.document.limits import LONGEST_LIST
 from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
 from lagrange.document.notation import Notation, SymbolKind
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
@@ -377,12 +377,7 @@ class Writer:
             return head
         if not variables:
             return Piece(head.code + self.style.arguments(codes))
-        ambiguous = function.name in self._ambiguous
-        if len(codes) == 1 and self.style.by_hand and len(variables) <= MOST_PRIMES:
-            plain = str(function.arguments[0]) == function.argument_names[0] and not ambiguous
-            primed = self.style.primed(head, len(variables))
-            return primed if plain else Piece(primed.code + self.style.arguments(codes))
-        return self.style.partial(head, variables, codes if ambiguous else ())
+        return self.style.partial(head, variables, codes if function.name in self._ambiguous else ())
 
     def _is_known(self, function: Unspecified) -> bool:
         """Whether its long list of arguments is the declared one and can be omitted: F_x for F_x(x, y, x', t)."""

@@ -124,10 +124,6 @@ class Latex(Unicode):
         code = rf"\frac{{{plain(above)}}}{{{below}}}"
         return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
 
-    def primed(self, function: Piece, order: int) -> Piece:
-        """f' and f''."""
-        return Piece(function.code + "'" * order)
-
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
         if inner.level == Precedence.ATOM and "(" not in inner.code:

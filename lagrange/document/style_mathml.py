@@ -16,7 +16,7 @@ import sympy as sp
 
 from lagrange.document.limits import LONG_MATHML, SHORT_MATHML
 from lagrange.document.names import BREAK, END, GREEK, START, Piece, Precedence, WrittenName, plain
-from lagrange.document.styles import FUNCTIONS, PRIMES, Unicode, figures
+from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 THIN = '<mspace width="0.17em"/>'
 TIMES = "<mo>\u2062</mo>"
@@ -174,10 +174,6 @@ class MathML(Unicode):
         body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
         code = f"<mfrac>{row(raised + body)}{row(''.join(below))}</mfrac>"
         return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
-
-    def primed(self, function: Piece, order: int) -> Piece:
-        """f′ and f″."""
-        return Piece(f"<msup>{function.code}<mo>{PRIMES[order - 1]}</mo></msup>")
 
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""

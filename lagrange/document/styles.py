@@ -65,8 +65,8 @@ RELATIONS: dict[str, tuple[str, str, str]] = {
     "∝": ("~", "∝", r"\propto"),
 }
 SAME = {"!=": "≠", "<=": "≤", ">=": "≥", "==": "≡", "->": "→"}
-PRIMES = ("′", "″", "‴")
-"""Of a function of one variable: f′, f″, f‴."""
+
+
 FIXED = range(-4, 6)
 """The powers of ten in front of which a number is written out: 0.0001234, 123400."""
 
@@ -191,10 +191,6 @@ class Text:
         for variable in variables:
             code = f"diff({code}, {self.name(variable).code})"
         return Piece(code)
-
-    def primed(self, function: Piece, order: int) -> Piece:
-        """f′ and f″, the derivatives of a function of one variable, as they are written by hand."""
-        return Piece(function.code + PRIMES[order - 1])
 
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""

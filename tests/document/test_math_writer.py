@@ -45,7 +45,6 @@ i, j, e_r, e_theta = (UnitVector(n) for n in ("i", "j", "e_r", "e_theta"))
 sin, cos, tan, sqrt = sp.sin, sp.cos, sp.tan, sp.sqrt
 d, delta = differential, variation
 f = Unspecified.of("f", ("X", "Y", "Z"), x - u * t, y, z)
-h, at = Unspecified.of("h", ("x",), x), Unspecified.of("U", ("s",), x**2)
 N = Notation(coordinates=(x, y, z, r, th, ph, x1, x2, th1, th2), prescribed=(s,), forces=(P,))
 
 
@@ -132,9 +131,6 @@ SPELLED = [
     (sp.Function("G")(x), "G(x)", "G(x)", r"\operatorname{G}(x)"),
     (f, "f(x - u*t, y, z)", "f(x − u t, y, z)", "f(x - u t, y, z)"),
     (f.partial(0), "diff(f, X)", "∂f/∂X", r"\frac{\partial f}{\partial X}"),
-    (h.partial(0) * D(x), "diff(h, x)*x'", "h′ ẋ", r"h' \dot{x}"),
-    (h.partial(0).partial(0) * h.partial(0) ** 2, "diff(diff(h, x), x)*diff(h, x)^2", "h″ h′²", "h'' h'^{2}"),
-    (at.partial(0), "diff(U, s)", "U′(x²)", "U'(x^{2})"),
     (f.partial(0).partial(1) * D(x), "diff(diff(f, X), Y)*x'", "(∂²f/∂X∂Y) ẋ",
      r"\frac{\partial^{2} f}{\partial X \partial Y} \dot{x}"),
     (f.partial(0).partial(0), "diff(diff(f, X), X)", "∂²f/∂X²", r"\frac{\partial^{2} f}{\partial X^{2}}"),
@@ -323,11 +319,7 @@ DECLARED = [
 SCOPE = Scope(
     scalars={s.name: s for s in DECLARED},
     slots=Slots(N.coordinates, (s,)),
-    functions={
-        "f": FunctionDeclaration("f", ("X", "Y", "Z"), (x - u * t, y, z)),
-        "h": FunctionDeclaration("h", ("x",), (x,)),
-        "U": FunctionDeclaration("U", ("s",), (x**2,)),
-    },
+    functions={"f": FunctionDeclaration("f", ("X", "Y", "Z"), (x - u * t, y, z))},
 )
 SHOWN_ONLY = (DotProduct, Partial, TimeDerivative, Wedge, UnitVector, VectorSymbol, sp.Float)
 READABLE = [
