@@ -36,7 +36,7 @@ class Purpose(Enum):
     MULTIPLIERS = auto()  # With multipliers instead, nothing is eliminated.
     NOT_SUBSTITUTED = auto()  # The constraint restricts velocities and is not substituted into T before ...
     MAY_PUSH = auto()  # A rod may also push
-    ONLY_PUSHES = auto()  # Where the support can only push, contact lasts as long as
+    ONLY_PUSHES = auto()  # A support that can only push requires N > 0
     WAVES = auto()  # There are solutions proportional to cos(ω t), with a constant amplitude, where
     RESONANCE = auto()  # The denominator vanishes at a frequency of free oscillations
     IN_TERMS_OF = auto()  # In terms of position and velocity,

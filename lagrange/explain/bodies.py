@@ -165,6 +165,10 @@ def moments_on(configuration: Configuration, rough: Collection[str] = ()) -> lis
     return blocks
 
 
+EXTENSION = "Its extension, the distance between its ends,"
+"""Of a spring with the natural length zero, as where coordinates are measured from equilibrium."""
+
+
 def explain_links(configuration: Configuration) -> list[Block]:
     """The springs and dampers, their lengths, and the forces with which they pull."""
     blocks: list[Block] = []
@@ -173,7 +177,8 @@ def explain_links(configuration: Configuration) -> list[Block]:
         free: tuple[Part, ...] = (" and natural length ", math(s.length)) if s.length != 0 else ()
         blocks += [
             prose(f"The {link_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
-                  ". Its length and the force with which it pulls its ends together are"),
+                  f". {'Its length' if s.length != 0 else EXTENSION} and the force with which it pulls its ends "
+                  "together are"),
             display(Equation((length, s.distance), label=f"length-{s.name}"),
                     Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
         ]  # fmt: skip
@@ -182,7 +187,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         either = "" if d.distance.is_Pow else " (or its negative, which serves equally well)"
         blocks += [
             prose(f"The {link_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
-                  f". Its length{either} and the force with which it pulls its ends together are"),
+                  f". The distance between its ends{either} and the force with which it pulls its ends together are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.pull_at(prime(length)), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip

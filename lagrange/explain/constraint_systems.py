@@ -173,19 +173,27 @@ def explain_losses(classification: Classification, *, excluded: bool = True) -> 
     """The places where the constraints are not independent, and, if `excluded`, those that the constraints exclude."""
     sentences = []
     left_out: list[Part] = []
+    alike: dict[tuple[str, int | None], list[RankLoss]] = {}
     for loss in classification.losses[:SHOWN_LOSSES]:
         if loss.excluded and not excluded:
             continue
-        place, rank = math(*loss.conditions, sp.S.Zero), _rank_there(classification, loss)
-        form = Ref(f"form-{loss.vanishing}")
+        place, form = math(*loss.conditions, sp.S.Zero), Ref(f"form-{loss.vanishing}")
         if loss.excluded:
             start: tuple[Part, ...] = ("; ", form) if left_out else ("The form ", form, " vanishes")
             verb = plural(len(loss.excluded), "excludes", "exclude")
             left_out += [*start, " only where ", place, f", which {constraints_called(loss.excluded)} {verb}"]
-        elif loss.vanishing:
-            sentences.append(prose("Where ", place, ", the form ", form, " vanishes and restricts nothing", *rank, "."))
         else:
-            sentences.append(prose("Where ", place, ", the constraints are not independent", *rank, "."))
+            key = (loss.vanishing or str(loss.conditions), loss.rank)
+            alike.setdefault(key, []).append(loss)
+    for losses in alike.values():
+        [first, *_] = losses
+        where = series([(math(*loss.conditions, sp.S.Zero),) for loss in losses], " or ")
+        rank = _rank_there(classification, first)
+        if first.vanishing:
+            words: tuple[Part, ...] = (", the form ", Ref(f"form-{first.vanishing}"), " vanishes and restricts nothing")
+        else:
+            words = (", the constraints are not independent",)
+        sentences.append(prose("Where ", *where, *words, *rank, "."))
     if left_out:
         sentences.append(prose(*left_out, "."))
     return sentences

@@ -9,9 +9,10 @@ import sympy as sp
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, t
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
+from lagrange.explain.contact.held_bodies import explain_held_bodies
 from lagrange.explain.limits import LONGEST_IN_TEXT, MOST_LAWS
 from lagrange.explain.words import (
     capital,
@@ -52,11 +53,17 @@ def explain_newton(
     else:
         body.append(paragraph(*natures(newton.reactions)))
         for b in newton.bodies:
-            body += _free_body(b, field_called(configuration), {r.friction.name for r in friction_forces})
+            body += _free_body(
+                b,
+                field_called(configuration),
+                {r.friction.name for r in friction_forces},
+                {m.name for m in configuration.torques},
+            )
         body += explain_friction(friction_forces)
-        body += _law(newton, newton.bodies, at_rest)
+        body += _law(newton, newton.bodies, at_rest, field_called(configuration))
         if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
+        body += explain_held_bodies(newton, at_rest)
     title = "The reactions" if at_rest else "Newton's law and the reactions"
     return Step(Rule.REACTIONS, title, tuple(body))
 
@@ -99,11 +106,27 @@ def natures(reactions: Iterable[Reaction]) -> list[Prose]:
     alike: dict[tuple[object, ...], list[Reaction]] = {}
     for r in reactions:
         by_form = _is_of_form(r) and r.constraint.by is None and r.row.nonlinear is None
-        alike.setdefault((r.acts_on, str(_why_no_force(r))) if by_form else (r.name,), []).append(r)
-    for group in alike.values():
+        key: tuple[object, ...] = (r.acts_on, str(_why_no_force(r))) if by_form else (r.name,)
+        if r.constraint.by is Keeper.WIRE and r.is_normal and r.single is not None and r.given is not None:
+            key = (r.acts_on, Keeper.WIRE)
+        alike.setdefault(key, []).append(r)
+    for key, group in alike.items():
         first, *others = group
-        said += _by_their_forms(group) if others else nature(first)
+        together = _on_a_wire if Keeper.WIRE in key else _by_their_forms
+        said += together(group) if others else nature(first)
     return said
+
+
+def _on_a_wire(reactions: Sequence[Reaction]) -> list[Prose]:
+    """`The sphere and plane constraints together keep P on a wire, ...`: forces along the unit normals."""
+    [particle] = reactions[0].acts_on
+    words = f"{capital(constraints_called(r.name for r in reactions))} together keep {the(particle)} on a wire, and "
+    forces = series(
+        (math(r.force), " along ", math(r.single.direction))
+        for r in reactions
+        if r.single is not None and r.single.direction is not None
+    )
+    return [prose(words, "their reactions are normal to it: forces ", *forces, ".")]
 
 
 def _is_of_form(reaction: Reaction) -> bool:
@@ -249,14 +272,13 @@ def _why_no_force(reaction: Reaction) -> str | None:
 def field_called(configuration: Configuration) -> str:
     """The sources of forces without a name: fields, springs, dampers."""
     springs, dampers = configuration.springs, configuration.dampers
-    whats = ["the field"] * configuration.has_field + [plural(len(springs), "the spring", "the springs")] * bool(
-        springs
-    )
+    whats = [plural(len(springs), "the spring", "the springs")] * bool(springs)
     whats += [plural(len(dampers), "the damper", "the dampers")] * bool(dampers)
-    return f"the force of {joined(whats)}"
+    fields = ["the force that derives from the potential energy"] * configuration.has_field
+    return joined([*fields, *([f"the force of {joined(whats)}"] if whats else [])])
 
 
-def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Block]:
+def _free_body(body: FreeBody, of_field: str, rough: Collection[str], turning: Collection[str]) -> list[Block]:
     """All forces that act on one particle."""
     name, called = body.particle.name, the(body.particle.name)
     acting = [
@@ -264,7 +286,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
         if n == "weight"
         else friction_called(n, rough)
         if n in rough
-        else load_called(n)
+        else load_called(n, "moment" if n in turning else "force")
         if n
         else of_field
         for n in body.loads
@@ -338,7 +360,7 @@ def _are_opposite(first: FrictionForce, second: FrictionForce) -> bool:
     return same and first.friction.on != second.friction.on and (first.slip + second.slip).is_zero
 
 
-def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Block]:
+def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool, of_field: str) -> list[Block]:
     lines = []
     turned = False
     for b in bodies:
@@ -365,7 +387,11 @@ def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Bloc
         if len(bodies) <= MOST_LAWS:
             laws = listed(math(*law_of(b)) for b in bodies)
             law, have = ("Newton's law, ", ", has") if len(bodies) == 1 else ("Newton's laws, ", ", have")
-            blocks[0] = prose(law, *laws, have, end)
+            added: tuple[Part, ...] = ()
+            if any("" in b.loads for b in bodies):
+                added = (f" with {of_field} included in ", math(VectorSymbol(f"F_{bodies[0].name}")))
+                added = added if len(bodies) == 1 else (f" with {of_field} included",)
+            blocks[0] = prose(law, *laws, *added, have, end)
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
         lines = [Equation((ZERO, right), label=f"idle-{q.name}") for q, right in newton.idle.items()]

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.operations import count_operations
-from lagrange.core.symbols import t
+from lagrange.core.symbols import Sign, t
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.contact.one_sided import explain_contacts
-from lagrange.explain.limits import LONGEST_REACTION, LONGEST_REACTIONS
+from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION, LONGEST_REACTIONS
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
@@ -79,7 +80,8 @@ def explain_reactions(
     body += _signs(motion)
     body += explain_contacts(reactions, newton)
     if first:
-        body += explain_bounds(newton)
+        pressed = {f.reaction.name for f in motion.friction_forces if not isinstance(f.contact, Sign)}
+        body += explain_bounds(newton, pressed)
     return Step(Rule.SOLVED_REACTIONS, title_in(title_of_reactions(newton), choice), tuple(body)) if body else None
 
 
@@ -146,8 +148,11 @@ def _holds(reaction: Reaction) -> bool:
     return any(word in reaction.name for word in BOTH_SIDES)
 
 
-def explain_bounds(newton: Newton) -> list[Block]:
-    """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
+def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]:
+    """The forces that rods, strings and surfaces can exert, where the constraints do not tell.
+
+    pressed  names of constraints of which friction has said already that they press
+    """
     blocks: list[Block] = []
     open_ = [r for r in newton.reactions if r.constraint.side is None]
     pulling = [r for r in open_ if r.tension is not None and r.constraint.by not in (Keeper.ROD, *SURFACES)]
@@ -176,8 +181,8 @@ def explain_bounds(newton: Newton) -> list[Block]:
         else:
             outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
             blocks.append(
-                prose("What can only pull, such as a string, requires ", *tensions, "; what can only push from "
-                      "outside, such as the surface of a sphere, requires ", outside, ".")
+                prose("What can only act inwards, as a string or the inside of a bowl, requires ", *tensions,
+                      "; what can only act outwards, as the surface of a sphere, requires ", outside, ".")
             )  # fmt: skip
     elif rods:
         blocks.append(
@@ -194,16 +199,26 @@ def explain_bounds(newton: Newton) -> list[Block]:
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE and not _holds(r)]
-    if normal:
-        forces = listed(math(r.force) for r in normal)
-        keep = plural(len(normal), " keeps its sign.", " keep their signs.")
-        blocks.append(
-            prose(
-                "Where the support can only push, contact lasts as long as ", *forces, keep, purpose=Purpose.ONLY_PUSHES
-            )
-        )
+    threaded = {p for r in newton.reactions if r.constraint.by is Keeper.WIRE or _holds(r) for p in r.acts_on}
+    normal = [r for r in open_ if r.is_normal and r.name not in pressed and threaded.isdisjoint(r.acts_on)]
+    blocks += [pushed_side(r) for r in normal]
     return blocks
+
+
+def pushed_side(reaction: Reaction, gradient: sp.Expr | None = None) -> Prose:
+    """`A support that can only push requires N > 0 where P is on the side to which 𝐣 points, N < 0 ...`
+
+    gradient  the direction of the force for λ = 1, where the page has a symbol for it
+    """
+    above, below = (math(reaction.force, sp.S.Zero, relation=sign) for sign in "><")
+    [particle] = reaction.acts_on
+    along = reaction.per_unit(particle) if gradient is None else gradient
+    long = isinstance(along, Vector) and sum(map(count_operations, along.components)) > LONGEST_IN_TEXT
+    side: tuple[Part, ...] = (f"where {the(particle)} is on the side to which ", math(along), " points")
+    if along is None or long:
+        side = ("where the left side less the right side increases towards ", the(particle))
+    return prose("A support that can only push requires ", above, " ", *side, ", ", below,
+                 " where it is on the other.", purpose=Purpose.ONLY_PUSHES)  # fmt: skip
 
 
 def explain_reactions_at_rest(

@@ -39,7 +39,7 @@ def introduced_together(solution: Solution, body: Sequence[Block]) -> tuple[Bloc
     groups: list[tuple[set[str], Prose]] = [(introducing, _bodies(solution, shown))] if several and plain else []
     groups += [
         ({f"force-{n}" for n in weighed}, prose(plural(len(weighed), "The weight is", "The weights are"))),
-        ({f"moment-{n}" for n in moments}, prose(f"The applied moments{_about_centres(solution, some=True)} are")),
+        ({f"moment-{n}" for n in moments}, prose("The applied moments are")),
     ]
     blocks = list(body)
     for labels, lead in groups:

@@ -17,8 +17,9 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
+from lagrange.explain.contact.held_bodies import explain_held_bodies
 from lagrange.explain.limits import FEWEST_WITHOUT_SUMS, LONGEST_FORMS, MOST_NAMED, SHORT_WORK
-from lagrange.explain.newton import law_of, natures
+from lagrange.explain.newton import field_called, law_of, natures
 from lagrange.explain.page.coordinates import is_letter
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
@@ -65,15 +66,16 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     ]
     vectors = [line for b in bodies if (line := _reaction_line(b, units)) is not None]
     body: list[Block] = [
-        prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
+        prose(
+            *_named(bodies, field_called(solution.own.configuration)),
+            plural(len(bodies), "Newton's law is", "Newton's law for each particle is"),
+        ),
         display(*lines),
         *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         *([display(*vectors), *along] if along else []),
         display(*(() if along else vectors), *(paired(components) if are_short(components) else components)),
-        *(prose("The component of the force on ", the(b.name), " along ", math(unit), " is balanced by what keeps "
-                f"{the(b.name)} from moving along it, which does no virtual work and is not shown.")
-          for b in bodies if (unit := _held(b)) is not None),
-    ]  # fmt: skip
+        *explain_held_bodies(newton),
+    ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
 
 
@@ -161,17 +163,6 @@ def _along_forces(body: FreeBody, step: Step) -> tuple[Step, Directions]:
     return replace(step, body=(*step.body[: at - 1], said, *step.body[at:])), units
 
 
-def _held(body: FreeBody) -> sp.Symbol | None:
-    """The fixed direction in which the particle cannot be placed elsewhere, although a force acts along it."""
-    applied = body.applied.fixed()
-    for unit, force, *moved in zip(
-        applied.triad.units, applied.components, *(p.fixed().components for p in body.particle.partials), strict=True
-    ):
-        if force != 0 and not any(moved):
-            return unit
-    return None
-
-
 def _together(blocks: Sequence[Block]) -> list[Block]:
     """What is missing and what is known of the reactions in one paragraph."""
     words = [b for b in blocks if isinstance(b, Prose)]
@@ -223,13 +214,16 @@ def _along(reaction: Reaction) -> str:
     return f"the distance between {the(other) if second else 'O'} and {the(first)}"
 
 
-def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
-    """`With the applied force F and the reaction R of the rod, `."""
+def _named(bodies: tuple[FreeBody, ...], of_field: str) -> tuple[Part, ...]:
+    """`With the applied force F and the reaction R of the rod, `; forces without a name are in F here only."""
     applied = any(not b.applied.is_zero for b in bodies)
     one = len(bodies) == 1
     suffix = f"_{bodies[0].name}" if one else ""
-    force = (plural(len(bodies), "the applied force ", "the applied forces "), math(VectorSymbol(f"F{suffix}")))
+    forces = plural(len(bodies), "the applied force ", "the applied forces ")
+    force: tuple[Part, ...] = (forces, math(VectorSymbol(f"F{suffix}")))
     reaction = (plural(len(bodies), "the reaction ", "the reactions "), math(VectorSymbol(f"R{suffix}")))
+    if any("" in b.loads for b in bodies):
+        force = (*force, f", to which {of_field} is added here,")
     return ("With ", *((*force, " and ") if applied else ()), *reaction, ", ")
 
 

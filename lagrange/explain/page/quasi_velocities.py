@@ -146,6 +146,11 @@ def reaction_as_a_whole(solution: Solution) -> Step | None:
         return None
     if any(r.single is not None for r in law.newton.reactions) or solution.problem.unknowns:
         return None
+    reactions = own.dynamics.reactions
+    if reactions is not None and any(
+        r.given and reactions.multipliers.get(r.name) is not None for r in law.newton.reactions
+    ):
+        return None  # what the file has a name for is shown
     [point] = configuration.points
     if configuration.is_pinned(point) or any(f.elsewhere for f in configuration.loads):
         return None

@@ -253,7 +253,7 @@ def _from_steps(
         ]
         if rule is Rule.SOLVED_REACTIONS:
             lines = [_as_vector(solution, replace(e, sides=(e.sides[0], e.sides[-1]))) for e in lines]
-        if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e) for e in lines)):
+        if not lines or (rule is Rule.SOLVED_REACTIONS and any(_has_accelerations(e, solution) for e in lines)):
             continue  # a reaction as a whole, or in terms of accelerations
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
             continue  # with a denominator that has a letter of its own
@@ -289,8 +289,13 @@ def _as_vector(solution: Solution, e: Equation) -> Equation:
     return e
 
 
-def _has_accelerations(e: Equation) -> bool:
-    return any(s.name.endswith("''") for side in e.sides if isinstance(side, sp.Expr) for s in side.free_symbols)
+def _has_accelerations(e: Equation, solution: Solution) -> bool:
+    """Whether an unknown acceleration occurs in it; the second derivative of a given function of time is none."""
+    functions = {f"{name}''" for name in solution.problem.scope.names()} - {
+        a.name for view in solution.views for a in view.configuration.slots.accelerations
+    }
+    symbols = (s for side in e.sides if isinstance(side, sp.Expr) for s in side.free_symbols)
+    return any(s.name.endswith("''") and s.name not in functions for s in symbols)
 
 
 def _in_speeds(steps: list[Step], stated: StatedEquations) -> Iterator[tuple[Rule, list[Equation]]]:

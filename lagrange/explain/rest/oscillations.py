@@ -198,7 +198,10 @@ def explain_about(
             yield prose(f"Linear equations of more than {MOST_OSCILLATING} coordinates are not worked out.")
             return
         yield prose(
-            "At ", place, " there are no linear equations of motion: the coordinates or the forces are singular there."
+            "At ",
+            place,
+            " there are no linear equations of motion: the coordinates or the forces are singular there, so that "
+            "the conditions of rest do not show whether the system can rest there.",
         )
         return
     symbols = {x for e in s.equations for x in e.free_symbols} & set(linearization.configuration.slots.coordinates)
@@ -480,7 +483,7 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations, square: str, *, exac
             contrary = (
                 f", and unstable where {reversed_}."
                 if strict
-                else "; where the sides are equal, the linear equations do not decide."
+                else "; where the sides are equal, two frequencies coincide, and a motion may grow as the time does."
             )
             yield prose(*subject, f" is {stable} where ", *where, contrary, detail=detail)
         case StabilityVerdict.UNDECIDED if _stays_displaced(s):

@@ -21,7 +21,8 @@ if these exclude it: a rod with x² + y² = l² never has x = y = 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice, product
 
 import sympy as sp
 
@@ -37,6 +38,7 @@ from lagrange.core.symbols import Sign, Slots
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.limits import (
     LONGEST_MINOR,
+    MOST_CASES,
     MOST_CONDITIONS,
     MOST_FACTORED_SYMBOLS,
     MOST_MINOR_ROWS,
@@ -208,7 +210,7 @@ class RankLoss:
 def rank_losses(independent: ConstrainedSystem) -> tuple[RankLoss, ...]:
     """The places where independent constraints become dependent, as far as they were found."""
     rows = independent.rows
-    losses = [loss for row in rows if (loss := _of_row(row, independent)) is not None]
+    losses = [loss for row in rows for loss in _of_row(row, independent)]
     for factor in _factors(independent):
         if any(loss.conditions in ((factor,), (-factor,)) for loss in losses):
             continue
@@ -219,12 +221,55 @@ def rank_losses(independent: ConstrainedSystem) -> tuple[RankLoss, ...]:
     return tuple(losses)
 
 
-def _of_row(row: Row, independent: ConstrainedSystem) -> RankLoss | None:
-    """Where the form of one constraint vanishes."""
+def _of_row(row: Row, independent: ConstrainedSystem) -> Sequence[RankLoss]:
+    """Where the form of one constraint vanishes: y z dx + x z dy + x y dz on three lines."""
     conditions = _conditions(row, independent.slots)
     if not 0 < len(conditions) <= MOST_CONDITIONS:
-        return None
-    return _at(conditions, row, independent) or _at_origin(row, independent)
+        return ()
+    cases = _cases(conditions, independent.slots)
+    places = [loss for case in cases if (loss := _at(case, row, independent)) is not None]
+    exist = [loss for loss in places if not loss.excluded]
+    if not places and (at_origin := _at_origin(row, independent)) is not None:
+        return (at_origin,)
+    return exist or places[:1]
+
+
+def _cases(conditions: Sequence[sp.Expr], slots: Slots) -> list[tuple[sp.Expr, ...]]:
+    """Sets of factors, one of each product at least: where those of some set vanish, all products do."""
+    cases: dict[tuple[sp.Expr, ...], None] = {}
+    for choice in islice(product(*(_varying(c, slots) for c in conditions)), MOST_CASES):
+        if (case := _reduced(dict.fromkeys(choice), slots)) is not None:
+            cases[case] = None
+    return [case for case in cases if not any(set(other) < set(case) for other in cases)]
+
+
+def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | None:
+    """The conditions with what follows from q = 0 for some coordinates put in; None where they cannot all hold."""
+    conditions = list(case)
+    while True:
+        zeros = dict.fromkeys((c for c in conditions if c in slots.coordinates), sp.S.Zero)
+        left: dict[sp.Expr, None] = dict.fromkeys(zeros)
+        for condition in (c for c in conditions if c not in zeros):
+            rest = multiplied_out(condition.xreplace(zeros))
+            if rest == 0:
+                continue
+            varying = _varying(rest, slots)
+            if not varying:
+                return None
+            left[varying[0] if len(varying) == 1 else condition] = None
+        if list(left) == conditions:
+            break
+        conditions = list(left)
+    moved = [q for q in slots.coordinates if any(c.has(q) for c in conditions)]
+    slopes = sp.Matrix([[c.diff(q) for q in moved] for c in conditions])
+    at_zero = dict.fromkeys(moved, sp.S.Zero)
+    if (
+        all(e.is_number for e in slopes)
+        and slopes.rank() == len(moved)
+        and not any(c.xreplace(at_zero) for c in conditions)
+    ):
+        conditions = list(moved)
+    return tuple(sorted(conditions, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
 
 
 def _at_origin(row: Row, independent: ConstrainedSystem) -> RankLoss | None:
@@ -278,9 +323,9 @@ def _conditions(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:
         varying = _varying(a, slots)
         if not varying:
             return ()
-        product = sp.Mul(*varying)
-        if -product not in products:
-            products[product] = None
+        factors = sp.Mul(*varying)
+        if -factors not in products:
+            products[factors] = None
     zeros = {c: sp.S.Zero for c in products if c in slots.coordinates}
     # x² + y² = 0 adds nothing to x = y = 0.
     needed = [c for c in products if c in zeros or multiplied_out(c.xreplace(zeros)) != 0]

@@ -29,6 +29,8 @@ MOST_DRIFTS = 8
 MOST_MINOR_ROWS = 4
 LONGEST_MINOR = 80
 MOST_CONDITIONS = 4
+# Choices of a factor from each of those expressions: four products of two factors have 16, the axes of x y z have 8.
+MOST_CASES = 16
 
 # Terms of a squared distance that is factored, to see whether it is a square [3].
 MOST_SQUARE_TERMS = 20

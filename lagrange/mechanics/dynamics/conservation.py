@@ -232,7 +232,8 @@ class _Search:
         for (k, coordinate), momentum, verdict in zip(cyclic.items(), momenta, verdicts, strict=True):
             if verdict is True:
                 new = Integral(ConservedQuantity.MOMENTUM, Because.NO_REACTION, momentum, coordinate, constant=True)
-                integrals += self._independent([new], [i for i in integrals if i.quantity not in _ENERGIES])
+                others = [i for i in integrals if i.quantity not in _ENERGIES]
+                integrals += self._independent([new], others, linear=True)
             elif not self.energies.are_quasi and any(
                 r.coefficients[k] != 0 for r in self.configuration.rows if r.finite is None
             ):
@@ -346,9 +347,15 @@ class _Search:
             proved = False
         return integral if proved else replace(integral, multipliers=())
 
-    def _independent(self, integrals: Sequence[Integral], before: Sequence[Integral] = ()) -> list[Integral]:
-        """The integrals that are independent of the constraints and, except energies, of earlier integrals."""
-        rows = self.configuration.rows
+    def _independent(
+        self, integrals: Sequence[Integral], before: Sequence[Integral] = (), *, linear: bool = False
+    ) -> list[Integral]:
+        """The integrals that are independent of the constraints and, except energies, of earlier integrals.
+
+        linear  of constraints linear in the velocities only: x₁' y₂' = y₁' x₂' and three momenta give the fourth, which
+                a reader misses all the same
+        """
+        rows = [r for r in self.configuration.rows if r.nonlinear is None or not linear]
         if not rows and all(i.because is not Because.RATE for i in integrals):
             return list(integrals)
         variables = [*self.slots.coordinates, *self.slots.velocities]

@@ -127,8 +127,12 @@ class Reaction:
 
     def per_unit(self, particle: str) -> Vector | None:
         """The force on a particle for `force` = 1; None if it does not act there."""
-        if self.named and self.single is not None and self.single.on == particle:
-            return self.single.direction
+        single = self.single
+        along = None if single is None else single.direction
+        if self.given is not None and single is not None and along is not None:
+            both = {single.opposite: -along, single.on: along}  # in full, also where one can be placed on a line only
+            if particle in both:
+                return both[particle]
         return self._for_unit(self.on(particle))
 
     def moment_per_unit(self, body: str) -> Vector | None:

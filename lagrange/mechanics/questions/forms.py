@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -148,7 +148,8 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
     rhs = without_leading_minus(with_whole_contents(without_roots_below(b.rhs)))
-    return replace(b, rhs=under_one_root(with_known_signs(rhs, b.conditions)), conditions=joined(b.conditions))
+    rhs = under_one_root(with_known_signs(rhs, b.conditions))
+    return replace(b, rhs=rhs, conditions=settled(joined(b.conditions), rhs))
 
 
 def with_known_signs(e: sp.Expr, conditions: Iterable[SignCondition]) -> sp.Expr:
@@ -169,6 +170,25 @@ def with_known_signs(e: sp.Expr, conditions: Iterable[SignCondition]) -> sp.Expr
 
     terms = [*map(positive, e.args)]
     return e if terms == list(e.args) else sp.Add(*terms, evaluate=False)
+
+
+def settled(conditions: Sequence[SignCondition], value: sp.Expr) -> tuple[SignCondition, ...]:
+    """The conditions, > for ≥ of what the value is divided by, and without a ≠ that an inequality implies."""
+    _, below = sp.fraction(sp.together(value))
+    divisors = {f.as_base_exp()[0] for f in sp.Mul.make_args(below)}
+    strict = [
+        replace(c, relation={"≥": ">", "≤": "<"}[c.relation])
+        if c.relation in ("≥", "≤") and {c.lhs - c.rhs, c.rhs - c.lhs} & divisors
+        else c
+        for c in conditions
+    ]
+    above = [(c.lhs - c.rhs) * (1 if c.relation == ">" else -1) for c in strict if c.relation in ("<", ">")]
+
+    def is_implied(c: SignCondition) -> bool:
+        sides = (c.lhs - c.rhs, c.rhs - c.lhs) if c.relation == "≠" else ()
+        return any(sign_of(sp.expand(e - p)) in (0, 1) for e in sides for p in above)
+
+    return tuple(c for c in strict if not is_implied(c))
 
 
 def given_state(problem: Problem) -> tuple[Substituted, ...]:

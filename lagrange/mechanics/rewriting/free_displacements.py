@@ -62,8 +62,29 @@ def free_displacements(elimination: Elimination, slots: Slots, taken: Collection
         if n in elimination.dependent:
             row = elimination.solution[elimination.dependent.index(n)]
             values[q] += sp.Add(*(row[m] * variation(slots.coordinates[elimination.independent[m]]) for m in rest))
-    others = (variation(slots.coordinates[elimination.independent[m]]) for m in rest)
-    return FreeDisplacements(values, (s, *others), tuple(pivots))
+    free = [slots.coordinates[elimination.independent[m]] for m in rest]
+    values, free = _by_headings(values, free, slots)
+    return FreeDisplacements(values, (s, *map(variation, free)), tuple(pivots))
+
+
+def _by_headings(
+    values: Mapping[sp.Symbol, sp.Expr], free: Sequence[sp.Symbol], slots: Slots
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Symbol]]:
+    """The same with a coordinate that coefficients depend on as the free one: δθ of an axle, not δφ of a wheel."""
+    chosen, left = dict(values), list(free)
+    headings = {q for e in chosen.values() for q in e.free_symbols & set(slots.coordinates)}
+    for n, old in enumerate(left):
+        new = next((q for q, e in chosen.items() if q in headings and e.coeff(variation(old)).is_nonzero), None)
+        if old in headings or new is None:
+            continue
+        share = chosen[new].coeff(variation(old))
+        if share.free_symbols & {*slots.coordinates, *slots.prescribed, t}:
+            continue
+        solved = sp.expand((variation(new) - chosen[new]) / share + variation(old))
+        rows = {q: e.xreplace({variation(old): solved}) for q, e in chosen.items() if q != new} | {old: solved}
+        chosen = {q: textbook_form(sp.expand(rows[q])) for q in slots.coordinates if q in rows}
+        left[n] = new
+    return chosen, left
 
 
 def _shorter(e: sp.Expr) -> sp.Expr:

@@ -16,6 +16,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.mechanics.limits import LONGEST_IN_DIRECTIONS
+from lagrange.mechanics.rewriting.factors import with_common_factor
 from lagrange.problem.model import Problem
 
 Directions = Mapping[str, Vector]
@@ -60,7 +61,7 @@ def _by_two(vector: Vector, units: Directions) -> sp.Expr | None:
         along = [(factor, name, rest) for name, unit in units.items() for factor, rest in _splits(left, unit)]
         factor, name, rest = min(along, key=lambda split: count_operations(split[0]) + _length(split[2]))
         if factor != 0:
-            left, terms = rest, terms + factor * VectorSymbol(name)
+            left, terms = rest, terms + _collected(factor) * VectorSymbol(name)
     beside = [c for c in left.components if c != 0]
     if len(beside) > 1 and any(c.has(sp.sin, sp.cos) for c in beside):
         return None  # in two kinds of directions that turn it would be no clearer
@@ -86,6 +87,13 @@ def _along(vector: Vector, triad: Mapping[sp.Symbol, Vector]) -> sp.Expr:
     """Σ (v·e) e."""
     fixed = vector.fixed()
     return sp.Add(*(textbook_form(fixed.dot(e)) * unit for unit, e in triad.items()))
+
+
+def _collected(factor: sp.Expr) -> sp.Expr:
+    """(R − a) θ'' for R θ'' − a θ'': what all terms share in front, where only parameters are left in brackets."""
+    made = with_common_factor(factor)
+    sums = [f for f in sp.Mul.make_args(made) if f.is_Add]
+    return made if made.is_Mul and all(s.is_positive for f in sums for s in f.free_symbols) else factor
 
 
 def _length(vector: Vector) -> int:

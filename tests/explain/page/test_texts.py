@@ -8,6 +8,7 @@ from lagrange.document.derivation import Math
 from lagrange.document.math_writer import unicode
 from lagrange.explain.page.texts import set_text
 from tests.support.problem_texts import read
+from tests.support.shared import loaded
 
 PROBLEM = read(
     "title: T\ncoordinates: [x, theta, r_1]\nparameters: [m, l, l1, alpha, a, I]\n"
@@ -48,3 +49,8 @@ def test_what_is_set(text: str, printed: str) -> None:
 def test_formulas_are_limited() -> None:
     parts = set_text("`x` " * 1000, PROBLEM)
     assert sum(isinstance(p, Math) for p in parts) == 50
+
+
+def test_the_unit_vectors_of_the_only_body() -> None:
+    parts = set_text("about n1 and e3", loaded("heavy-top"))
+    assert [str(p.sides[0]) for p in parts if isinstance(p, Math)] == ["n1_top", "e3_top"]

@@ -94,6 +94,7 @@ LOSSES = {
     "said by the others": ("x, y, z", "p: \"x*y' - y*x' = (x^2 + y^2)*z'\"", [("x, y", 0)]),
     "figure of eight": ("x, y", "p: (x^2 + y^2)^2 = b^2*(x^2 - y^2)", [("x, y", 0)]),
     "crossed lines": ("x, y", "p: x*y = 0", [("x, y", 0)]),
+    "three axes": ("x, y, z", "p: \"y*z*x' + 2*x*z*y' + 3*x*y*z' = 0\"", [("x, y", 0), ("y, z", 0), ("x, z", 0)]),
     "slot": ("x, y, z", "p: \"x*y' = z'*x\", q: \"y' = x'\"", [("x", 1)]),
     "turned": ("x, y, z", "p: \"x' = y*z'\", q: \"x' = -y*z'\"", [("y", 1)]),
     "not to be solved": ("x, y, z", "p: \"x' = (y + 1)*z'\", q: \"x' = (exp(y) - x)*z'\"", None),
@@ -165,6 +166,9 @@ def test_special_configurations_are_said(problem: Read) -> None:
         return str(next(s for s in steps if s["rule"] == "classification"))
 
     assert "only where x = y = 0, which the rod constraint excludes" in classified(*EXCLUDED["pendulum"][:2])
+    assert "Where x = y = 0, y = z = 0 or x = z = 0, the form" in classified(*LOSSES["three axes"][:2])
+    field_line = classified("r, theta", "p: \"r'*sin(theta) = 2*r*theta'*cos(theta)\"")
+    assert "Where sin(theta) = r = 0, the form" in field_line  # cos(theta) = 0 goes with no sin(theta) = 0
     said = classified(*LOSSES["two blades at one point"][:2])
     assert "Where sin(a - c) = 0, the constraints are not independent: the rank is 1 there, not 2." in said
     assert "Where" not in classified(*LOSSES["skate"][:2])

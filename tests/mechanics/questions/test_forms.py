@@ -7,6 +7,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.forms import (
+    settled,
     under_one_root,
     with_known_signs,
     without_roots_below,
@@ -41,3 +42,19 @@ def test_the_signs_that_conditions_give() -> None:
     assert sp.expand(written - e) == 0
     assert any((g - h) in term.args for term in written.args)
     assert with_known_signs(e, []) is e
+
+
+def test_conditions_that_others_imply() -> None:
+    a = sp.Symbol("a", positive=True)
+    more = SignCondition(m * a + x, ">", m * h + g * a)
+    implied = SignCondition(m * a + x, "≠", g * a)  # the left side is more by m h
+    other = SignCondition(m * a, "≠", x)
+    assert settled((implied, more, other), g) == (more, other)
+
+
+def test_what_a_value_is_divided_by_is_not_zero() -> None:
+    theta = sp.Symbol("theta", real=True)
+    [strict] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), g / (m * sp.cos(theta)))
+    assert strict.relation == ">"
+    [open_] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), sp.sqrt(g * sp.cos(theta)))
+    assert open_.relation == "≥"

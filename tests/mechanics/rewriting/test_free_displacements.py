@@ -27,3 +27,15 @@ def test_the_displacements_of_a_skate_satisfy_its_condition_in_every_position() 
 def test_what_is_never_infinite_needs_no_parameter() -> None:
     own = solved("ex07-constant-coefficients").own
     assert free_displacements(own.elimination, own.configuration.slots, set()) is None
+
+
+def test_the_heading_is_free_rather_than_a_wheel() -> None:
+    own = solved("two-wheels-on-an-axle").own
+    slots = own.configuration.slots
+    made = free_displacements(own.elimination, slots, set())
+    assert made is not None
+    assert [d.name for d in made.free] == ["delta(s)", "delta(theta)"]
+    steps = [made.values.get(q, variation(q)) for q in slots.coordinates]
+    for row in own.configuration.rows:
+        total = sp.Add(*(c * step for c, step in zip(row.coefficients, steps, strict=True)))
+        assert sp.simplify(total) == 0

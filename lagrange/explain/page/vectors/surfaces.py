@@ -35,6 +35,7 @@ from lagrange.document.derivation import Block, Display, Equation, Math, Part, P
 from lagrange.document.purposes import Purpose
 from lagrange.explain.newton import works_when_moving
 from lagrange.explain.page.laws import missing_relations
+from lagrange.explain.reactions import pushed_side
 from lagrange.explain.words import capital, constraints_called, the
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -368,7 +369,7 @@ def _reaction(s: OnSurface, step: Step) -> Step:
             Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True
         ),
     ]
-    bounds = [b for b in step.body if has_purpose(b, Purpose.ONLY_PUSHES)]
+    bounds = [pushed_side(r, s.gradient) for b in step.body if has_purpose(b, Purpose.ONLY_PUSHES)]
     return replace(step, body=(*body, *bounds))
 
 
