@@ -45,13 +45,9 @@ def test_another_run_by_the_command_finds_the_same(name: str) -> None:
     assert json.loads(result.stdout) == json.loads(render_json([reported(name)]))
 
 
-INTRODUCED = {"towed-blade": {"psi"}}
-"""Names that a page brings in itself, with a sentence that says what they are."""
-
-
 @pytest.mark.parametrize("name", SHIPPED)
 def test_what_is_printed_is_real_and_has_names_of_the_file(name: str) -> None:
-    names = names_of_file(file_of(name).read_text(encoding="utf-8")) | INTRODUCED.get(name, set())
+    names = names_of_file(file_of(name).read_text(encoding="utf-8"))
     assert list(unfit(reported(name), as_object(reported(name)), names)) == []
 
 

@@ -21,11 +21,15 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import (
-    LONGEST_SPHERE,
     MOST_BRANCH_POINTS,
     MOST_BRANCHINGS,
-    SPHERES,
     UNITS_OF_SOLUTIONS,
+)
+from lagrange.algebra.closed_forms.linear_in_powers import (
+    solved_for_powers,
+    vanish_at_origin_alone,
+    without_common_squares,
+    zeros_of_even_sum,
 )
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
@@ -137,50 +141,6 @@ def _solutions(
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
     )
-
-
-def without_common_squares(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
-    """Equations of the second degree with the same squares, as of three spheres, as one of them and linear ones."""
-    forms = [_squares(e, unknowns) for e in equations]
-    kept: list[sp.Expr] = []
-    first: dict[sp.Expr, sp.Expr] = {}
-    for e, (number, form) in zip(equations, forms, strict=True):
-        alike = [f for _, f in forms if f == form]
-        if number == 0 or len(alike) < SPHERES or form not in first:
-            first |= {form: e / number} if number != 0 else {}
-            kept.append(e)
-        else:
-            kept.append(sp.expand(e / number - first[form]))
-    return tuple(kept)
-
-
-def zeros_of_even_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:
-    """The unknowns that all vanish where a sum of even powers with coefficients of one sign does: 2x² + y² = 0.
-
-    None of them where it is no such sum, or one of them has no power of its own.
-    """
-    if len(unknowns) < 2 or not e.is_polynomial(*unknowns):
-        return ()
-    terms = sp.Poly(e, *unknowns).terms()
-    signs = {sign_of(c) for _, c in terms}
-    if signs not in ({1}, {-1}) or any(n % 2 for powers, _ in terms for n in powers):
-        return ()
-    alone = [[n > 0 for n in powers] for powers, _ in terms]
-    return tuple(unknowns) if all([k == j for k in range(len(unknowns))] in alone for j in range(len(unknowns))) else ()
-
-
-def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Expr]:
-    """The part of the second degree of an equation of that degree, as a number and the rest; 0 where it is none."""
-    none = (sp.S.Zero, sp.S.One)
-    if count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) or not e.free_symbols & {*unknowns}:
-        return none
-    poly = sp.Poly(e, *unknowns)
-    if poly.total_degree() != 2:
-        return none
-    square = (c * sp.Mul(*(u**n for u, n in zip(unknowns, powers, strict=True)))
-              for powers, c in poly.terms() if sum(powers) == 2)  # fmt: skip
-    number, form = sp.Add(*square).as_coeff_Mul()
-    return number, form
 
 
 def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:
@@ -414,6 +374,10 @@ class _BranchSearch:
         if turned is not None:
             yield from self.branches(turned)
             return
+        powers = self._of_powers(state)
+        if powers is not None:
+            yield from self.branches(replace(state, equations=powers))
+            return
         for other in self._linear(state, with_unknowns=True) or ():
             yield from self.branches(other)
             continue
@@ -421,6 +385,16 @@ class _BranchSearch:
             for values in trivial_solutions(state.equations, self.letters):
                 yield from self.branches(self._taken(state, (), values))
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
+
+    def _of_powers(self, state: _State) -> tuple[sp.Expr, ...] | None:
+        """Simpler equations for those of unknowns that are no angles, linear in powers of them or homogeneous."""
+        used = frozenset[sp.Symbol]().union(*(e.free_symbols for e in state.equations))
+        unknowns = sorted(frozenset[sp.Symbol]().union(*map(self.letters.unknowns_in, state.equations)), key=str)
+        if len(unknowns) < 2 or not {*unknowns}.isdisjoint(self.letters.angles) or used & self.letters.roots.keys():
+            return None
+        if vanish_at_origin_alone(state.equations, unknowns):
+            return tuple(unknowns)
+        return solved_for_powers(state.equations, unknowns)
 
     def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
         """The state in which some unknowns have trivial values, 0 or π."""

@@ -8,7 +8,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.branching import solutions, zeros_of_even_sum
+from lagrange.algebra.closed_forms.branching import solutions
 from tests.support.found_solutions import ALPHA, POSITIVE, apart, near, predicted, values_of
 from tests.support.solution_counts import newton_solutions
 
@@ -131,20 +131,6 @@ def test_three_spheres_meet_where_their_differences_are_planes() -> None:
     values = [{r.lhs: r.rhs for r in branch.relations} for branch in found.branches]
     assert not any(branch.left for branch in found.branches)
     assert sorted(str(v[x]) for v in values) == ["-l", "l"]
-
-
-@pytest.mark.parametrize(
-    ("sum_of_powers", "zero"),
-    [
-        (2 * x**2 + y**2, True),
-        (-3 * x**4 - x**2 * y**2 - y**6, True),
-        (x**2 - y**2, False),
-        (x**2 + x**2 * y**2, False),  # y has no power of its own
-        (x**2 + y**3, False),
-    ],
-)
-def test_a_sum_of_even_powers_vanishes_where_all_unknowns_do(sum_of_powers: sp.Expr, zero: bool) -> None:
-    assert zeros_of_even_sum(sum_of_powers, (x, y)) == ((x, y) if zero else ())
 
 
 def test_no_branch_repeats_the_origin() -> None:

@@ -79,16 +79,21 @@ def unfit(found: Report, shown: dict[str, Any], names: set[str]) -> Iterator[tup
             strange = {n for n in names_in(text) - known - {"or"} if not _is_notation(n, known, RESULTS)}
             yield from (("strange symbol", n, text) for n in sorted(strange))
             yield from (("not for print", part, text) for part in _without_value(text))
+    known |= {n for text in _texts(shown.get("steps", []), set()) for n in re.findall(r"with an angle (\w+)", text)}
     for text in _equations(shown.get("steps", [])):
         yield from (("not for print", part, text) for part in _without_value(text))
         strange = {n for n in names_in(text) - known if not _is_notation(n, known, LETTERS)}
         yield from (("strange symbol", n, text) for n in sorted(strange))
 
 
+_UNIT = re.compile(r"(?<=\d) [A-Za-z°%][\w°%/^() ]*$")
+"""Behind a number, where a product has its sign: 8.561 N, 2 m/s^2."""
+
+
 def _equations(value: Any) -> Iterator[str]:
     """The texts of the equations in the steps of a derivation."""
     if isinstance(value, dict):
-        yield from (e["text"] for e in value.get("equations", ()) if "text" in e)
+        yield from (_UNIT.sub("", e["text"]) for e in value.get("equations", ()) if "text" in e)
         value = [*value.values()]
     if isinstance(value, list):
         for v in value:
