@@ -387,14 +387,17 @@ class _BranchSearch:
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
 
     def _of_powers(self, state: _State) -> tuple[sp.Expr, ...] | None:
-        """Simpler equations for those of unknowns that are no angles, linear in powers of them or homogeneous."""
+        """Simpler equations for those that are linear in powers of unknowns, or homogeneous in two of them."""
         used = frozenset[sp.Symbol]().union(*(e.free_symbols for e in state.equations))
-        unknowns = sorted(frozenset[sp.Symbol]().union(*map(self.letters.unknowns_in, state.equations)), key=str)
-        if len(unknowns) < 2 or not {*unknowns}.isdisjoint(self.letters.angles) or used & self.letters.roots.keys():
+        unknowns = frozenset[sp.Symbol]().union(*map(self.letters.unknowns_in, state.equations))
+        angles = {u for u in unknowns if u in self.letters.angles}
+        if len(unknowns) < 2 or used & angles or used & self.letters.roots.keys():
             return None
-        if vanish_at_origin_alone(state.equations, unknowns):
-            return tuple(unknowns)
-        return solved_for_powers(state.equations, unknowns)
+        circular = {s for u in angles for s in self.letters.angles[u].letters}
+        letters = sorted((unknowns - angles) | (circular & used), key=str)
+        if not angles and vanish_at_origin_alone(state.equations, letters):
+            return tuple(letters)
+        return solved_for_powers(state.equations, letters)
 
     def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
         """The state in which some unknowns have trivial values, 0 or π."""

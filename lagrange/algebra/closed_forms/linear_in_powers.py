@@ -49,17 +49,14 @@ def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Exp
 
 
 def solved_for_powers(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
-    """Equations in which each has one monomial, x² − c: as many as there are monomials. None where there are fewer.
-
-    None as well where every monomial is an unknown: those are linear equations.
-    """
-    if not 1 < len(equations) or any(
+    """Equations in which each has one monomial, x² − c: as many as there are monomials. None where there are fewer."""
+    if not len(equations) > 1 or any(
         count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) for e in equations
     ):
         return None
     polynomials = [sp.Poly(e, *unknowns) for e in equations]
     monomials = sorted({m for p in polynomials for m in p.monoms() if any(m)}, reverse=True)
-    if not 1 < len(monomials) <= len(equations) or all(sum(m) == 1 for m in monomials):
+    if not 1 < len(monomials) <= len(equations):
         return None
     rows = [[p.nth(*m) for m in monomials] + [p.nth(*[0] * len(unknowns))] for p in polynomials]
     for column in range(len(monomials)):

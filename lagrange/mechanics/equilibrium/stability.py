@@ -8,8 +8,7 @@ that the constraints leave free,
 
 and there is a potential if V_kj = V_jk. The signs of the principal minors decide (`definiteness`). A sign that the
 parameters leave open becomes a condition. If V'' of a single coordinate vanishes, the first derivative of V that does
-not vanish decides; with several coordinates a second variation that is never negative and vanishes somewhere leaves the
-question undecided.
+not vanish decides, and with several the lowest terms of V in the directions in which V'' vanishes (`degenerate`).
 
 At a pole of the coordinates V_kj is that in other coordinates (`chart_poles`).
 
@@ -45,9 +44,17 @@ from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
-from lagrange.mechanics.constraints.displacements import eliminate
+from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
-from lagrange.mechanics.equilibrium.degenerate import UniformMotion, along_valley, rises_in_even_powers
+from lagrange.mechanics.equilibrium.degenerate import (
+    Chart,
+    LowestForm,
+    UniformMotion,
+    chart_of,
+    lowest_form,
+    rises_in_even_powers,
+    sign_of_form,
+)
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
@@ -76,6 +83,7 @@ class Stability:
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
     valley      the coordinate along a valley of V (`degenerate`), if the derivative of that order is one along it
+    lowest      the lowest terms of V along a valley of several coordinates, which decide
     even_powers whether V is a sum of even powers with positive coefficients (`degenerate`), which decides
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
     drift       if undecided: the uniform motion that alone keeps it from being stable
@@ -90,6 +98,7 @@ class Stability:
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
     valley: sp.Symbol | None = None
+    lowest: LowestForm | None = None
     even_powers: bool = False
     pole: tuple[sp.Symbol, ...] = ()
     drift: UniformMotion | None = None
@@ -220,9 +229,9 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
         return _where_it_is_definite(b, matrix, e)
     judged = _on_solved_branch(b, matrix, e)
     if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
-        valley = _on_valley(b, matrix, e)
-        if valley is not None:
-            return valley
+        lowest = _by_lowest_form(b, matrix, e)
+        if lowest is not None:
+            return replace(lowest, free=judged.free, minors=lowest.minors or judged.minors)
         if _rises(b, matrix, e):
             return Stability(StabilityVerdict.STABLE, judged.minors, even_powers=True)
         verdict = by_numbers(matrix, e, b)
@@ -336,30 +345,64 @@ def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stabil
     return undecided
 
 
-def _on_valley(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability | None:
-    """The verdict by V along the valley, where V'' is positive in all displacements but one; None if it is not."""
-    values = [[on_branch(b, x, e) for x in row] for row in matrix]
-    size, known = len(matrix), known_positive(b)
-    if size < 2 or any(map(any, e.idle)) or any(x is None for row in values for x in row):
-        return None
-    if any(r.finite is None for r in e.binding):
+def _by_lowest_form(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability | None:
+    """The verdict by the lowest terms of V where V'' vanishes in some directions, and is positive in the others."""
+    if any(map(any, e.idle)) or any(r.finite is None for r in e.binding):
         return None  # the free displacements are those of no surface
-    if not is_zero(sp.Matrix(values).det(method="berkowitz")):
+    vanish = any(_vanishes(p, b, e) for p in e.elimination.pivots)
+    there = (
+        _eliminated([[on_branch(b, a, e) for a in r.coefficients] for r in e.binding], e) if vanish else e.elimination
+    )
+    chart = chart_of(there, e, () if vanish else matrix) if there else None
+    values = [[on_branch(b, x, e) for x in row] for row in chart.matrix] if chart else []
+    if chart is None or any(x is None for row in values for x in row):
         return None
-    for z in range(size):
-        inner = definiteness([[*row[:z], *row[z + 1 :]] for row in (*values[:z], *values[z + 1 :])], b, e)
-        if inner.verdict is not StabilityVerdict.STABLE or inner.presupposed:
+    size, known = len(values), known_positive(b)
+    for valley in (v for number in range(1, size + 1) for v in combinations(range(size), number)):
+        others = [k for k in range(size) if k not in valley]
+        inner = definiteness([[values[i][j] for j in others] for i in others], b, e) if others else None
+        if inner is not None and (inner.verdict is not StabilityVerdict.STABLE or inner.presupposed):
             continue
-        for order, value in along_valley(matrix, z, lambda f, j: _along(f, j, e), lambda f: on_branch(b, f, e)):
-            sign = sign_on(value, known)
-            if sign is None:
-                return None
-            if sign != 0:
-                verdict = StabilityVerdict.STABLE if order % 2 == 0 and sign == 1 else StabilityVerdict.UNSTABLE
-                presupposed = not_vanishing([value], b, e)
-                along = e.configuration.slots.coordinates[e.elimination.independent[z]]
-                return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order, valley=along)
+        lowest = lowest_form(chart.matrix, valley, chart.along, lambda f: on_branch(b, f, e))
+        if lowest is None:
+            continue
+        judged = sign_of_form(lowest, lambda c: sign_on(c, known))
+        if judged is None:
+            return None
+        return _of_lowest(lowest, *judged, chart, valley, b, e)
     return None
+
+
+def _of_lowest(
+    lowest: LowestForm, sign: int, positive: Sequence[sp.Expr], chart: Chart, valley: Sequence[int], b: Branch,
+    e: Equilibrium,
+) -> Stability | None:  # fmt: skip
+    """The verdict of a form that is positive definite where some expressions are positive, or takes negative values."""
+    verdict = StabilityVerdict.STABLE if sign == 1 else StabilityVerdict.UNSTABLE
+    along = tuple(chart.free[k] for k in valley)
+    if len(along) == 1:
+        value = lowest.derivative
+        presupposed = not_vanishing([value], b, e)
+        only = along[0] if len(chart.free) > 1 else None
+        return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=lowest.order, valley=only)
+    named = lowest.in_coordinates(along)
+    conditions = conditions_for(positive, known_positive(b)) if positive else ()
+    if conditions is None:
+        return None
+    verdict = StabilityVerdict.CONDITIONAL if conditions else verdict
+    presupposed = () if conditions else not_vanishing(sp.Poly(named.form, *along).coeffs(), b, e)
+    return Stability(verdict, conditions=conditions, presupposed=presupposed, order=lowest.order, lowest=named)
+
+
+def _eliminated(rows: Sequence[Sequence[sp.Expr | None]], e: Equilibrium) -> Elimination | None:
+    """The displacements that are free on a branch, `rows` being A there; None where there are not as many."""
+    known = [tuple(a for a in row if a is not None) for row in rows]
+    n = len(e.configuration.slots.coordinates)
+    if any(len(row) < n for row in known):
+        return None
+    named = [Row(r.name, row, sp.S.Zero) for r, row in zip(e.binding, known, strict=True)]
+    free = eliminate(named, n, Surface())
+    return free if len(free.independent) == len(e.elimination.independent) else None
 
 
 def _rises(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
@@ -367,8 +410,7 @@ def _rises(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool
     q = e.configuration.slots.coordinates
     if e.binding or len(matrix) < len(q) or len(q) < 2:
         return False
-    values = [on_branch(b, x, e) for x in q]
-    place = [(x, v) for x, v in zip(q, values, strict=True) if v is not None and not v.free_symbols & {*q}]
+    place = [(x, v) for x in q if (v := on_branch(b, x, e)) is not None and not v.free_symbols & {*q}]
     return len(place) == len(q) and rises_in_even_powers([-f for f in e.independent_forces], place)
 
 
@@ -387,10 +429,8 @@ def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
     entries = [x for row in (*rows, *second) for x in row]
     if any(x is None or x.free_symbols & {*e.multipliers} for x in entries):
         return undecided
-    free = eliminate(
-        [Row(r.name, tuple(row), sp.S.Zero) for r, row in zip(e.binding, rows, strict=True)], len(q), Surface()
-    )
-    if len(free.independent) != len(e.elimination.independent):
+    free = _eliminated(rows, e)
+    if free is None:
         return undecided
     shape = sp.Matrix(free.shape(len(q)))
     reduced = (shape.T * sp.Matrix(second) * shape).tolist()

@@ -38,7 +38,6 @@ def test_equations_linear_in_squares_are_solved_for_them() -> None:
     )
     assert solved_for_powers([2 * x**2 - 3 * y**2, 4 * x**2 - 6 * y**2], [x, y]) is None  # one line
     assert solved_for_powers([x**2 - y**2, x * y - z], [x, y, z]) is None  # more monomials than equations
-    assert solved_for_powers([x + y - a, x - y], [x, y]) is None  # linear in the unknowns
 
 
 @pytest.mark.parametrize(
@@ -74,6 +73,12 @@ def test_no_branch_that_is_only_the_origin_is_left_as_equations(potential: sp.Ex
     assert found.solved
     assert sum(len(b.points) for b in found.branches) == points
     assert not any(b.left for b in found.branches)
+
+
+def test_equations_linear_in_cosines() -> None:
+    """2 cos φ + 1 = 3 cos θ and 2 cos θ + 1 = 3 cos φ hold where both cosines are 1."""
+    found = solutions([1 - 3 * sp.cos(x) + 2 * sp.cos(y), 1 - 3 * sp.cos(y) + 2 * sp.cos(x)], [x, y])
+    assert [{r.lhs: r.rhs for r in branch.relations} for branch in found.branches] == [{x: 0, y: 0}]
 
 
 def test_squares_that_exist_under_conditions() -> None:
