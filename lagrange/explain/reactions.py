@@ -183,7 +183,8 @@ def explain_bounds(newton: Newton) -> list[Block]:
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE and not _holds(r)]
+    other = (Keeper.WIRE, Keeper.STRING, Keeper.ROD)
+    normal = [r for r in open_ if r.is_normal and r.constraint.by not in other and not _holds(r)]
     if normal:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign.", " keep their signs.")

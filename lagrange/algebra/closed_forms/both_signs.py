@@ -19,9 +19,12 @@ from lagrange.core.operations import count_operations
 
 
 @lru_cache(maxsize=1000)
-def takes_both_signs(expression: sp.Expr, positive: tuple[sp.Expr, ...] = ()) -> bool:
-    """Whether an expression is seen to take both signs at points where each of `positive` is positive."""
-    if count_operations(expression) < SHORTEST_TRIED:
+def takes_both_signs(expression: sp.Expr, positive: tuple[sp.Expr, ...] = (), shortest: int = SHORTEST_TRIED) -> bool:
+    """Whether an expression is seen to take both signs at points where each of `positive` is positive.
+
+    shortest  the operations from which on points are tried: the factors of a shorter one are sooner at hand
+    """
+    if count_operations(expression) < shortest:
         return False
     graph, reals, seen = Graph(), Reals(Random(1)), set()
     for number in range(TRIED_POINTS):

@@ -20,6 +20,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.both_signs import takes_both_signs
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
@@ -522,7 +523,8 @@ def _along_own(
 ) -> bool:
     """Whether a direction is that in which the file's own coordinate increases, and not one that depends on it.
 
-    With x_A + x_B = L the slip of B is −x_A' too, and its sense in the file is that of x_B.
+    With x_A + x_B = L the slip of B is −x_A' too, and its sense in the file is that of x_B. Raises ProblemError where
+    it changes from place to place: round a circle x' and φ' have the same sign below its centre only.
     """
     place = friction.at if friction.at is not None else _point(original, friction.on).position
     slip = velocity_at(original, friction.on, place)
@@ -534,7 +536,15 @@ def _along_own(
     if first is None:
         return True
     own = slip.map(lambda c: c.diff(first).xreplace(configuration.substitution)).fixed()
-    return not textbook_form(own.dot(along.fixed())).is_negative
+    share = textbook_form(own.dot(along.fixed()))
+    turning = share.free_symbols & {*configuration.slots.coordinates}
+    if configuration.substitution and turning and not configuration.ranges and takes_both_signs(share, (), 0):
+        name = first.name.rstrip("'")
+        message = f"`slip` of the friction `{friction.name}` is a sense along `{name}`, and in the choice "
+        message += f"`{configuration.name}` that is one sense in some places and the other in others"
+        help_ = "give it as a vector along the line, `slip: [-y, x]` round a circle, or leave it out"
+        raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
+    return not share.is_negative
 
 
 def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:

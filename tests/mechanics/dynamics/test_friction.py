@@ -448,3 +448,25 @@ gravity: -g*j
 forces: {{rub: {{friction: mu, constraint: top, on: block, slip: i}}}}
 """
     assert verdict(solution(problem, text), "x'' = -mu*g", "M*s'' = mu*m*g") is Verdict.EQUIVALENT
+
+
+ROUND = """
+parameters: [m, g, R, mu]
+coordinates: [x, y]
+particles: {{P: {{mass: m, position: x*i + y*j}}}}
+constraints: {{c: x^2 + y^2 = R^2}}
+gravity: -g*j
+forces: {{f: {{friction: mu, constraint: c, on: P, slip: {slip}, contact: negative}}}}
+generalized_coordinates: {{angle: {{coordinates: [phi], substitute: {{x: R*sin(phi), y: -R*cos(phi)}}}}}}
+"""
+
+
+def test_a_sense_along_x_is_none_along_the_angle_of_a_whole_circle(problem: Read) -> None:
+    """Above the centre x' < 0 where φ' > 0: the equations in x and in φ would contradict each other there."""
+    with pytest.raises(ProblemError) as caught:
+        solution(problem, ROUND.format(slip="positive"))
+    [said] = caught.value.diagnostics
+    assert said.code == "friction-slip"
+    assert "`slip: [-y, x]` round a circle" in str(said.help)
+    found = solution(problem, ROUND.format(slip='"[-y, x]"'))
+    assert all(check.passed for check in found.checks)
