@@ -127,6 +127,8 @@ def _solutions(
     search = _BranchSearch(letters, first)
     branches = list(search.branches(_given(known, without_common_squares(readable, unknowns), letters)))
     branches = [replace(b, left=(*b.left, *strange)) for b in real_branches(branches, letters)]
+    if strange and len(unknowns) == 1 and not known:
+        branches = _with_origin(branches, (*equations, *origin), unknowns[0], letters)
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
@@ -141,6 +143,20 @@ def _solutions(
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
     )
+
+
+def _with_origin(
+    branches: Sequence[Branch], equations: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters
+) -> list[Branch]:
+    """The branches with u = 0 beside them where equations without letters hold: sin θ = c sin((1 + b/a) θ)."""
+    if any(is_zero(e.xreplace({u: sp.S.Zero})) is not True for e in equations):
+        return [*branches]
+    values: dict[sp.Symbol, sp.Expr] = {u: sp.S.Zero}
+    if u in letters.angles:
+        values |= dict(zip(letters.angles[u].letters, (sp.S.One, sp.S.Zero), strict=True))
+    excluded = SignCondition(u, "≠", sp.S.Zero)
+    others = (replace(b, conditions=(*b.conditions, excluded)) for b in branches)
+    return [Branch((Relation(u, sp.S.Zero),), (), (values,), values), *others]
 
 
 def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:

@@ -37,7 +37,7 @@ from lagrange.algebra.closed_forms.positive_conditions import (
 )
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
+from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
 from lagrange.algebra.closed_forms.tangent_equation import slope
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
@@ -198,7 +198,7 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     try:
         value = resolved(letters.read(expression), b.common)
     except NotAlgebraicError:
-        return None
+        return at_numbers(b, expression, e.solution.unknowns)
     for root in letters.roots:
         if root in value.free_symbols:
             value = value.xreplace({root: resolved(letters.roots[root], b.common) ** sp.S.Half})

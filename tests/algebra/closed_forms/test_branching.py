@@ -138,3 +138,17 @@ def test_no_branch_repeats_the_origin() -> None:
     found = solutions([x * (2 * x**2 + y**2), y * (x**2 + 2 * y**2)], [x, y])
     assert [{str(r.lhs): r.rhs for r in b.relations} for b in found.branches] == [{"x": 0, "y": 0}]
     assert found.solved
+
+
+def test_an_angle_without_letters_may_still_be_zero() -> None:
+    """sin θ = c sin((1 + b/a) θ), of a rocking stone: θ = 0 is a solution, and others are left to numbers."""
+    a, b = sp.symbols("a b", positive=True)
+    theta = ANGLES["theta"]
+    found = solutions([(a + b) * sp.sin(theta) - b * (1 + b / a) * sp.sin(theta * (1 + b / a))], [theta])
+    assert [([(r.lhs, r.rhs) for r in br.relations], len(br.left)) for br in found.branches] == [
+        ([(theta, 0)], 0),
+        ([], 1),
+    ]
+    assert [(c.lhs, c.relation, c.rhs) for c in found.branches[1].conditions] == [(theta, "≠", 0)]
+    [other] = solutions([sp.cos(theta) - b * sp.cos(theta * (1 + b / a))], [theta]).branches
+    assert other.left
