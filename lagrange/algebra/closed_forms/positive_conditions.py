@@ -5,12 +5,12 @@ A condition that another implies is dropped: of e > 2a and e > 4a, with a > 0, t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
@@ -84,3 +84,13 @@ def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
     if e == 0 or is_zero(e):
         return 0
     return sign_of(e, known)
+
+
+def bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
+    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
+    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Rational and not exponent.is_Integer:
+            yield from ((f, False) for f, _ in bases(base))
+        elif not base.is_number:
+            yield base, bool(exponent.is_odd)

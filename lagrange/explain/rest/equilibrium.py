@@ -516,4 +516,14 @@ def _conditional(s: Stability, one: bool, what: tuple[Part, ...]) -> tuple[Part,
         return ("the equilibrium is stable where ", *where, ".")
     alone = one and len(s.conditions) == 1 and s.conditions[0].relation != "≠"
     contrary = ", unstable where the opposite inequality holds." if alone else "."
-    return (*what, ": stable where ", *where, contrary)
+    limit = _at_limit(s, s.at_limit) if alone and s.at_limit is not None else ()
+    return (*what, ": stable where ", *where, contrary, *limit)
+
+
+def _at_limit(s: Stability, there: Stability) -> tuple[Part, ...]:
+    """What holds where a condition is an equality: `Where k = m g l, the first nonzero derivative is ...: stable.`"""
+    sign = "positive" if there.verdict is StabilityVerdict.STABLE else "negative"
+    parity = "odd" if there.order % 2 else f"even, and {sign}"
+    [c], values = s.conditions, listed(math(m) for m in there.minors)
+    words = f", of order {there.order}, {parity}: {there.verdict.value}."
+    return (" Where ", math(c.lhs, c.rhs), ", it is zero, and the first nonzero derivative is ", *values, words)

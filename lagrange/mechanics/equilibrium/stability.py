@@ -18,18 +18,19 @@ displacements are free there, and V_kj is that of V − Σ λ f with the multipl
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
 from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
+from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.positive_conditions import (
     NeverPositiveError,
+    bases,
     conditions_for,
     positive_part,
     sign_on,
@@ -57,7 +58,7 @@ from lagrange.mechanics.equilibrium.degenerate import (
 )
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
-from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.loads import with_critical_loads
 from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
 from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
@@ -86,6 +87,7 @@ class Stability:
     lowest      the lowest terms of V along a valley of several coordinates, which decide
     even_powers whether V is a sum of even powers with positive coefficients (`degenerate`), which decides
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
+    at_limit    if conditional, in one coordinate: the verdict where the condition is an equality and V'' vanishes
     drift       if undecided: the uniform motion that alone keeps it from being stable
     """
 
@@ -101,6 +103,7 @@ class Stability:
     lowest: LowestForm | None = None
     even_powers: bool = False
     pole: tuple[sp.Symbol, ...] = ()
+    at_limit: Stability | None = None
     drift: UniformMotion | None = None
 
     @property
@@ -143,21 +146,6 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
     table = tuple(tuple(e.work.textbook.form(v.xreplace(smooth)) if jumps else v for v in row) for row in matrix)
     arguments = tuple(sorted({jump.args[0] for jump in jumps}, key=str))
     return SecondVariation(tuple(q[k] for k in free), table, verdicts, arguments)
-
-
-def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
-    """The verdict with its conditions solved for loads, and in their shortest forms."""
-    applied = loads(e.configuration)
-
-    def written(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
-        solved = solved_for(conditions, applied)
-        return tuple(
-            SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
-        )
-
-    return replace(
-        s, conditions=written(s.conditions), presupposed=written(s.presupposed), unstable=written(s.unstable)
-    )
 
 
 def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
@@ -228,6 +216,8 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
     if b.left:
         return _where_it_is_definite(b, matrix, e)
     judged = _on_solved_branch(b, matrix, e)
+    if judged.verdict is StabilityVerdict.CONDITIONAL and len(matrix) == 1 and not judged.free:
+        return _with_limit(judged, matrix[0][0], b, e)
     if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
         lowest = _by_lowest_form(b, matrix, e)
         if lowest is not None:
@@ -328,13 +318,30 @@ def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equil
     return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in known))
 
 
-def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
-    """The verdict in one coordinate with V'' = 0: stable if the first nonzero derivative is even and positive."""
+def _with_limit(judged: Stability, second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
+    """A verdict for one coordinate, k > m g l, with that where V'' vanishes, k = m g l."""
+    [c, *others] = judged.conditions or (None,)
+    if c is None or others or not c.lhs.is_Symbol or c.rhs.has(c.lhs) or c.relation not in "><" or b.conditions:
+        return judged
+    if judged.order > 2 or sign_of(c.rhs) != 1 or {c.lhs, *c.rhs.free_symbols} & {*e.solution.unknowns}:
+        return judged
+    there = _by_higher_derivatives(second, b, e, {c.lhs: c.rhs})
+    return judged if there.verdict is StabilityVerdict.UNDECIDED else replace(judged, at_limit=there)
+
+
+def _by_higher_derivatives(
+    second: sp.Expr, b: Branch, e: Equilibrium, critical: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> Stability:
+    """The verdict in one coordinate with V'' = 0: stable if the first nonzero derivative is even and positive.
+
+    critical  the value of a parameter for which V'' is 0
+    """
     undecided = Stability(StabilityVerdict.UNDECIDED, (sp.S.Zero,))
     derivative, known = second, known_positive(b)
     for order in range(3, HIGHEST_ORDER + 1):
         derivative = e.work.textbook.form(_along(derivative, 0, e))
         value = on_branch(b, derivative, e)
+        value = sp.factor(value.xreplace(dict(critical))) if value is not None and critical else value
         sign = None if value is None else sign_on(value, known)
         if value is None or sign is None:
             return undecided
@@ -542,7 +549,7 @@ def not_vanishing(
     known, strict = [*known_positive(b), *positive], [*known_positive(b, strict=True), *positive]
     conditions: list[SignCondition] = []
     for x in expressions:
-        for base, odd in _bases(x):
+        for base, odd in bases(x):
             sign_is_open = odd and sign_of(base, known) is None  # then it is a condition already
             if sign_is_open or sign_of(base, strict) is not None:
                 continue
@@ -550,7 +557,7 @@ def not_vanishing(
             if square is None:
                 conditions += different_from_zero(base)
                 continue
-            for f in (f for f, _ in _bases(square) if sign_of(f, strict) is None):
+            for f in (f for f, _ in bases(square) if sign_of(f, strict) is None):
                 sign = sign_of(f, known)
                 conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
     conditions = list(dict.fromkeys(conditions))
@@ -563,16 +570,6 @@ def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | No
     squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
     squares = {s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}}
     return squares.pop() if len(squares) == 1 else None
-
-
-def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
-    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
-    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
-        base, exponent = factor.as_base_exp()
-        if exponent.is_Rational and not exponent.is_Integer:
-            yield from ((f, False) for f, _ in _bases(base))
-        elif not base.is_number:
-            yield base, bool(exponent.is_odd)
 
 
 def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:

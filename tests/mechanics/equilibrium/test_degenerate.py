@@ -202,3 +202,31 @@ def test_constrained_systems(text: str, verdicts: list[StabilityVerdict], said: 
     assert told.solution.own.stability is not None
     assert [s.verdict for s in told.solution.own.stability.verdicts] == verdicts
     assert said in " ".join(terminal.text(told.derivation, told.notation, 100).split())
+
+
+UPRIGHT = """
+title: An inverted pendulum with a torsion spring
+parameters: {m: {value: 1 kg}, g: {value: 10 m/s^2}, l: {value: 2 m}, k: {value: "STIFFNESS N m"}}
+coordinates: [theta]
+particles: {P: {mass: m, position: "[l*sin(theta), l*cos(theta)]"}}
+gravity: -g*j
+forces: {s: {potential: "k*theta^2/2"}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(("stiffness", "verdict"), [("20", STABLE), ("19", UNSTABLE)])
+def test_at_the_critical_load_the_fourth_derivative_decides(stiffness: str, verdict: StabilityVerdict) -> None:
+    """V = m g l (θ²/2 + cos θ) = m g l (1 + θ⁴/24 + ...)."""
+    told = report(read_problem(Source("problem.yaml", UPRIGHT.replace("STIFFNESS", stiffness))))
+    [judged, *_] = told.solution.own.stability.verdicts if told.solution.own.stability else []
+    assert judged.at_limit is not None
+    assert (judged.at_limit.order, judged.at_limit.verdict) == (4, STABLE)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "Where k = m g l, it is zero, and the first nonzero derivative is m g l, of order 4, even, and pos" in page
+    if stiffness == "20":  # the root of order three is not enclosed: θ = 0 is known, and is not denied
+        assert "no further solution of the conditions was found numerically" in page
+        assert "have no solution" not in page
+    in_numbers = told.solution.own.in_numbers
+    assert in_numbers is not None
+    assert in_numbers.positions[0].stability is verdict
