@@ -66,6 +66,15 @@ class Chart:
         return sp.Add(expression.diff(self.free[column]), *slopes)
 
 
+def along_free(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
+    """D_j of an expression, j being the coordinate of a free displacement."""
+    q = e.configuration.slots.coordinates
+    derivative = expression.diff(q[e.elimination.independent[column]])
+    for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
+        derivative += solved[column] * expression.diff(q[d])
+    return derivative
+
+
 def chart_of(elimination: Elimination, e: Equilibrium, matrix: Sequence[Sequence[sp.Expr]] = ()) -> Chart | None:
     """The coordinates that an elimination leaves free; without `matrix`, V'' is derived anew in them."""
     q, free, rest = e.configuration.slots.coordinates, elimination.independent, elimination.dependent
@@ -204,7 +213,7 @@ def sign_of_form(form: LowestForm, sign: Callable[[sp.Expr], int | None]) -> tup
     ratios = {powers: sp.cancel(c / leading) for powers, c in terms.items()}
     in_numbers = all(r.is_Rational for r in ratios.values()) and sign(leading) in (1, -1)
     for place in product((0, 1, -1, 2, -2), repeat=len(t)) if any(signs.values()) else ():
-        if sign(sp.factor(poly.eval(place) if len(t) > 1 else poly.eval(place[0]))) == -1:
+        if sign(sp.factor(poly.as_expr().xreplace(dict(zip(t, map(sp.Integer, place), strict=True))))) == -1:
             return -1, ()
     if in_numbers and len(t) == 2:
         return _of_binary(ratios, t, sign(leading) or 0)

@@ -40,7 +40,6 @@ from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.degenerate import UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import LONGEST_SECOND_VARIATION, MOST_MINORS
-from lagrange.mechanics.equilibrium.loads import with_critical_loads
 from lagrange.mechanics.equilibrium.stability import (
     SecondVariation,
     Stability,
@@ -50,6 +49,7 @@ from lagrange.mechanics.equilibrium.stability import (
     known_positive,
     on_branch,
     second_variation,
+    with_critical_loads,
 )
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -20,10 +19,6 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.principle import given_forces
-
-if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.stability import Stability
 
 WEIGHT = "weight"
 
@@ -74,16 +69,9 @@ def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()
     return tuple(sizes)
 
 
-def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
-    """The verdict with its conditions solved for loads, and in their shortest forms."""
-    applied = loads(e.configuration)
-
-    def written(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
-        solved = solved_for(conditions, applied)
-        return tuple(
-            SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
-        )
-
-    return replace(
-        s, conditions=written(s.conditions), presupposed=written(s.presupposed), unstable=written(s.unstable)
+def for_loads(conditions: Sequence[SignCondition], configuration: Configuration) -> tuple[SignCondition, ...]:
+    """Conditions solved for loads, in their shortest forms."""
+    solved = solved_for(conditions, loads(configuration))
+    return tuple(
+        SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
     )

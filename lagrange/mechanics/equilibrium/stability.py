@@ -51,6 +51,7 @@ from lagrange.mechanics.equilibrium.degenerate import (
     Chart,
     LowestForm,
     UniformMotion,
+    along_free,
     chart_of,
     lowest_form,
     rises_in_even_powers,
@@ -58,7 +59,7 @@ from lagrange.mechanics.equilibrium.degenerate import (
 )
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
-from lagrange.mechanics.equilibrium.loads import with_critical_loads
+from lagrange.mechanics.equilibrium.loads import for_loads
 from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
 from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
@@ -135,7 +136,7 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
         return None
     q = e.configuration.slots.coordinates
     matrix = [
-        tuple(e.work.textbook.form(-_along(force, column, e)) for column in range(len(free)))
+        tuple(e.work.textbook.form(-along_free(force, column, e)) for column in range(len(free)))
         for force in e.independent_forces
     ]
     if not _is_symmetric(matrix, e):
@@ -148,13 +149,10 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
     return SecondVariation(tuple(q[k] for k in free), table, verdicts, arguments)
 
 
-def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
-    """D_j of an expression, j being the coordinate of a free displacement."""
-    q = e.configuration.slots.coordinates
-    derivative = expression.diff(q[e.elimination.independent[column]])
-    for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
-        derivative += solved[column] * expression.diff(q[d])
-    return derivative
+def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
+    """The verdict with its conditions solved for loads."""
+    stated, presupposed, unstable = (for_loads(c, e.configuration) for c in (s.conditions, s.presupposed, s.unstable))
+    return replace(s, conditions=stated, presupposed=presupposed, unstable=unstable)
 
 
 def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
@@ -339,7 +337,7 @@ def _by_higher_derivatives(
     undecided = Stability(StabilityVerdict.UNDECIDED, (sp.S.Zero,))
     derivative, known = second, known_positive(b)
     for order in range(3, HIGHEST_ORDER + 1):
-        derivative = e.work.textbook.form(_along(derivative, 0, e))
+        derivative = e.work.textbook.form(along_free(derivative, 0, e))
         value = on_branch(b, derivative, e)
         value = sp.factor(value.xreplace(dict(critical))) if value is not None and critical else value
         sign = None if value is None else sign_on(value, known)
