@@ -1,4 +1,4 @@
-"""Polynomial equations that are linear in powers or products of the unknowns: a x² + b y² = c.
+"""Polynomial equations that are linear in powers of the unknowns: a x² + b y² = c.
 
 Monomials in place of unknowns, such equations are solved as linear ones. As many as there are monomials determine each:
 
@@ -49,14 +49,14 @@ def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Exp
 
 
 def solved_for_powers(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...] | None:
-    """Equations in which each has one monomial, x² − c: as many as there are monomials. None where there are fewer."""
+    """Equations in which each has one monomial, x² − c: as many as there are powers. None where they are so already."""
     if not len(equations) > 1 or any(
         count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) for e in equations
     ):
         return None
     polynomials = [sp.Poly(e, *unknowns) for e in equations]
     monomials = sorted({m for p in polynomials for m in p.monoms() if any(m)}, reverse=True)
-    if not 1 < len(monomials) <= len(equations):
+    if not 1 < len(monomials) <= len(equations) or any(sum(k > 0 for k in m) > 1 for m in monomials):
         return None
     rows = [[p.nth(*m) for m in monomials] + [p.nth(*[0] * len(unknowns))] for p in polynomials]
     for column in range(len(monomials)):
@@ -75,7 +75,8 @@ def solved_for_powers(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol
         monomial = sp.Mul(*(u**k for u, k in zip(unknowns, monomials[n], strict=True))) if n < len(monomials) else 0
         above, _ = sp.fraction(sp.together((row[n] if n < len(monomials) else 0) * monomial + row[-1]))
         solved += [sp.expand(above).primitive()[1]] if above != 0 else []
-    return tuple(solved)
+    mixed = any(sum(map(any, p.monoms())) > 1 for p in polynomials)
+    return tuple(solved) if mixed else None
 
 
 def zeros_of_even_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:

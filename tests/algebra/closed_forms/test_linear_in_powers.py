@@ -38,6 +38,8 @@ def test_equations_linear_in_squares_are_solved_for_them() -> None:
     )
     assert solved_for_powers([2 * x**2 - 3 * y**2, 4 * x**2 - 6 * y**2], [x, y]) is None  # one line
     assert solved_for_powers([x**2 - y**2, x * y - z], [x, y, z]) is None  # more monomials than equations
+    assert solved_for_powers([x * y - a, x * z - b], [x, y, z]) is None  # of products: a skate, λ sin θ and λ cos θ
+    assert solved_for_powers([x**2 - a, y**2 - b], [x, y]) is None  # solved already
 
 
 @pytest.mark.parametrize(
