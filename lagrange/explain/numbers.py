@@ -332,14 +332,14 @@ def _equilibria(view: InCoordinates, in_numbers: EquilibriaInNumbers, digits: in
         yield _table(view, in_numbers, called, digits)
         yield from _decays(view, in_numbers, called, digits)
     if in_numbers.numerical is not None:
-        yield _searched(in_numbers.numerical, digits)
+        yield _searched(in_numbers.numerical, any(p.branch is not None for p in in_numbers.positions), digits)
     if in_numbers.absent:
         one = plural(len(in_numbers.absent), " has no real position", " have no real positions")
         yield prose(*listed(called(n) for n in in_numbers.absent), f"{one} with these values.", detail=Detail.BRIEF)
 
 
-def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
-    """Where roots were searched for, and whether they are all."""
+def _searched(numerical: NumericalEquilibria, known: bool, digits: int) -> Block:
+    """Where roots were searched for, and whether they are all; `known` if some are in closed form."""
     places: list[Part] = []
     for u, s in numerical.searched.items():
         if s.is_circle:
@@ -350,13 +350,13 @@ def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
             places.append(math(low, u, high, relation="≤"))
     number = len(numerical.found)
     what = plural(number, "one solution", f"{number} solutions") if number else "no solution"
-    start = f"The conditions have {what} with "
-    method = "interval arithmetic encloses each one and excludes the rest of this range"
     if numerical.complete:
-        words = f": found numerically, and {method}."
-    else:
-        words = ": found numerically; the list may be incomplete, because not all of this range could be excluded."
-    return prose(start, *listed(places), words, detail=Detail.BRIEF)
+        words = ": found numerically, and interval arithmetic encloses each one and excludes the rest of this range."
+        return prose(f"The conditions have {what} with ", *listed(places), words, detail=Detail.BRIEF)
+    found = what if number else "no further solution" if known else what
+    words = f" {found} of the conditions {plural(number or 1, 'was', 'were')} found numerically; the list may be "
+    words += "incomplete, because not all of this range could be excluded."
+    return prose("With ", *listed(places), words, detail=Detail.BRIEF)
 
 
 def _table(view: InCoordinates, in_numbers: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:

@@ -199,7 +199,8 @@ def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    threaded = {p for r in newton.reactions if r.constraint.by is Keeper.WIRE or _holds(r) for p in r.acts_on}
+    other = (Keeper.WIRE, Keeper.STRING, Keeper.ROD)
+    threaded = {p for r in newton.reactions if r.constraint.by in other or _holds(r) for p in r.acts_on}
     normal = [r for r in open_ if r.is_normal and r.name not in pressed and threaded.isdisjoint(r.acts_on)]
     blocks += [pushed_side(r) for r in normal]
     return blocks

@@ -97,3 +97,20 @@ def test_what_keeps_a_constraint_is_named(problem: Read, equation: str, keeper: 
 )
 def test_they_are_given_by_the_accelerations(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule)
+
+
+def test_a_string_only_pulls(problem: Read) -> None:
+    """Of one that runs through a ring nothing is said of a support that can only push beside it."""
+    words = page(
+        problem(
+            """title: A ring on a string between a peg and a rail
+parameters: [m, g, c]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+gravity: g*j
+constraints: {c: {equation: norm(r_P) + y = 2*c, reaction: T, by: string}}
+"""
+        )
+    )
+    assert "A string can only pull, and stays taut as long as T ≥ 0." in words
+    assert "can only push" not in words

@@ -28,6 +28,7 @@ from lagrange.render.json import render as render_json
 from lagsolve.main import main as command
 from tests.support.browser import CHROMIUM, all_measured
 from tests.support.grouping import BATCHES, batch_of
+from tests.support.nets.in_print import names_of_file, unfit
 from tests.support.processes import PATIENCE
 from tests.support.shared import SHIPPED, asking, file_of, reference_of, reported
 from tests.support.tex import faults_of_tex, needs_tex
@@ -42,6 +43,12 @@ def test_another_run_by_the_command_finds_the_same(name: str) -> None:
     result = CliRunner().invoke(command, [str(file_of(name)), "--format", "json"])
     assert (result.exit_code, result.stderr.strip()) == (0, "")
     assert json.loads(result.stdout) == json.loads(render_json([reported(name)]))
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_what_is_printed_is_real_and_has_names_of_the_file(name: str) -> None:
+    names = names_of_file(file_of(name).read_text(encoding="utf-8"))
+    assert list(unfit(reported(name), as_object(reported(name)), names)) == []
 
 
 @pytest.mark.parametrize("name", asking("motion"))

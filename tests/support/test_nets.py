@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.support.nets import constraint_systems, motions, statics, units
+from tests.support.nets import constraint_systems, in_print, motions, statics, units
 from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in
 from tests.support.nets.rest import rests
 from tests.support.nets.run import Printed, TooLongError, limited, wrong_names
@@ -152,11 +153,36 @@ def test_conditions_are_read_from_the_page() -> None:
     assert conditions_of_stability(shown, 2) is None
 
 
-def test_names_of_the_program_are_found() -> None:
-    shown = Printed(
-        "", None, {"steps": [], "constraints": [], "checks": [], "equilibrium": [["x = lambda_of_equilibrium_0*q"]]}
-    )  # type: ignore[arg-type]
-    assert {f.kind for f in wrong_names(shown, {"x"})} == {"strange symbol", "not for print"}
+@pytest.mark.parametrize(
+    ("fault", "kinds"),
+    [
+        ("x = lambda_of_equilibrium_0*q", {"strange symbol", "not for print"}),
+        ("x = a*ImaginaryUnit()", {"strange symbol", "not for print"}),
+        ("x = sqrt(2 - 3)*a", {"not for print"}),
+        ("x = a*asin(3/2)", {"not for print"}),
+        ("x = oo", {"strange symbol", "not for print"}),
+        ("x = b*xi", {"strange symbol"}),
+        ("x = p_y*xi", {"strange symbol"}),
+        ("x = sqrt(3 - 2)*a + p_x*lambda_rod", set()),
+    ],
+)
+def test_what_must_not_be_printed_is_found(fault: str, kinds: set[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(in_print.terminal, "text", lambda *_: "")
+    report: Any = SimpleNamespace(derivation=None, notation=None)
+    steps = [{"body": [{"equations": [{"text": fault}]}]}]
+    for place in ({"equilibrium": [[fault]]}, {"steps": steps}):
+        found = {"constraints": [{"name": "rod"}], "checks": [], **place}
+        shown = Printed("{coordinates: [x], parameters: [a, q]}", report, found)
+        assert {f.kind for f in wrong_names(shown)} == kinds
+
+
+def test_on_the_page_imaginary_units_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    report: Any = SimpleNamespace(derivation=None, notation=None)
+    for line in ("y = (a Q/√(Q² − 4W²)) ImaginaryUnit()", "ω² = ∞", "x = √(−3)", "V = DiracDelta(x)"):
+        monkeypatch.setattr(in_print.terminal, "text", lambda *_, line=line: f"fine\n  {line}\n")
+        assert [kind for kind, *_ in in_print.unfit(report, {"constraints": []}, set())] == ["not for print"]
+    monkeypatch.setattr(in_print.terminal, "text", lambda *_: "ω → 0 where t → ∞")
+    assert [*in_print.unfit(report, {"constraints": []}, set())] == []
 
 
 @pytest.mark.parametrize(

@@ -21,11 +21,15 @@ import sympy as sp
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import (
-    LONGEST_SPHERE,
     MOST_BRANCH_POINTS,
     MOST_BRANCHINGS,
-    SPHERES,
     UNITS_OF_SOLUTIONS,
+)
+from lagrange.algebra.closed_forms.linear_in_powers import (
+    solved_for_powers,
+    vanish_at_origin_alone,
+    without_common_squares,
+    zeros_of_even_sum,
 )
 from lagrange.algebra.closed_forms.polynomial_roots import (
     factored_quotient,
@@ -128,6 +132,8 @@ def _solutions(
     search = _BranchSearch(letters, first)
     branches = list(search.branches(_given(known, without_common_squares(readable, unknowns), letters)))
     branches = [replace(b, left=(*b.left, *strange)) for b in real_branches(branches, letters)]
+    if strange and len(unknowns) == 1 and not known:
+        branches = _with_origin(branches, (*equations, *origin), unknowns[0], letters)
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
@@ -144,48 +150,18 @@ def _solutions(
     )
 
 
-def without_common_squares(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
-    """Equations of the second degree with the same squares, as of three spheres, as one of them and linear ones."""
-    forms = [_squares(e, unknowns) for e in equations]
-    kept: list[sp.Expr] = []
-    first: dict[sp.Expr, sp.Expr] = {}
-    for e, (number, form) in zip(equations, forms, strict=True):
-        alike = [f for _, f in forms if f == form]
-        if number == 0 or len(alike) < SPHERES or form not in first:
-            first |= {form: e / number} if number != 0 else {}
-            kept.append(e)
-        else:
-            kept.append(sp.expand(e / number - first[form]))
-    return tuple(kept)
-
-
-def zeros_of_even_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:
-    """The unknowns that all vanish where a sum of even powers with coefficients of one sign does: 2x² + y² = 0.
-
-    None of them where it is no such sum, or one of them has no power of its own.
-    """
-    if len(unknowns) < 2 or not e.is_polynomial(*unknowns):
-        return ()
-    terms = sp.Poly(e, *unknowns).terms()
-    signs = {sign_of(c) for _, c in terms}
-    if signs not in ({1}, {-1}) or any(n % 2 for powers, _ in terms for n in powers):
-        return ()
-    alone = [[n > 0 for n in powers] for powers, _ in terms]
-    return tuple(unknowns) if all([k == j for k in range(len(unknowns))] in alone for j in range(len(unknowns))) else ()
-
-
-def _squares(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Expr, sp.Expr]:
-    """The part of the second degree of an equation of that degree, as a number and the rest; 0 where it is none."""
-    none = (sp.S.Zero, sp.S.One)
-    if count_operations(e) > LONGEST_SPHERE or not e.is_polynomial(*unknowns) or not e.free_symbols & {*unknowns}:
-        return none
-    poly = sp.Poly(e, *unknowns)
-    if poly.total_degree() != 2:
-        return none
-    square = (c * sp.Mul(*(u**n for u, n in zip(unknowns, powers, strict=True)))
-              for powers, c in poly.terms() if sum(powers) == 2)  # fmt: skip
-    number, form = sp.Add(*square).as_coeff_Mul()
-    return number, form
+def _with_origin(
+    branches: Sequence[Branch], equations: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters
+) -> list[Branch]:
+    """The branches with u = 0 beside them where equations without letters hold: sin θ = c sin((1 + b/a) θ)."""
+    if any(is_zero(e.xreplace({u: sp.S.Zero})) is not True for e in equations):
+        return [*branches]
+    values: dict[sp.Symbol, sp.Expr] = {u: sp.S.Zero}
+    if u in letters.angles:
+        values |= dict(zip(letters.angles[u].letters, (sp.S.One, sp.S.Zero), strict=True))
+    excluded = SignCondition(u, "≠", sp.S.Zero)
+    others = (replace(b, conditions=(*b.conditions, excluded)) for b in branches)
+    return [Branch((Relation(u, sp.S.Zero),), (), (values,), values), *others]
 
 
 def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:
@@ -419,6 +395,10 @@ class _BranchSearch:
         if turned is not None:
             yield from self.branches(turned)
             return
+        powers = self._of_powers(state)
+        if powers is not None:
+            yield from self.branches(replace(state, equations=powers))
+            return
         for other in self._linear(state, with_unknowns=True) or ():
             yield from self.branches(other)
             continue
@@ -426,6 +406,19 @@ class _BranchSearch:
             for values in trivial_solutions(state.equations, self.letters):
                 yield from self.branches(self._taken(state, (), values))
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
+
+    def _of_powers(self, state: _State) -> tuple[sp.Expr, ...] | None:
+        """Simpler equations for those that are linear in powers of unknowns, or homogeneous in two of them."""
+        used = frozenset[sp.Symbol]().union(*(e.free_symbols for e in state.equations))
+        unknowns = frozenset[sp.Symbol]().union(*map(self.letters.unknowns_in, state.equations))
+        angles = {u for u in unknowns if u in self.letters.angles}
+        if len(unknowns) < 2 or used & angles or used & self.letters.roots.keys():
+            return None
+        circular = {s for u in angles for s in self.letters.angles[u].letters}
+        letters = sorted((unknowns - angles) | (circular & used), key=str)
+        if not angles and vanish_at_origin_alone(state.equations, letters):
+            return tuple(letters)
+        return solved_for_powers(state.equations, letters)
 
     def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
         """The state in which some unknowns have trivial values, 0 or π."""

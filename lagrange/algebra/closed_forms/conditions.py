@@ -14,7 +14,7 @@ and a condition is dropped that others imply, being a sum of multiples of them a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, pairwise
 from math import gcd
@@ -24,6 +24,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import (
     HIGHEST_CONDITION_DEGREE,
     LARGEST_FACTORED,
+    LARGEST_SIGNED,
     MOST_COMBINED,
     MOST_CONDITIONS,
 )
@@ -517,3 +518,13 @@ def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
     if e == 0 or is_zero(e):
         return 0
     return sign_of(e, known)
+
+
+def bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
+    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
+    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Rational and not exponent.is_Integer:
+            yield from ((f, False) for f, _ in bases(base))
+        elif not base.is_number:
+            yield base, bool(exponent.is_odd)

@@ -94,6 +94,13 @@ class SolutionSet:
         return value
 
 
+def at_numbers(b: Branch, expression: sp.Expr, unknowns: Sequence[sp.Symbol]) -> sp.Expr | None:
+    """An expression without letters, cos((1 + b/a) θ), where a branch has numbers for the unknowns; otherwise None."""
+    value = expression.xreplace({r.lhs: r.rhs for r in b.relations if r.lhs in unknowns and r.rhs.is_number})
+    is_known = value.free_symbols.isdisjoint(unknowns) and not value.has(sp.zoo, sp.nan, sp.oo)
+    return sp.factor(value) if is_known else None
+
+
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:
     """An expression with the values substituted, repeatedly, as values may contain letters themselves."""
     for _ in range(len(values) + 1):

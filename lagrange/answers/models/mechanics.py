@@ -38,7 +38,7 @@ from lagrange.mechanics.dynamics.lagrangian import (
     spin_along_axes,
 )
 from lagrange.mechanics.dynamics.principle import given_forces
-from lagrange.problem.model import Potential, Problem, Speed
+from lagrange.problem.model import GeneralizedForce, Potential, Problem, Speed
 
 Pair = tuple[int, int]
 """i ≤ j of a product q_i' q_j' in T; the number of coordinates stands for time."""
@@ -250,7 +250,8 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
             energy = configuration.rewritten(static)
             yield ForceShare(AppliedForceKind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
     if others := given_forces(configuration):
-        yield ForceShare(AppliedForceKind.FORCE, "generalized", others, False)
+        named = [f.name for f in problem.forces if isinstance(f, GeneralizedForce)]
+        yield ForceShare(AppliedForceKind.FORCE, named[0] if len(named) == 1 else "generalized", others, False)
     for s in configuration.springs:
         yield ForceShare(
             AppliedForceKind.SPRING, s.name, tuple(share_of_spring(s, q) for q, _ in pairs), True, _names(s.ends)

@@ -27,7 +27,7 @@ from lagrange.explain.words import (
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.equilibrium.degenerate import UniformMotion
+from lagrange.mechanics.equilibrium.degenerate import LowestForm, UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
 from lagrange.mechanics.rewriting.factors import has_common_factor
@@ -447,6 +447,8 @@ def _verdict(s: Stability, one: bool, V: Part) -> tuple[Part, ...]:
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
     where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
+    if s.lowest is not None:
+        return _by_lowest_form(s, s.lowest, () if long or not s.minors else what)
     if s.order > 2:
         sign = "positive" if s.verdict is StabilityVerdict.STABLE else "negative"
         parity = "odd" if s.order % 2 else f"even, and {sign}"
@@ -486,6 +488,25 @@ def _verdict(s: Stability, one: bool, V: Part) -> tuple[Part, ...]:
             return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)
 
 
+def _by_lowest_form(s: Stability, lowest: LowestForm, what: tuple[Part, ...]) -> tuple[Part, ...]:
+    """What the lowest terms of V say where the second variation vanishes in several directions."""
+    where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
+    named = listed(math(q) for q in lowest.symbols)
+    begun = (*what, "; but") if what else ("the second variation does not decide, but",)
+    valley = " and along its valley" if len(s.minors) > len(lowest.symbols) else ""
+    terms = (*begun, " the terms of V of lowest order in ", *named, f", measured from there{valley}, are ",
+             math(lowest.form), ", ")  # fmt: skip
+    match s.verdict:
+        case StabilityVerdict.STABLE:
+            return (*terms, "positive in every direction", *where, ": stable.")
+        case StabilityVerdict.CONDITIONAL:
+            given = sign_conditions(s.conditions)
+            return (*terms, "positive in every direction where ", *given, ", stable; unstable where the opposite "
+                    "inequality holds.")  # fmt: skip
+        case _:
+            return (*terms, "negative in some direction", *where, ": unstable.")
+
+
 def _conditional(s: Stability, one: bool, what: tuple[Part, ...]) -> tuple[Part, ...]:
     """Stable where conditions hold; with one condition on one coordinate unstable where it is reversed."""
     where = sign_conditions(s.conditions)
@@ -495,4 +516,14 @@ def _conditional(s: Stability, one: bool, what: tuple[Part, ...]) -> tuple[Part,
         return ("the equilibrium is stable where ", *where, ".")
     alone = one and len(s.conditions) == 1 and s.conditions[0].relation != "≠"
     contrary = ", unstable where the opposite inequality holds." if alone else "."
-    return (*what, ": stable where ", *where, contrary)
+    limit = _at_limit(s, s.at_limit) if alone and s.at_limit is not None else ()
+    return (*what, ": stable where ", *where, contrary, *limit)
+
+
+def _at_limit(s: Stability, there: Stability) -> tuple[Part, ...]:
+    """What holds where a condition is an equality: `Where k = m g l, the first nonzero derivative is ...: stable.`"""
+    sign = "positive" if there.verdict is StabilityVerdict.STABLE else "negative"
+    parity = "odd" if there.order % 2 else f"even, and {sign}"
+    [c], values = s.conditions, listed(math(m) for m in there.minors)
+    words = f", of order {there.order}, {parity}: {there.verdict.value}."
+    return (" Where ", math(c.lhs, c.rhs), ", it is zero, and the first nonzero derivative is ", *values, words)

@@ -256,6 +256,8 @@ def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | No
         held = [holds(c, at) for c in stability.conditions]
         if all(held):
             return StabilityVerdict.STABLE
+        if stability.at_limit is not None and real_value(at(stability.minors[0])).is_zero:
+            return stability.at_limit.verdict
         if stability.order == 2 and any(_is_negative(m, at) for m in stability.minors):
             return StabilityVerdict.UNSTABLE
         return StabilityVerdict.UNDECIDED

@@ -11,6 +11,9 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import solved_for
+from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.vectors import Vector
@@ -64,3 +67,11 @@ def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()
             ):
                 sizes[s] = None
     return tuple(sizes)
+
+
+def for_loads(conditions: Sequence[SignCondition], configuration: Configuration) -> tuple[SignCondition, ...]:
+    """Conditions solved for loads, in their shortest forms."""
+    solved = solved_for(conditions, loads(configuration))
+    return tuple(
+        SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
+    )

@@ -8,8 +8,7 @@ that the constraints leave free,
 
 and there is a potential if V_kj = V_jk. The signs of the principal minors decide (`definiteness`). A sign that the
 parameters leave open becomes a condition. If V'' of a single coordinate vanishes, the first derivative of V that does
-not vanish decides; with several coordinates a second variation that is never negative and vanishes somewhere leaves the
-question undecided.
+not vanish decides, and with several the lowest terms of V in the directions in which V'' vanishes (`degenerate`).
 
 At a pole of the coordinates V_kj is that in other coordinates (`chart_poles`).
 
@@ -19,7 +18,7 @@ displacements are free there, and V_kj is that of V − Σ λ f with the multipl
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
 from itertools import combinations
@@ -28,31 +27,40 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import (
     NeverPositiveError,
+    bases,
     conditions_for,
     further_conditions,
     only_excludes_equality,
     positive_part,
     sign_on,
-    solved_for,
     where_positive,
 )
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
 from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
+from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
 from lagrange.algebra.closed_forms.tangent_equation import slope
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
-from lagrange.mechanics.constraints.displacements import eliminate
+from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
-from lagrange.mechanics.equilibrium.degenerate import UniformMotion, along_valley, rises_in_even_powers
+from lagrange.mechanics.equilibrium.degenerate import (
+    Chart,
+    LowestForm,
+    UniformMotion,
+    along_free,
+    chart_of,
+    lowest_form,
+    rises_in_even_powers,
+    sign_of_form,
+)
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
-from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.loads import for_loads
 from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
 from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
@@ -78,8 +86,10 @@ class Stability:
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
     valley      the coordinate along a valley of V (`degenerate`), if the derivative of that order is one along it
+    lowest      the lowest terms of V along a valley of several coordinates, which decide
     even_powers whether V is a sum of even powers with positive coefficients (`degenerate`), which decides
     pole        θ and φ, if V_kj is that with respect to θ cos φ, θ sin φ and the others
+    at_limit    if conditional, in one coordinate: the verdict where the condition is an equality and V'' vanishes
     drift       if undecided: the uniform motion that alone keeps it from being stable
     """
 
@@ -92,8 +102,10 @@ class Stability:
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
     valley: sp.Symbol | None = None
+    lowest: LowestForm | None = None
     even_powers: bool = False
     pole: tuple[sp.Symbol, ...] = ()
+    at_limit: Stability | None = None
     drift: UniformMotion | None = None
 
     @property
@@ -125,7 +137,7 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
         return None
     q = e.configuration.slots.coordinates
     matrix = [
-        tuple(e.work.textbook.form(-_along(force, column, e)) for column in range(len(free)))
+        tuple(e.work.textbook.form(-along_free(force, column, e)) for column in range(len(free)))
         for force in e.independent_forces
     ]
     if not _is_symmetric(matrix, e):
@@ -139,27 +151,9 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
 
 
 def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
-    """The verdict with its conditions solved for loads, and in their shortest forms."""
-    applied = loads(e.configuration)
-
-    def written(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
-        solved = solved_for(conditions, applied)
-        return tuple(
-            SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
-        )
-
-    return replace(
-        s, conditions=written(s.conditions), presupposed=written(s.presupposed), unstable=written(s.unstable)
-    )
-
-
-def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
-    """D_j of an expression, j being the coordinate of a free displacement."""
-    q = e.configuration.slots.coordinates
-    derivative = expression.diff(q[e.elimination.independent[column]])
-    for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
-        derivative += solved[column] * expression.diff(q[d])
-    return derivative
+    """The verdict with its conditions solved for loads."""
+    stated, presupposed, unstable = (for_loads(c, e.configuration) for c in (s.conditions, s.presupposed, s.unstable))
+    return replace(s, conditions=stated, presupposed=presupposed, unstable=unstable)
 
 
 def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
@@ -191,7 +185,7 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     try:
         value = resolved(letters.read(expression), b.common)
     except NotAlgebraicError:
-        return None
+        return at_numbers(b, expression, e.solution.unknowns)
     for root in letters.roots:
         if root in value.free_symbols:
             value = value.xreplace({root: resolved(letters.roots[root], b.common) ** sp.S.Half})
@@ -221,10 +215,12 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
     if b.left:
         return _where_it_is_definite(b, matrix, e)
     judged = _on_solved_branch(b, matrix, e)
+    if judged.verdict is StabilityVerdict.CONDITIONAL and len(matrix) == 1 and not judged.free:
+        return _with_limit(judged, matrix[0][0], b, e)
     if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
-        valley = _on_valley(b, matrix, e)
-        if valley is not None:
-            return valley
+        lowest = _by_lowest_form(b, matrix, e)
+        if lowest is not None:
+            return replace(lowest, free=judged.free, minors=lowest.minors or judged.minors)
         if _rises(b, matrix, e):
             return Stability(StabilityVerdict.STABLE, judged.minors, even_powers=True)
         verdict = by_numbers(matrix, e, b)
@@ -321,13 +317,30 @@ def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equil
     return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in known))
 
 
-def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
-    """The verdict in one coordinate with V'' = 0: stable if the first nonzero derivative is even and positive."""
+def _with_limit(judged: Stability, second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
+    """A verdict for one coordinate, k > m g l, with that where V'' vanishes, k = m g l."""
+    [c, *others] = judged.conditions or (None,)
+    if c is None or others or not c.lhs.is_Symbol or c.rhs.has(c.lhs) or c.relation not in "><" or b.conditions:
+        return judged
+    if judged.order > 2 or sign_of(c.rhs) != 1 or {c.lhs, *c.rhs.free_symbols} & {*e.solution.unknowns}:
+        return judged
+    there = _by_higher_derivatives(second, b, e, {c.lhs: c.rhs})
+    return judged if there.verdict is StabilityVerdict.UNDECIDED else replace(judged, at_limit=there)
+
+
+def _by_higher_derivatives(
+    second: sp.Expr, b: Branch, e: Equilibrium, critical: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> Stability:
+    """The verdict in one coordinate with V'' = 0: stable if the first nonzero derivative is even and positive.
+
+    critical  the value of a parameter for which V'' is 0
+    """
     undecided = Stability(StabilityVerdict.UNDECIDED, (sp.S.Zero,))
     derivative, known = second, known_positive(b)
     for order in range(3, HIGHEST_ORDER + 1):
-        derivative = e.work.textbook.form(_along(derivative, 0, e))
+        derivative = e.work.textbook.form(along_free(derivative, 0, e))
         value = on_branch(b, derivative, e)
+        value = sp.factor(value.xreplace(dict(critical))) if value is not None and critical else value
         sign = None if value is None else sign_on(value, known)
         if value is None or sign is None:
             return undecided
@@ -338,30 +351,64 @@ def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stabil
     return undecided
 
 
-def _on_valley(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability | None:
-    """The verdict by V along the valley, where V'' is positive in all displacements but one; None if it is not."""
-    values = [[on_branch(b, x, e) for x in row] for row in matrix]
-    size, known = len(matrix), known_positive(b)
-    if size < 2 or any(map(any, e.idle)) or any(x is None for row in values for x in row):
-        return None
-    if any(r.finite is None for r in e.binding):
+def _by_lowest_form(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability | None:
+    """The verdict by the lowest terms of V where V'' vanishes in some directions, and is positive in the others."""
+    if any(map(any, e.idle)) or any(r.finite is None for r in e.binding):
         return None  # the free displacements are those of no surface
-    if not is_zero(sp.Matrix(values).det(method="berkowitz")):
+    vanish = any(_vanishes(p, b, e) for p in e.elimination.pivots)
+    there = (
+        _eliminated([[on_branch(b, a, e) for a in r.coefficients] for r in e.binding], e) if vanish else e.elimination
+    )
+    chart = chart_of(there, e, () if vanish else matrix) if there else None
+    values = [[on_branch(b, x, e) for x in row] for row in chart.matrix] if chart else []
+    if chart is None or any(x is None for row in values for x in row):
         return None
-    for z in range(size):
-        inner = definiteness([[*row[:z], *row[z + 1 :]] for row in (*values[:z], *values[z + 1 :])], b, e)
-        if inner.verdict is not StabilityVerdict.STABLE or inner.presupposed:
+    size, known = len(values), known_positive(b)
+    for valley in (v for number in range(1, size + 1) for v in combinations(range(size), number)):
+        others = [k for k in range(size) if k not in valley]
+        inner = definiteness([[values[i][j] for j in others] for i in others], b, e) if others else None
+        if inner is not None and (inner.verdict is not StabilityVerdict.STABLE or inner.presupposed):
             continue
-        for order, value in along_valley(matrix, z, lambda f, j: _along(f, j, e), lambda f: on_branch(b, f, e)):
-            sign = sign_on(value, known)
-            if sign is None:
-                return None
-            if sign != 0:
-                verdict = StabilityVerdict.STABLE if order % 2 == 0 and sign == 1 else StabilityVerdict.UNSTABLE
-                presupposed = not_vanishing([value], b, e)
-                along = e.configuration.slots.coordinates[e.elimination.independent[z]]
-                return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order, valley=along)
+        lowest = lowest_form(chart.matrix, valley, chart.along, lambda f: on_branch(b, f, e))
+        if lowest is None:
+            continue
+        judged = sign_of_form(lowest, lambda c: sign_on(c, known))
+        if judged is None:
+            return None
+        return _of_lowest(lowest, *judged, chart, valley, b, e)
     return None
+
+
+def _of_lowest(
+    lowest: LowestForm, sign: int, positive: Sequence[sp.Expr], chart: Chart, valley: Sequence[int], b: Branch,
+    e: Equilibrium,
+) -> Stability | None:  # fmt: skip
+    """The verdict of a form that is positive definite where some expressions are positive, or takes negative values."""
+    verdict = StabilityVerdict.STABLE if sign == 1 else StabilityVerdict.UNSTABLE
+    along = tuple(chart.free[k] for k in valley)
+    if len(along) == 1:
+        value = lowest.derivative
+        presupposed = not_vanishing([value], b, e)
+        only = along[0] if len(chart.free) > 1 else None
+        return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=lowest.order, valley=only)
+    named = lowest.in_coordinates(along)
+    conditions = conditions_for(positive, known_positive(b)) if positive else ()
+    if conditions is None:
+        return None
+    verdict = StabilityVerdict.CONDITIONAL if conditions else verdict
+    presupposed = () if conditions else not_vanishing(sp.Poly(named.form, *along).coeffs(), b, e)
+    return Stability(verdict, conditions=conditions, presupposed=presupposed, order=lowest.order, lowest=named)
+
+
+def _eliminated(rows: Sequence[Sequence[sp.Expr | None]], e: Equilibrium) -> Elimination | None:
+    """The displacements that are free on a branch, `rows` being A there; None where there are not as many."""
+    known = [tuple(a for a in row if a is not None) for row in rows]
+    n = len(e.configuration.slots.coordinates)
+    if any(len(row) < n for row in known):
+        return None
+    named = [Row(r.name, row, sp.S.Zero) for r, row in zip(e.binding, known, strict=True)]
+    free = eliminate(named, n, Surface())
+    return free if len(free.independent) == len(e.elimination.independent) else None
 
 
 def _rises(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
@@ -369,8 +416,7 @@ def _rises(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool
     q = e.configuration.slots.coordinates
     if e.binding or len(matrix) < len(q) or len(q) < 2:
         return False
-    values = [on_branch(b, x, e) for x in q]
-    place = [(x, v) for x, v in zip(q, values, strict=True) if v is not None and not v.free_symbols & {*q}]
+    place = [(x, v) for x in q if (v := on_branch(b, x, e)) is not None and not v.free_symbols & {*q}]
     return len(place) == len(q) and rises_in_even_powers([-f for f in e.independent_forces], place)
 
 
@@ -389,10 +435,8 @@ def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
     entries = [x for row in (*rows, *second) for x in row]
     if any(x is None or x.free_symbols & {*e.multipliers} for x in entries):
         return undecided
-    free = eliminate(
-        [Row(r.name, tuple(row), sp.S.Zero) for r, row in zip(e.binding, rows, strict=True)], len(q), Surface()
-    )
-    if len(free.independent) != len(e.elimination.independent):
+    free = _eliminated(rows, e)
+    if free is None:
         return undecided
     shape = sp.Matrix(free.shape(len(q)))
     reduced = (shape.T * sp.Matrix(second) * shape).tolist()
@@ -504,7 +548,7 @@ def not_vanishing(
     known, strict = [*known_positive(b), *positive], [*known_positive(b, strict=True), *positive]
     conditions: list[SignCondition] = []
     for x in expressions:
-        for base, odd in _bases(x):
+        for base, odd in bases(x):
             sign_is_open = odd and sign_of(base, known) is None  # then it is a condition already
             if sign_is_open or sign_of(base, strict) is not None:
                 continue
@@ -512,7 +556,7 @@ def not_vanishing(
             if square is None:
                 conditions += different_from_zero(base)
                 continue
-            for f in (f for f, _ in _bases(square) if sign_of(f, strict) is None):
+            for f in (f for f, _ in bases(square) if sign_of(f, strict) is None):
                 sign = sign_of(f, known)
                 conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
     conditions = list(dict.fromkeys(conditions))
@@ -525,16 +569,6 @@ def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | No
     squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
     known = sorted((s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}), key=str)
     return known[0] if known and all(is_zero(s - known[0]) is True for s in known[1:]) else None
-
-
-def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
-    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
-    for factor in sp.Mul.make_args(sp.factor(x) if count_operations(x) <= LARGEST_SIGNED else x):
-        base, exponent = factor.as_base_exp()
-        if exponent.is_Rational and not exponent.is_Integer:
-            yield from ((f, False) for f, _ in _bases(base))
-        elif not base.is_number:
-            yield base, bool(exponent.is_odd)
 
 
 def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:

@@ -8,7 +8,7 @@ import mpmath
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.branching import solutions, zeros_of_even_sum
+from lagrange.algebra.closed_forms.branching import solutions
 from tests.support.found_solutions import ALPHA, POSITIVE, apart, near, predicted, values_of
 from tests.support.solution_counts import newton_solutions
 
@@ -133,22 +133,22 @@ def test_three_spheres_meet_where_their_differences_are_planes() -> None:
     assert sorted(str(v[x]) for v in values) == ["-l", "l"]
 
 
-@pytest.mark.parametrize(
-    ("sum_of_powers", "zero"),
-    [
-        (2 * x**2 + y**2, True),
-        (-3 * x**4 - x**2 * y**2 - y**6, True),
-        (x**2 - y**2, False),
-        (x**2 + x**2 * y**2, False),  # y has no power of its own
-        (x**2 + y**3, False),
-    ],
-)
-def test_a_sum_of_even_powers_vanishes_where_all_unknowns_do(sum_of_powers: sp.Expr, zero: bool) -> None:
-    assert zeros_of_even_sum(sum_of_powers, (x, y)) == ((x, y) if zero else ())
-
-
 def test_no_branch_repeats_the_origin() -> None:
     """Of V = x⁴ + y⁴ + x² y² the origin is the only place of rest: 2x² + y² = 0 = x² + 2y² is no other one."""
     found = solutions([x * (2 * x**2 + y**2), y * (x**2 + 2 * y**2)], [x, y])
     assert [{str(r.lhs): r.rhs for r in b.relations} for b in found.branches] == [{"x": 0, "y": 0}]
     assert found.solved
+
+
+def test_an_angle_without_letters_may_still_be_zero() -> None:
+    """sin θ = c sin((1 + b/a) θ), of a rocking stone: θ = 0 is a solution, and others are left to numbers."""
+    a, b = sp.symbols("a b", positive=True)
+    theta = ANGLES["theta"]
+    found = solutions([(a + b) * sp.sin(theta) - b * (1 + b / a) * sp.sin(theta * (1 + b / a))], [theta])
+    assert [([(r.lhs, r.rhs) for r in br.relations], len(br.left)) for br in found.branches] == [
+        ([(theta, 0)], 0),
+        ([], 1),
+    ]
+    assert [(c.lhs, c.relation, c.rhs) for c in found.branches[1].conditions] == [(theta, "≠", 0)]
+    [other] = solutions([sp.cos(theta) - b * sp.cos(theta * (1 + b / a))], [theta]).branches
+    assert other.left

@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 
 from lagrange.answers.references import ReferenceCandidate
+from lagrange.api.interface import check, loads
+from lagrange.api.result import Result
+from lagrange.explain.report import report
 from tests.support.shared import asking, reference_of
 
 
@@ -19,3 +22,10 @@ GIVEN_OUTRIGHT = {"oscillating-circuit", "relativistic-oscillator", "blade-from-
 @pytest.mark.parametrize("name", [n for n in asking("motion") if n not in GIVEN_OUTRIGHT])
 def test_the_parts_add_up_to_the_derived_equations(name: str) -> None:
     assert all(c.models.mechanics is not None for c in candidates(name))
+
+
+def test_a_generalized_force_has_the_name_of_the_file() -> None:
+    text = "title: T\nparameters: [m, c]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+    text += 'forces: {drag: {generalized: {x: "-c*x\'"}}}\n'
+    verdict = check(Result(report(loads(text))), ["m*x'' = c*x'"])
+    assert "the force `drag` acting the other way" in str(verdict.equations)

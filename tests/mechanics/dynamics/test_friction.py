@@ -474,3 +474,19 @@ gravity: -g*j
 forces: {{rub: {{friction: mu, constraint: top, on: block, slip: i}}}}
 """
     assert verdict(solution(problem, text), "x'' = -mu*g", "M*s'' = mu*m*g") is Verdict.EQUIVALENT
+
+
+ROUND = """
+parameters: [m, g, R, mu]
+coordinates: [x, y]
+particles: {{P: {{mass: m, position: x*i + y*j}}}}
+constraints: {{c: x^2 + y^2 = R^2}}
+gravity: -g*j
+forces: {{f: {{friction: mu, constraint: c, on: P, slip: {slip}, contact: negative}}}}
+generalized_coordinates: {{angle: {{coordinates: [phi], substitute: {{x: R*sin(phi), y: -R*cos(phi)}}}}}}
+"""
+
+
+def test_a_sense_as_a_vector_round_a_circle_holds_in_every_choice(problem: Read) -> None:
+    found = solution(problem, ROUND.format(slip='"[-y, x]"'))
+    assert all(check.passed for check in found.checks)

@@ -191,7 +191,7 @@ def check_system(system: System, rng: random.Random) -> list[Finding]:
         # x z + y = 2 with x z + y = 1, or y (2 − y) = 3: what no position satisfies is rightly refused.
         satisfied = not system.constraints or any(_point(system, rng) is not None for _ in range(POINTS_SOUGHT))
         return [shown] if shown.kind != "refused" or satisfied else []
-    found = wrong_names(shown, {*system.coordinates})
+    found = wrong_names(shown)
     numbers = ranks(system, rng)
     if numbers is None:
         return found

@@ -172,11 +172,7 @@ def check_system(
     shown = printed(system.text)
     if isinstance(shown, Finding):
         return [shown], {}
-    chosen = {q for chart, _ in system.choices.values() for q in chart.coordinates}
-    found = wrong_names(
-        shown,
-        {*chosen, *system.coordinates, *system.parameters, *system.particles, *system.bodies, *system.named.values()},
-    )
+    found = wrong_names(shown)
     values: dict[str, float] = {}
     try:
         for s in states:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import signal
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,15 +15,10 @@ from lagrange.api.result import Result
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import Report, report
 from lagrange.render.json import as_object
-from tests.support.nets.evaluate import names_in
+from tests.support.nets.in_print import names_of_file, unfit
 
 SECONDS = 30.0
 """Of processor time, for one case: another process that keeps the machine busy is no finding."""
-
-PREDEFINED = {"i", "j", "k", "e_x", "e_y", "e_z", "t", "pi", "delta", "d", "omega", "lambda", "xi", "V", "diff"}
-NOT_IN_PRINT = re.compile(
-    r"\bnan\b|\bzoo\b|\boo\b|DiracDelta|_of_equilibrium|Subs\(|Derivative\(|Piecewise|RootOf|_?Dummy"
-)
 
 
 @dataclass(frozen=True)
@@ -106,53 +100,15 @@ def printed(text: str) -> Printed | Finding:
         return Finding("exception", f"{type(error).__name__}: {error}"[:600], "no exception", text)
 
 
-def strings(value: Any) -> Iterator[str]:
-    """All texts in a JSON object."""
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, dict):
-        for v in value.values():
-            yield from strings(v)
-    elif isinstance(value, list):
-        for v in value:
-            yield from strings(v)
-
-
-RESULTS = ("equilibrium", "equilibrium_conditions", "generalized_forces", "equations", "accelerations", "linearization",
-           "reactions", "conserved", "newton", "equations_with_multipliers", "mass_matrix", "force_vector")  # fmt: skip
-WORDS = {"kind", "because", "stability", "how", "name", "choice", "unit"}
-
-
-def wrong_names(shown: Printed, names: set[str]) -> list[Finding]:
-    """Symbols that are no names of the file, and what must never be printed; checks of the program's own that fail."""
-    found = []
-    known = names | PREDEFINED | {f"lambda_{c['name']}" for c in shown.json["constraints"]}
-    for key in RESULTS:
-        for text in _expressions(shown.json.get(key)):
-            strange = {n for n in names_in(text) - known if not re.fullmatch(r"(xi|omega|lambda)_\w+", n)}
-            if strange:
-                found.append(
-                    Finding(
-                        "strange symbol", f"{key}: {text}", f"no {', '.join(sorted(strange))} in the file", shown.text
-                    )
-                )
-    for text in strings(shown.json):
-        if NOT_IN_PRINT.search(text):
-            found.append(Finding("not for print", text[:200], "no such thing in print", shown.text))
-            break
+def wrong_names(shown: Printed) -> list[Finding]:
+    """What must never be printed, names that are not of the file, and checks of the program's own that fail."""
+    found = {
+        (kind, bad): Finding(kind, f"{bad} in {text[:200]}", "no such thing in print", shown.text)
+        for kind, bad, text in unfit(shown.report, shown.json, names_of_file(shown.text))
+    }
     failed = [c["name"] for c in shown.json["checks"] if c["passed"] is False]
     if failed:
-        found.append(Finding("own check", f"does not hold: {'; '.join(failed)}", "every check holds", shown.text))
-    return found
-
-
-def _expressions(value: Any) -> Iterator[str]:
-    if isinstance(value, dict):
-        for k, v in value.items():
-            if k not in WORDS:
-                yield from _expressions(v)
-    elif isinstance(value, list):
-        for v in value:
-            yield from _expressions(v)
-    elif isinstance(value, str):
-        yield value
+        found["own check", ""] = Finding(
+            "own check", f"does not hold: {'; '.join(failed)}", "every check holds", shown.text
+        )
+    return [*found.values()]

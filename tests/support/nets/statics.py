@@ -47,9 +47,7 @@ def check_system(system: System, rng: random.Random, checking: bool = True) -> l
     shown = printed(system.text)
     if isinstance(shown, Finding):
         return [shown]
-    names = {*system.coordinates, *system.parameters, *system.particles}
-    names |= {q for chart, _ in system.choices.values() for q in chart.coordinates}
-    found = wrong_names(shown, names)
+    found = wrong_names(shown)
     draws = [{p: rng.uniform(0.4, 3) * (rng.choice([-1, 1]) if p in system.real else 1) for p in system.parameters}
              for _ in range(DRAWS if system.parameters else 1)]  # fmt: skip
     places = [r for parameters in draws for r in rests(system, parameters, rng)]

@@ -17,7 +17,7 @@ import numpy as np
 from tests.support.nets import motion_systems
 from tests.support.nets.evaluate import NotReadError, evaluate, python_name
 from tests.support.nets.motions import State, accelerated
-from tests.support.nets.run import Finding, Printed, printed
+from tests.support.nets.run import Finding, Printed, printed, wrong_names
 from tests.support.nets.statics_systems import letters, whole
 from tests.support.nets.system import System
 
@@ -81,7 +81,7 @@ def findings(seed: int) -> list[Finding]:
     found: list[Finding] = []
     for values in (given, plain) if seed % 4 == 0 else (given,):
         shown = printed(replace(system, values=values).text)
-        found += [shown] if isinstance(shown, Finding) else _spot(system, shown, true)
+        found += [shown] if isinstance(shown, Finding) else [*wrong_names(shown), *_spot(system, shown, true)]
     return found
 
 

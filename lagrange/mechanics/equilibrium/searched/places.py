@@ -49,7 +49,7 @@ from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Ta
 
 def with_search(e: Equilibrium) -> Equilibrium:
     """The equilibria with what a search in numbers says of the list; with unsolved conditions where it lacks any."""
-    if e.given or any(b.left and not b.relations for b in e.branches):
+    if e.given or any(b.left and not (b.relations or b.conditions) for b in e.branches):
         return e
     try:
         missing = _Search(e).missing()
@@ -233,7 +233,7 @@ class _Search:
             differences = conditions.values(given, DIGITS) if conditioned else []
         except (ValueError, ArithmeticError):
             return True
-        return all(_may_hold(c, d) for c, d in zip(b.conditions, differences, strict=False))
+        return all(_may_hold(c, d, agrees) for c, d in zip(b.conditions, differences, strict=False))
 
     def _agree(self, r: Relation, left: Any, right: Any, agrees: float) -> bool:
         """Whether the sides of a relation are equal, angles up to full turns."""
@@ -269,8 +269,10 @@ def _pairs(values: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
     return zip(values[::2], values[1::2], strict=True)
 
 
-def _may_hold(c: SignCondition, difference: Any) -> bool:
-    """Whether a condition holds, or fails by too little to be sure."""
+def _may_hold(c: SignCondition, difference: Any, agrees: float) -> bool:
+    """Whether a condition holds, or fails by too little to be sure: θ ≠ 0 fails where θ is 0 to the digits known."""
+    if c.relation == "≠":
+        return bool(abs(difference) > agrees)
     if abs(difference) < DIFFERS:
         return True
-    return c.relation == "≠" or (c.relation != "=" and (difference > 0) == (c.relation in ("≥", ">")))
+    return c.relation != "=" and (difference > 0) == (c.relation in ("≥", ">"))

@@ -79,6 +79,8 @@ def _rod(
 def _size(e: sp.Expr, u: sp.Symbol, unknowns: Sequence[sp.Symbol], reach: dict[sp.Symbol, sp.Expr]) -> sp.Expr | None:
     """The greatest |u| where e = 0; None if the bounds of the other unknowns give none."""
     rest, first, shift = sp.expand(e), sp.S.Zero, sp.S.Zero
+    if rest.coeff(u, 2).is_negative:  # l² = x² + y²
+        rest = -rest
     for v in (u, *(w for w in unknowns if w != u)):
         square, linear = rest.coeff(v, 2), rest.coeff(v, 1)
         if not square.is_number or square.is_negative:

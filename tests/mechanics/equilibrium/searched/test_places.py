@@ -34,6 +34,16 @@ find: equilibrium
 THETA = sp.Symbol("theta", real=True)
 
 
+PLANK = """
+title: A plank that rocks on a cylinder
+parameters: [m, g, R, h]
+coordinates: [theta]
+particles: {G: {mass: m, position: "[R*sin(theta) - R*theta*cos(theta) + h*sin(theta), R*cos(theta) + R*theta*sin(theta) + h*cos(theta)]"}}
+gravity: -g*j
+find: equilibrium
+"""
+
+
 @cache
 def found(text: str) -> Equilibrium:
     e = solve(read_problem(Source("problem.yaml", text))).own.equilibrium
@@ -54,7 +64,7 @@ def test_nothing_is_missing(text: str) -> None:
     assert with_search(found(text)).all_found is True
 
 
-@pytest.mark.parametrize("text", [BEAD, PENDULUM, SKATE])
+@pytest.mark.parametrize("text", [BEAD, PENDULUM, SKATE, PLANK])
 def test_each_equilibrium_that_is_taken_away_is_found(text: str) -> None:
     """Among them those of the skate that a division by sin θ loses, a line of them for every y."""
     e = found(text)

@@ -14,6 +14,8 @@ LOWER = (u - x) ** 2 + (v - y) ** 2 - 1
 def test_points_on_a_chain_of_rods_reach_as_far_as_the_rods() -> None:
     half, both = sp.Rational(1, 2), sp.Rational(3, 2)
     assert reach_of_links([LOWER, UPPER], [x, y, u, v]) == {x: half, y: half, u: both, v: both}
+    swapped = reach_of_links([-LOWER, -3 * UPPER], [x, y, u, v])  # l² = x² + y²
+    assert swapped == {x: half, y: half, u: both, v: both}
     assert reach_of_links([x**2 - y**2 - 1, x * y - 1], [x, y]) == {}
 
 
