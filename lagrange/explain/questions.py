@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -98,6 +99,8 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
     yield from _condition(asked)
     if not asked.answered:
         yield prose(*_unanswered(asked), detail=Detail.BRIEF)
+        if asked.integral is not None:
+            yield display(Equation((t, asked.integral), label=answer_label(asked, 1)), boxed=True, detail=Detail.BRIEF)
         return
     yield from _answer(asked)
 
@@ -159,6 +162,15 @@ def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
     yield prose("Throughout the motion ", *what, *had_at_start)
     yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
+
+
+def answer_line(b: AnswerBranch) -> Equation:
+    """The answer; a number in front of letters is rounded."""
+    if not b.rhs.free_symbols or not b.rhs.as_coeff_Mul()[0].is_Float:
+        return Equation((b.lhs, b.rhs))
+    from lagrange.values.quantities import rounded_in
+
+    return Equation((b.lhs, under_one_root(rounded_in(b.rhs))), relation="≈")
 
 
 def answer_label(asked: Asked, number: int) -> str:
@@ -253,7 +265,7 @@ def _answer(asked: Asked) -> Iterator[Block]:
     several = len(asked.branches) > 1
     yield prose(*_how(asked), detail=Detail.BRIEF)
     lines = [
-        Equation((b.lhs, b.rhs), label=answer_label(asked, n), condition=_where(b))
+        replace(answer_line(b), label=answer_label(asked, n), condition=_where(b))
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
@@ -356,7 +368,8 @@ def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
 def _unanswered(asked: Asked) -> tuple[Part, ...]:
     """What is known, and what is missing."""
     if asked.integrand is not None:
-        return ("No elementary function was found for it; with values for all parameters it is found in numbers.",)
+        return ("No elementary function was found for this integral; with values for all parameters it is found in "
+                "numbers.",)  # fmt: skip
     why: tuple[Part, ...] = ("The integrals that are known do not determine this in closed form.",)
     if not asked.integrals:
         why = ("No integral of the motion with a known value was found that would determine this.",)

@@ -49,3 +49,6 @@ MOST_TOGETHER = 6
 
 TIMES_ASKED = 3
 """How often it is asked whether a solution that is put back gives zero: each time at other points of another field."""
+
+SHARE_DIGITS = 6
+"""Digits of a number in front of letters, as of a time found in numbers alone: more than a page shows."""

@@ -33,7 +33,7 @@ from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
-from lagrange.mechanics.questions.quadrature import number_between, speed_stated, taken_between_speeds, time_between
+from lagrange.mechanics.questions.quadrature import not_elementary, speed_stated, taken_between_speeds, time_between
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -578,9 +578,9 @@ class _Search:
         integrand = (q, under_one_root(speed), initial[q], end)
         asked = replace(self._asked(Route.QUADRATURE, None, used), integrand=integrand)
         if (taken := time_between(q, speed, initial[q], end, way)) is None:
-            number = number_between(q, speed, initial[q], end, self.setting.values)
-            branches = () if number is None else (AnswerBranch(t, number, (number,)),)
-            return replace(asked, branches=branches, how=None if number is None else How.NUMERICAL, verified=None)
+            number, whole = not_elementary((q, speed, initial[q], end), way, self.setting.values)
+            branches, how = ((), None) if number is None else ((AnswerBranch(t, number, (number,)),), How.NUMERICAL)
+            return replace(asked, branches=branches, how=how, verified=None, integral=whole)
         branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
