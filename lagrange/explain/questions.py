@@ -173,6 +173,11 @@ def answer_line(b: AnswerBranch) -> Equation:
     return Equation((b.lhs, under_one_root(rounded_in(b.rhs))), relation="≈")
 
 
+def _has_speed(b: AnswerBranch) -> bool:
+    """Whether something moves in the state of the answer."""
+    return any(s.name.endswith("'") and e != 0 for s, e in b.states[0].items())
+
+
 def answer_label(asked: Asked, number: int) -> str:
     """The label of a branch of an answer, counted from 1."""
     return _label(asked, "answer", number)
@@ -271,7 +276,10 @@ def _answer(asked: Asked) -> Iterator[Block]:
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if angles := [*_angles(asked)]:
         yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
-    if any(b.limit for b in asked.branches):
+    if any(b.limit and _has_speed(b) for b in asked.branches):
+        yield prose("There the acceleration vanishes: the motion only approaches this speed, in the limit ",
+                    math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
+    elif any(b.limit for b in asked.branches):
         yield prose("There the velocity and the acceleration vanish: a motion that starts elsewhere only approaches "
                     "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
     if any(b.provided for b in asked.branches):

@@ -255,6 +255,8 @@ class AskedClaim:
                 return Verdict.EQUIVALENT, ""
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
+            if self._is_odd() and all(s or self._same(claim, -v) for s, v in zip(same, derived, strict=True)):
+                return Verdict.EQUIVALENT, _SPEED
             return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED

@@ -8,7 +8,7 @@ denominator, whose integral has a limit there. None means not in the table.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import mpmath
 import sympy as sp
@@ -54,6 +54,23 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
     if changed is not None:
         time = _over_root_of_quadratic(changed.letter, changed.square, changed.ends, way)
     return time
+
+
+def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, start: sp.Expr, way: int | None) -> sp.Expr | None:
+    """The first of several velocities, functions of q, that leads away from the start in the direction `way`; None
+    where there is none, or no way.
+
+    Where its sign is not known everywhere, as of v/(L − a q), that at the start counts.
+    """
+    for v in speeds if way in (1, -1) else ():
+        sign = sign_of_value(v)
+        if sign is None:
+            at_start = v.xreplace({q: start})
+            sign = None if at_start.has(sp.zoo, sp.nan, sp.oo) else sign_of_value(at_start)
+            sign = sign or None  # from rest either may be
+        if sign in (way, None):
+            return v
+    return None
 
 
 def speed_stated(

@@ -33,7 +33,13 @@ from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
-from lagrange.mechanics.questions.quadrature import not_elementary, speed_stated, taken_between_speeds, time_between
+from lagrange.mechanics.questions.quadrature import (
+    not_elementary,
+    speed_stated,
+    taken_between_speeds,
+    time_between,
+    toward,
+)
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -569,11 +575,8 @@ class _Search:
         unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
         elimination = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
         way = sign_of_value(end - initial[q])
-        if way not in (1, -1) or not elimination.branches:
-            return None
-        conditions = elimination.branches[0].conditions
-        speed = next((v for b in elimination.branches for v in b.values if sign_of_value(v) in (way, None)), None)
-        if speed is None:
+        speed = toward((v for b in elimination.branches for v in b.values), q, initial[q], way)
+        if speed is None or way is None:
             return None
         integrand = (q, under_one_root(speed), initial[q], end)
         asked = replace(self._asked(Route.QUADRATURE, None, used), integrand=integrand)
@@ -581,7 +584,8 @@ class _Search:
             number, whole = not_elementary((q, speed, initial[q], end), way, self.setting.values)
             branches, how = ((), None) if number is None else ((AnswerBranch(t, number, (number,)),), How.NUMERICAL)
             return replace(asked, branches=branches, how=how, verified=None, integral=whole)
-        branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
+        conditions = tuple(c for c in elimination.branches[0].conditions if q not in c.lhs.free_symbols)
+        branch = AnswerBranch(t, taken, (taken,), (), conditions)
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
     def _by_speed(self) -> Asked | None:
