@@ -284,7 +284,8 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     if view.is_about_rest:
         from lagrange.explain.page.result_at_rest import result_at_rest
 
-        yield from result_at_rest(view, held=solution.classification.degrees_of_freedom == 0)
+        values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
+        yield from result_at_rest(view, values, held=solution.classification.degrees_of_freedom == 0)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates

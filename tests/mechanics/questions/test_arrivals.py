@@ -80,3 +80,26 @@ def test_what_is_never_reached_ends_nothing(until: sp.Expr, least: sp.Expr) -> N
     [condition] = while_slipping([length - size * sp.sin(w * t)], until / w, sign_of)
     assert condition.relation == "≥"
     assert sp.simplify((condition.lhs - condition.rhs) / (length - least * size)).is_positive
+
+
+def test_a_terminal_speed_is_approached(problem: Read) -> None:
+    """v' = g - k v²/m from rest: the root √(m g/k) is approached, the other is not."""
+    text = FALL + 'ask: {terminal: {quantity: "y\'", when: "y\'\' = 0"}}\n'
+    [answer] = report(problem(text), None).solution.asked
+    [branch] = answer.branches
+    m, g, k = sp.symbols("m g k", positive=True)
+    assert (branch.rhs - sp.sqrt(m * g / k)).equals(0)
+    assert branch.limit
+    assert not branch.provided
+
+
+FALL = """
+title: Fall
+axes: {j: down}
+parameters: [m, g, k]
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: g*j
+forces: {drag: {on: P, vector: "-k*y'*abs(y')*j"}}
+initial: {y: 0, y': 0}
+"""

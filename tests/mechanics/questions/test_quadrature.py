@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded
-from lagrange.mechanics.questions.quadrature import in_sine, not_elementary, time_between, time_between_speeds
+from lagrange.mechanics.questions.quadrature import in_sine, not_elementary, time_between, time_between_speeds, toward
 
 g, l = sp.symbols("g l", positive=True)
 theta = sp.Symbol("theta", real=True)
@@ -75,3 +75,12 @@ def test_a_time_that_is_not_elementary_is_a_number_times_letters_or_an_integral(
     assert number is None
     assert whole.limits == ((theta, 0, start),)
     assert is_zero(whole.function.doit() + 1 / swing) is True
+
+
+def test_the_velocity_taken_leads_to_the_end() -> None:
+    """A string that winds up on a drum: θ' = v/(L − a θ), which has a pole where the string ends (Greenwood)."""
+    length, speed = sp.symbols("L v_0", positive=True)
+    winding = speed / (length - a * theta)
+    assert toward([-winding, winding], theta, sp.S.Zero, 1) == winding
+    assert toward([winding, -winding], theta, sp.S.Zero, -1) == -winding
+    assert toward([winding], theta, sp.S.Zero, None) is None

@@ -50,8 +50,11 @@ def _upright(
     outright: Mapping[sp.Symbol, sp.Expr],
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The position in which all angles are 0, where the constraints admit it and hold the system there: a bracket on a
-    pipe is upright as it is drawn, though it would fit in another position, too. Where the constraints are not linear in
-    the other coordinates, these are 0 as well: a file is written in the position in which its vectors are simple."""
+    pipe is upright as it is drawn, though it would fit in another position, too.
+
+    Where the constraints are not linear in the other coordinates, these are 0 as well: a file is written in the
+    position in which its vectors are simple.
+    """
     if not turning or not {*turning} <= {*used}:
         return None
     at = {q: sp.S.Zero for q in used if q in turning} | dict(outright)

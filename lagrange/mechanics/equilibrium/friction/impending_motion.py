@@ -225,7 +225,7 @@ def _at_limit(
     loads = []
     for contact, share in shares.values():
         if pressed[contact.reaction.force] == 0 and not any(right) and any(statics.work.forces):
-            what = "impending motion of parts that only friction holds (`find: equilibrium` tells when they can be at rest),"
+            what = "impending motion of what friction alone holds (`find: equilibrium` gives the conditions of rest),"
             raise NotCoveredError(what, contact.friction.span)
         if pressed[contact.reaction.force] == 0:
             raise ProblemError(unpressed(contact.friction))
