@@ -127,7 +127,7 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
     for family in steady.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
-            rates = [Equation((v, value)) for v, value in family.rates.items()]
+            rates = [_rate(v, value) for v, value in family.rates.items()]
             if not b.equations:
                 yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
                 continue
@@ -236,6 +236,14 @@ def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equat
         for m, sides in enumerate(case, start=1):
             beside = ("and",) if len(cases) > 1 and m < len(case) else ("or",) if n < len(cases) else ()
             yield Equation(sides, relation="≤", condition=beside)
+
+
+def _rate(v: sp.Symbol, value: sp.Expr) -> Equation:
+    """A constant velocity; φ̇² = 2 a g and not one of its roots, as the motion may go round in either sense."""
+    has_root = value.is_nonnegative and any(p.exp == sp.S.Half for p in value.atoms(sp.Pow))
+    square = sp.expand(value**2) if has_root else sp.S.Zero
+    is_shorter = has_root and not square.is_Add and square.is_rational_function(*square.free_symbols)
+    return Equation((v**2, square)) if is_shorter else Equation((v, value))
 
 
 def _strictest(

@@ -51,6 +51,7 @@ from lagrange.mechanics.questions.states import (
     SymbolValues,
     initial_state,
     meanings_at,
+    places_stated,
     without,
 )
 from lagrange.mechanics.questions.times import TimeRoot, fades, in_order, keeps_sign, times
@@ -148,7 +149,8 @@ class _Search:
         names = mentioned(self.question)
         missing = {a for a in self.slots.accelerations if a not in known.accelerations} & names
         if missing or any(known.unknown(s) for s in names):
-            known = meanings_at(self.place, known, setting.initial if self._is_at_start else setting.fixed)
+            where = {**setting.fixed, **places_stated(self.question, self.slots)}
+            known = meanings_at(self.place, known, setting.initial if self._is_at_start else where)
         if self.opposite is None:
             return known
         value = known.reactions.get(self.opposite)
@@ -546,8 +548,7 @@ class _Search:
             elimination = eliminated(left, called, [self.parameter], [], called)
             if not elimination.solved or elimination.free:
                 return None
-            right = [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
-            return [replace(b, conditions=b.conditions) for b in right]
+            return [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
         if any(is_zero(e) is not True for e in left):
             return None
         at = motion.written(value.xreplace(rule))
@@ -593,8 +594,7 @@ class _Search:
         stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
         if stated is None:
             return None
-        asked = replace(self._asked(Route.QUADRATURE, None, ()), integrand=stated)
         if (found := taken_between_speeds(*stated, self.setting.values)) is None:
             return None
         branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
-        return replace(asked, branches=(shown(branch),), how=How.EXACT)
+        return replace(self._asked(Route.QUADRATURE, How.EXACT, ()), integrand=stated, branches=(shown(branch),))
