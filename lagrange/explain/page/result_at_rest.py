@@ -10,7 +10,6 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, series
@@ -26,6 +25,7 @@ from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOsc
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
 
@@ -95,10 +95,9 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
     rest = view.at_rest
     bounds: list[set[Mathematics]] = []
     if rest is not None and rest.cases:
-        possible = [case for case in rest.cases if not any(_fails(c.left - c.right, values) for c in case)]
         yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
-        pairs = [[(c.left, c.right) for c in case] for case in possible or rest.cases]
-        stated = [*_cases([_strictest(case, values) for case in pairs])]
+        pairs = [[(c.left, c.right) for c in case] for case in rest.cases]
+        stated = [*_cases(strictest_cases(pairs, values))]
         yield from stated
         bounds = [{*e.sides} for e in stated]
     if view.rolling is not None:
@@ -127,7 +126,7 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
     for family in steady.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
-            rates = [_rate(v, value) for v, value in family.rates.items()]
+            rates = [Equation(rate_or_square(v, value)) for v, value in family.rates.items()]
             if not b.equations:
                 yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
                 continue
@@ -236,29 +235,3 @@ def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equat
         for m, sides in enumerate(case, start=1):
             beside = ("and",) if len(cases) > 1 and m < len(case) else ("or",) if n < len(cases) else ()
             yield Equation(sides, relation="≤", condition=beside)
-
-
-def _rate(v: sp.Symbol, value: sp.Expr) -> Equation:
-    """A constant velocity; φ̇² = 2 a g and not one of its roots, as the motion may go round in either sense."""
-    has_root = value.is_nonnegative and any(p.exp == sp.S.Half for p in value.atoms(sp.Pow))
-    square = sp.expand(value**2) if has_root else sp.S.Zero
-    is_shorter = has_root and not square.is_Add and square.is_rational_function(*square.free_symbols)
-    return Equation((v**2, square)) if is_shorter else Equation((v, value))
-
-
-def _strictest(
-    case: Sequence[tuple[sp.Expr, sp.Expr]], values: Mapping[sp.Symbol, sp.Expr]
-) -> list[tuple[sp.Expr, sp.Expr]]:
-    """The inequalities without those that the given values make weaker than another: s ≥ 4 cm beside s ≥ 30 cm."""
-
-    def follows(weak: tuple[sp.Expr, sp.Expr], strong: tuple[sp.Expr, sp.Expr]) -> bool:
-        (a, b), (c, d) = weak, strong
-        gap = c - a if b == d else b - d if a == c else sp.S.Zero
-        return gap != 0 and gap.free_symbols <= values.keys() and sign_of(gap.xreplace(dict(values))) == 1
-
-    return [one for one in case if not any(follows(one, other) for other in case)]
-
-
-def _fails(excess: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    """Whether the given values alone exclude left ≤ right."""
-    return excess.free_symbols <= values.keys() and sign_of(excess.xreplace(dict(values))) == 1

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import pytest
-import sympy as sp
 
 import lagrange
 from lagrange.document.derivation import Rule
-from lagrange.explain.page.result_at_rest import _rate, result_at_rest
+from lagrange.explain.page.result_at_rest import result_at_rest
 from lagrange.explain.report import report
 from lagrange.render import terminal
 from tests.support.shared import solved
@@ -139,12 +138,3 @@ lagrangian: "m*x'^2/2 - c*(x^2 - 1)^2/4"
 find: [motion, linearization]
 """)
     assert "ω² = 2c/m about x = −1 and x = 1, stable" in head or "ω² = 2c/m about x = 1 and x = −1, stable" in head
-
-
-def test_a_rate_that_is_a_root_is_given_by_its_square() -> None:
-    """A marble in z = a r² goes round at φ'² = 2 a g in either sense; a rate without a root stays as it is."""
-    g, a = sp.symbols("g a", positive=True)
-    v = sp.Symbol("phi'", real=True)
-    assert _rate(v, sp.sqrt(2 * a * g)).sides == (v**2, 2 * a * g)
-    assert _rate(v, a / g).sides == (v, a / g)
-    assert _rate(v, g - sp.sqrt(a)).sides[0] == v
