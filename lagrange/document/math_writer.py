@@ -27,6 +27,7 @@ from lagrange.core.symbols import (
     Unspecified,
     VectorSymbol,
     Wedge,
+    differential,
 )
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
@@ -142,6 +143,10 @@ class Writer:
                 return self.style.exponential(self._argument(expression.args[0]))
             case sp.Abs():
                 return self.style.absolute(self._argument(expression.args[0]))
+            case sp.Integral():
+                q, start, end = expression.limits[0]
+                body = self.piece(sp.Mul(expression.function, differential(q), evaluate=False))
+                return self.style.integral(body, self.piece(start), self.piece(end))
         return self._application(type(expression).__name__, expression.args)
 
     def _symbol(self, symbol: sp.Symbol) -> Piece:

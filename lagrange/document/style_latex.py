@@ -131,6 +131,10 @@ class Latex(Unicode):
         body = inner.code if inner.level >= Precedence.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
         return Piece(rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {body}", Precedence.PRODUCT)
 
+    def integral(self, body: Piece, start: Piece, end: Piece) -> Piece:
+        """A definite integral."""
+        return Piece(rf"\int_{{{plain(start.code)}}}^{{{plain(end.code)}}} {body.code}", Precedence.DIVISION)
+
     def zero_vector(self) -> Piece:
         """The vector 0."""
         return Piece(r"\mathbf{0}")

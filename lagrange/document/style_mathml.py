@@ -183,6 +183,11 @@ class MathML(Unicode):
         body = inner.code if inner.level >= Precedence.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
         return Piece(f"<mfrac>{above}{below}</mfrac>{body}", Precedence.PRODUCT)
 
+    def integral(self, body: Piece, start: Piece, end: Piece) -> Piece:
+        """A definite integral."""
+        sign = f"<msubsup><mo>∫</mo>{row(start.code)}{row(end.code)}</msubsup>"
+        return Piece(sign + body.code, Precedence.DIVISION)
+
     def zero_vector(self) -> Piece:
         """The vector 0."""
         return Piece('<mn class="v">0</mn>')

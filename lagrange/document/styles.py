@@ -196,6 +196,10 @@ class Text:
         """A total time derivative."""
         return Piece(f"diff({inner.code}, t)")
 
+    def integral(self, body: Piece, start: Piece, end: Piece) -> Piece:
+        """A definite integral; the body contains the differential."""
+        return Piece("integral" + self.arguments([body.code, start.code, end.code]))
+
     def zero_vector(self) -> Piece:
         """The vector 0."""
         return Piece("0")
@@ -309,6 +313,11 @@ class Unicode(Text):
         if inner.level == Precedence.ATOM and len(inner.code) < LONGEST_RATE and "(" not in inner.code:
             return Piece(f"d{inner.code}/dt", Precedence.DIVISION)
         return Piece(f"d/dt {self.bracketed(inner.code)}", Precedence.DIVISION)
+
+    def integral(self, body: Piece, start: Piece, end: Piece) -> Piece:
+        """A definite integral on one line: ∫_0^π dθ/√(1 + sin²θ)."""
+        low, high = (p.code if p.level == Precedence.ATOM else f"({plain(p.code)})" for p in (start, end))
+        return Piece(f"∫_{low}^{high} {body.code}", Precedence.DIVISION)
 
     def _operand(self, piece: Piece) -> str:
         return self.bracketed(piece.code) if piece.level <= Precedence.DIVISION else piece.code

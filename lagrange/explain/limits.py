@@ -91,6 +91,9 @@ LONGEST_RESULT = 120
 MOST_RESULTS = 8
 """The most equations in the result at the head."""
 
+MOST_LINES_OF_CASES = 5
+"""Conditions of rest at the head of a page, where there are several cases of which one takes more than a line."""
+
 LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
 

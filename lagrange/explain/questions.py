@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import base, t
+from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Purpose
@@ -99,6 +100,8 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
     yield from _condition(asked)
     if not asked.answered:
         yield prose(*_unanswered(asked), detail=Detail.BRIEF)
+        if asked.integral is not None:
+            yield display(Equation((t, asked.integral), label=answer_label(asked, 1)), boxed=True, detail=Detail.BRIEF)
         return
     yield from _answer(asked)
 
@@ -161,6 +164,20 @@ def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
     yield prose("Throughout the motion ", *what, *had_at_start)
     yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
+
+
+def answer_line(b: AnswerBranch) -> Equation:
+    """The answer; a number in front of letters is rounded."""
+    if not b.rhs.free_symbols or not b.rhs.as_coeff_Mul()[0].is_Float:
+        return Equation((b.lhs, b.rhs))
+    from lagrange.values.quantities import rounded_in
+
+    return Equation((b.lhs, under_one_root(rounded_in(b.rhs))), relation="≈")
+
+
+def _has_speed(b: AnswerBranch) -> bool:
+    """Whether something moves in the state of the answer."""
+    return any(s.name.endswith("'") and e != 0 for state in b.states[:1] for s, e in state.items())
 
 
 def answer_label(asked: Asked, number: int) -> str:
@@ -255,15 +272,18 @@ def _answer(asked: Asked) -> Iterator[Block]:
     several = len(asked.branches) > 1
     yield prose(*_how(asked), detail=Detail.BRIEF)
     lines = [
-        Equation((b.lhs, b.rhs), label=answer_label(asked, n), condition=_where(b))
+        replace(answer_line(b), label=answer_label(asked, n), condition=_where(b))
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if angles := [*_angles(asked)]:
         yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
-    if any(b.limit and not _is_at_rest(b) for b in asked.branches):
+    if any(b.limit and not b.states for b in asked.branches):
         yield prose("The motion approaches this in the limit ", math(t, sp.oo, relation="→"), ", and is never there.",
                     detail=Detail.BRIEF)  # fmt: skip
+    elif any(b.limit and _has_speed(b) for b in asked.branches):
+        yield prose("There the acceleration vanishes: the motion only approaches this speed, in the limit ",
+                    math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
     elif any(b.limit for b in asked.branches):
         yield prose("There the velocity and the acceleration vanish: a motion that starts elsewhere only approaches "
                     "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
@@ -276,11 +296,6 @@ def _answer(asked: Asked) -> Iterator[Block]:
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
         yield prose(*_dropped(b, because))
-
-
-def _is_at_rest(b: AnswerBranch) -> bool:
-    """Whether all velocities that are known at the states of a branch are zero."""
-    return bool(b.states) and not any(v for s in b.states for q, v in s.items() if base(q) != q)
 
 
 def _angles(asked: Asked) -> Iterator[Math]:
@@ -366,7 +381,8 @@ def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
 def _unanswered(asked: Asked) -> tuple[Part, ...]:
     """What is known, and what is missing."""
     if asked.integrand is not None:
-        return ("No elementary function was found for it; with values for all parameters it is found in numbers.",)
+        return ("No elementary function was found for this integral; with values for all parameters it is found in "
+                "numbers.",)  # fmt: skip
     why: tuple[Part, ...] = ("The integrals that are known do not determine this in closed form.",)
     if not asked.integrals:
         why = ("No integral of the motion with a known value was found that would determine this.",)

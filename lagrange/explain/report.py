@@ -443,7 +443,7 @@ def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Ite
             outcome = "could not be decided" if check.passed is None else "did not hold"
             yield Diagnostic("check-failed", f"a check {outcome}: {check.name}{where}")
     for asked in solution.asked:
-        if not asked.answered:
+        if asked.is_open:
             yield Diagnostic("undecided", f"the question `{asked.question.name}` could not be answered")
     for answer in answers:
         if answer.verdict is not Verdict.EQUIVALENT:

@@ -242,7 +242,10 @@ def _limit(
 ) -> tuple[sp.Expr, ...] | None:
     """The equations in the limit; None where they do not become much simpler, or do not determine the motion."""
     accelerations = view.configuration.slots.accelerations
-    there = [_leading(e, parameter) if to == sp.oo else e.xreplace({parameter: to}) for e in equations]
+    try:
+        there = [_leading(e, parameter) if to == sp.oo else e.xreplace({parameter: to}) for e in equations]
+    except TypeError:  # SymPy compares what is undefined, as in sinh(x/a) for a → 0
+        return None
     if any(e is None or e == 0 or e.has(sp.zoo, sp.nan, sp.oo) for e in there) or not _occur(accelerations, there):
         return None  # one that occurs nowhere is not determined
     shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]

@@ -20,7 +20,6 @@ from lagrange.problem.values import no_values
 from lagrange.render.json_momenta import beside_motion, hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
-    asked_number,
     critical,
     damped_modes,
     equations_in_numbers,
@@ -29,6 +28,7 @@ from lagrange.render.json_numbers import (
     quantity,
     rest_in_numbers,
     searched,
+    value_of_asked,
 )
 from lagrange.render.json_steps import block, condition, side_as_sum, stability_conditions
 
@@ -593,7 +593,7 @@ def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
         "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
     }
     entries |= {"by": question.by.name} if question.by is not None else {}
-    entries |= {"value": " or ".join(stated) or None, **asked_number(asked, values, write)}
+    entries |= value_of_asked(asked, " or ".join(stated), values, write)
     entries |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
     if len(stated) > 1:
         entries["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]

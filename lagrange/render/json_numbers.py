@@ -114,7 +114,7 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     if len(left) != 1:
         return unknown
     [branch] = left
-    if asked.how is not None and asked.how.value == "numerical":
+    if asked.how is not None and asked.how.value == "numerical" and branch.rhs.is_number:
         return unknown | {"number": float(branch.rhs), "unit": values.unit_of(asked.question.quantity) or None}
     if asked.question.by is not None:
         return unknown | quantity(branch.rhs, values, write)
@@ -129,6 +129,14 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     if not unit and not asked.has_bare_numbers:  # `x = 2` hides a unit, and that of the quantity is sure
         unit = next(q.unit for q in measured if q is not None)
     return {"number": number, "unit": unit or None}
+
+
+def value_of_asked(asked: Asked, stated: str, values: Values, write: Write) -> dict[str, Any]:
+    """`value` with its number; `integral` where the answer is one that has no elementary value."""
+    if stated or asked.integral is None:
+        return {"value": stated or None, **asked_number(asked, values, write)}
+    q, start, end = asked.integral.limits[0]
+    return {"integral": {"of": write(asked.integral.function), "over": q.name, "from": write(start), "to": write(end)}}
 
 
 def _is_part_of_a_turn(value: sp.Expr) -> bool:

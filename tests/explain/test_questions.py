@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from lagrange.document.derivation import Rule
+from lagrange.explain.report import report
+from lagrange.mechanics.results import Solution
+from lagrange.render import html, latex
+from lagrange.render.json import as_object
 from tests.support.derivation_text import said_in
 
 
@@ -31,3 +37,26 @@ from tests.support.derivation_text import said_in
 )
 def test_the_reason_for_a_branch(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule)
+
+
+SWING = """
+title: Swing
+parameters: {m: positive, l: positive, g: positive, theta_0: acute}
+axes: {i: right, j: down}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}
+gravity: g*j
+initial: {theta: theta_0, theta': 0}
+ask: {quarter: {quantity: t, when: theta = 0}}
+"""
+
+
+def test_a_large_swing_takes_an_integral(problem: Callable[[str], Solution]) -> None:
+    """The quarter period in letters: one integral, in every format, and a finished derivation."""
+    solved = report(problem(SWING))
+    assert solved.holds
+    page = [(solved.derivation, solved.notation)]
+    assert r"\int_{0}^{\theta_{0}} \frac{1}" in latex.render(page)
+    assert "<msubsup><mo>∫</mo>" in html.render(page)
+    [asked] = as_object(solved)["asked"]
+    assert (asked["integral"]["over"], asked["integral"]["from"], "value" in asked) == ("theta", "0", False)

@@ -75,7 +75,8 @@ def _positions(forces: ForcesPutIn, motion: ImpendingMotion, reference: Referenc
         verdict = check_equilibria([stated], [motion.equilibrium], reference).verdict
         if verdict is Verdict.WRONG:  # they hold at the equilibrium, and elsewhere
             stated = [*forces.positions]
-    return [*stated, *_forces_beside(stated, motion)] if stated else []
+    place = [Fragment.of(f"{q} = {text(v)}") for q, v in motion.held.items()]
+    return [*stated, *place, *_forces_beside(stated, motion)] if stated else []
 
 
 def _judged(

@@ -255,6 +255,8 @@ class AskedClaim:
                 return Verdict.EQUIVALENT, ""
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
+            if self._is_odd() and all(s or self._same(claim, -v) for s, v in zip(same, derived, strict=True)):
+                return Verdict.EQUIVALENT, _SPEED
             return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED
@@ -278,8 +280,14 @@ class AskedClaim:
         """The verdict where the derived value is a number only; equal digits of an exact claim prove nothing."""
         decimals = decimals_in([claim])
         width = as_written(sp.Add(*(abs(claim.diff(d)) * d.half_width for d in decimals))).xreplace(self.values)
-        off = [abs((as_written(claim) - v).xreplace(self.values).evalf(20)) for v in derived]
-        close = [x for x in off if x.is_number and width.is_number and x <= width + _CLOSE]
+        close = []
+        for v in derived:  # a number, or one times a product of positive letters, which are divided out
+            letters = v.as_coeff_Mul()[1].xreplace(self.values) if v.free_symbols else sp.S.One
+            off, allowed = (
+                sp.expand(e.xreplace(self.values) / letters).evalf(20) for e in (as_written(claim) - v, width)
+            )
+            if off.is_number and allowed.is_number and abs(off) <= abs(allowed) + _CLOSE:
+                close.append(v)
         if not close:
             return Verdict.WRONG, ""
         return (Verdict.EQUIVALENT, "") if decimals else (Verdict.UNDECIDED, UNDECIDED)

@@ -319,7 +319,8 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     if view.is_about_rest:
         from lagrange.explain.page.result_at_rest import result_at_rest
 
-        yield from result_at_rest(view, held=solution.classification.degrees_of_freedom == 0)
+        values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
+        yield from result_at_rest(view, values, held=solution.classification.degrees_of_freedom == 0)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates
@@ -353,7 +354,7 @@ def _impact(solution: Solution) -> Iterator[Equation]:
 
 def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     """The short answers to a question, with what they are in degrees."""
-    from lagrange.explain.questions import angle_of
+    from lagrange.explain.questions import angle_of, answer_line
 
     values = values_in(solution)
     branches: Sequence[AnswerBranch] = asked.branches
@@ -364,8 +365,12 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     if asked.mirrored and len(branches) == 2 and branches[0].rhs == -branches[1].rhs:
         size = branches[0].rhs if branches[0].rhs.is_nonnegative else branches[1].rhs
         branches = [replace(branches[0], lhs=sp.Abs(branches[0].lhs), rhs=size)]
+    if asked.integral is not None and not branches:
+        line = Equation((asked.question.quantity, asked.integral))
+        if line.operations <= LONGEST_ANSWER:
+            yield replace(line, condition=("when ", *listed(map(as_stated, asked.question.when))))
     for b in branches:
-        line = Equation((b.lhs, b.rhs))
+        line = answer_line(b)
         if line.operations > LONGEST_ANSWER:
             quantity = None if values is None else values.quantity(b.rhs)
             if values is None or quantity is None or not quantity.is_number or len(branches) > 1:

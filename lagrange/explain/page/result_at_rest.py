@@ -5,7 +5,7 @@ Each solution is followed by its conditions and its stability, as far as they ar
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -13,8 +13,8 @@ import sympy as sp
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, series
-from lagrange.document.derivation import Equation, Part, Rule
-from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_PLACES
+from lagrange.document.derivation import Equation, Mathematics, Part, Rule
+from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES
 from lagrange.explain.page.meaning import verdict_on
 from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
@@ -25,16 +25,19 @@ from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOsc
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_equality import divisors
 
 
-def result_at_rest(view: InCoordinates, *, held: bool = False) -> Iterator[tuple[Rule, list[Equation]]]:
+def result_at_rest(
+    view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr], *, held: bool = False
+) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates.
 
     held  whether the constraints leave no degree of freedom: then the forces are what is sought
     """
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
-    conditions = [*_friction(view)]
+    conditions = [*_friction(view, values)]
     yield Rule.FRICTION_AT_REST, conditions
     if view.at_rest is not None and (held or not conditions):
         yield Rule.SOLVED_REACTIONS, [*_forces(view.at_rest)]
@@ -87,16 +90,19 @@ def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part
     return ()
 
 
-def _friction(view: InCoordinates) -> Iterator[Equation]:
+def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Equation]:
     """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
     rest = view.at_rest
+    bounds: list[set[Mathematics]] = []
     if rest is not None and rest.cases:
         yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
-        yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
+        pairs = [[(c.left, c.right) for c in case] for case in rest.cases]
+        stated = [*_cases(strictest_cases(pairs, values))]
+        yield from stated
+        bounds = [{*e.sides} for e in stated]
     if view.rolling is not None:
         yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
     branches = [b for m in view.impending or () for b in m.equilibrium.branches]
-    bounds = [{c.left, c.right} for case in (rest.cases if rest is not None else ()) for c in case]
     for b in branches:
         lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
         if not lines:
@@ -120,7 +126,7 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
     for family in steady.families:
         for b, s in zip(family.about.branches, family.about.at, strict=True):
             words = () if s is None else _in_a_word(s.judgement, [r.rhs for r in family.relations(b)])
-            rates = [Equation((v, value)) for v, value in family.rates.items()]
+            rates = [Equation(rate_or_square(v, value)) for v, value in family.rates.items()]
             if not b.equations:
                 lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]  # φ'² = 2 a g: it may turn either way
                 yield from ([*lines[:-1], replace(lines[-1], condition=words)] if lines else ())
@@ -223,9 +229,10 @@ def _branch(b: Branch, *more: Part) -> list[Equation]:
 
 
 def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:
-    """Inequalities of which all hold; of several cases only those of one line, with `or` between them."""
-    if len(cases) > 1 and any(len(case) > 1 for case in cases):
+    """Inequalities of which all hold; of several cases, if these are short, with `and` and `or` between them."""
+    if len(cases) > 1 and any(len(case) > 1 for case in cases) and sum(map(len, cases)) > MOST_LINES_OF_CASES:
         return
     for n, case in enumerate(cases, start=1):
-        for sides in case:
-            yield Equation(sides, relation="≤", condition=("or",) if n < len(cases) else ())
+        for m, sides in enumerate(case, start=1):
+            beside = ("and",) if len(cases) > 1 and m < len(case) else ("or",) if n < len(cases) else ()
+            yield Equation(sides, relation="≤", condition=beside)

@@ -256,7 +256,8 @@ def _tension(
     coordinates = set(configuration.slots.coordinates)
     constant, terms = _separated(row.finite, coordinates)
     roots = [t for t in terms if isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2)]
-    if not roots and placed is not None and acts is not None and acts.moments and by is not Keeper.STRING:
+    is_sum = by is Keeper.STRING and all(e in coordinates for _, e in terms)
+    if not roots and placed is not None and acts is not None and acts.moments and not is_sum:
         squared = _of_square(row, placed, configuration)
         if squared is not None:
             return squared

@@ -63,6 +63,7 @@ def check_statics(problem: Problem, configuration: Configuration) -> None:
         and not configuration.torques
         and configuration.potential == 0
         and (not configuration.generalized)
+        and not any(isinstance(f, Belt) for f in problem.forces)
     ):
         help_ = "give forces, a potential, or gravity and masses"
         message = "no force acts, so that every position is one of equilibrium"

@@ -60,6 +60,9 @@ class Arrivals:
             if self._is_value_at_start(b):
                 kept.append(replace(b, conditions=()))
                 continue
+            if b.states and self._is_terminal(b.states[0]):
+                kept.append(replace(b, limit=True))
+                continue
             reach = Reach(Reached.OPEN)
             for n, state in enumerate(b.states):
                 reach = self._reach_of(state, b)
@@ -167,6 +170,29 @@ class Arrivals:
         start = {t: sp.S.Zero, **initial}
         values = [e.xreplace(start) for e in (self.quantity - b.values[0], *self.when)]
         return all(e.free_symbols.isdisjoint(moving) and is_zero(e) is True for e in values)
+
+    def _is_terminal(self, state: SymbolValues) -> bool:
+        """Whether a state has a speed that the motion approaches: v' = a(v), with a = 0 and a' < 0 there.
+
+        With at most two roots, of which every second one is approached, the other is not on the way if v' at t = 0
+        has the sense of the way.
+        """
+        initial, moving = self.setting.initial, {*self.setting.place.moving}
+        for v in self.setting.place.configuration.slots.velocities:
+            a = self.setting.known.accelerations.get(prime(v))
+            if a is None or v not in state or v not in initial or a.free_symbols & moving != {v}:
+                continue
+            above, below = sp.fraction(sp.together(a))
+            if v in below.free_symbols or not above.is_polynomial(v) or sp.degree(above, v) > 2:
+                continue
+            end, start = state[v], initial[v]
+            sign = self.beginning.sign
+            way = sign(end - start)
+            if way is None or way == 0 or is_zero(a.xreplace({v: end})) is not True:
+                continue
+            if sign(a.diff(v).xreplace({v: end})) == -1 and sign(a.xreplace({v: start})) == way:
+                return True
+        return False
 
     def _is_equilibrium(self, state: SymbolValues) -> bool:
         """Whether the motion only approaches a state: velocities and accelerations vanish there."""

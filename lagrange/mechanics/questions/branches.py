@@ -279,9 +279,9 @@ def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int |
 def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None:
     if is_zero(e) is True:
         return 0
-    sign = _sign(e, conditions)
-    if sign is None and e.has(sp.acos):
-        sign = _sign_of_angle(e, conditions)
+    sign = _sign_of_angle(e, conditions) if e.has(sp.acos) else None  # first: of the whole it takes long
+    if sign is None:
+        sign = _sign(e, conditions)
     return _sign(factored_quotient(sp.expand(e)), conditions) if sign is None else sign
 
 

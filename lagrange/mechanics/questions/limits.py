@@ -52,3 +52,6 @@ TIMES_ASKED = 3
 
 MOST_TURNS = 16
 """Right angles on the way to a state at which a contact is looked at: four turns of a loop, all of them alike."""
+
+SHARE_DIGITS = 6
+"""Digits of a number in front of letters, as of a time found in numbers alone: more than a page shows."""

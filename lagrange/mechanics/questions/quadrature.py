@@ -8,7 +8,7 @@ denominator, whose integral has a limit there. None means not in the table.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 import mpmath
 import sympy as sp
@@ -22,7 +22,8 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, t
 from lagrange.mechanics.questions.branches import sign_of_value
-from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS
+from lagrange.mechanics.questions.forms import under_one_root
+from lagrange.mechanics.questions.limits import ACCURATE, LONGEST_INTEGRATED, NODE_DIGITS, SHARE_DIGITS
 
 
 def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way: int) -> sp.Expr | None:
@@ -53,6 +54,23 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
     if changed is not None:
         time = _over_root_of_quadratic(changed.letter, changed.square, changed.ends, way)
     return time
+
+
+def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, start: sp.Expr, way: int | None) -> sp.Expr | None:
+    """The first of several velocities, functions of q, that leads away from the start in the direction `way`; None
+    where there is none, or no way.
+
+    Where its sign is not known everywhere, as of v/(L − a q), that at the start counts.
+    """
+    for v in speeds if way in (1, -1) else ():
+        sign = sign_of_value(v)
+        if sign is None:
+            at_start = v.xreplace({q: start})
+            sign = None if at_start.has(sp.zoo, sp.nan, sp.oo) else sign_of_value(at_start)
+            sign = sign or None  # from rest either may be
+        if sign in (way, None):
+            return v
+    return None
 
 
 def speed_stated(
@@ -122,6 +140,42 @@ def number_between(
         except (ValueError, ZeroDivisionError):
             return None
         return sp.Float(str(number), 6) if error < abs(number) * ACCURATE else None
+
+
+def share_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
+    """The time as a number times a product of letters, where all of these come in front of the integral over the share
+    of the way that is covered, as in a field whose force is a power of the distance; None where they do not.
+    """
+    share = sp.Dummy("u", positive=True)
+    way = end - start
+    squared = (way / speed.xreplace({q: start + way * share})) ** 2
+    if count_operations(squared) > LONGEST_INTEGRATED:
+        return None
+    squared = sp.factor(sp.together(squared))
+    letters, numbers = squared.as_independent(share, as_Add=False)
+    if numbers.free_symbols != {share} or sign_of(letters) not in (1, -1):
+        return None
+    if sign_of(letters) == -1:
+        letters, numbers = -letters, -numbers
+    number = number_between(share, 1 / sp.sqrt(numbers), sp.S.Zero, sp.S.One, {})
+    if number is None:
+        return None
+    constant, product = sp.factor(letters).as_coeff_Mul()
+    return (number * sp.sqrt(constant)).evalf(SHARE_DIGITS) * factored_quotient(sp.sqrt(product))
+
+
+def not_elementary(
+    integrand: tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr], way: int, values: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[sp.Expr | None, sp.Integral]:
+    """The time in numbers, where that is possible, and as an integral over 1/|q'| from the smaller place to the larger.
+
+    integrand  q, q' as a function of it, q_0 and q_1
+    """
+    q, speed, start, end = integrand
+    number = number_between(*integrand, values)
+    low, high = (start, end) if way == 1 else (end, start)
+    whole = sp.Integral(sp.Pow(under_one_root(way * speed), -1, evaluate=False), (q, low, high))
+    return share_between(*integrand) if number is None else number, whole
 
 
 def _through_half_angle(q: sp.Symbol, square: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:

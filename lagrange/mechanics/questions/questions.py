@@ -26,21 +26,20 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.questions import numerical
-from lagrange.mechanics.questions.arrivals import (
-    Arrivals,
-    SlipEndUndecidedError,
-    approached,
-    while_it_begins,
-    while_slipping,
-)
+from lagrange.mechanics.questions import arrivals, numerical
 from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
-from lagrange.mechanics.questions.quadrature import number_between, speed_stated, taken_between_speeds, time_between
+from lagrange.mechanics.questions.quadrature import (
+    not_elementary,
+    speed_stated,
+    taken_between_speeds,
+    time_between,
+    toward,
+)
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
@@ -52,6 +51,7 @@ from lagrange.mechanics.questions.states import (
     SymbolValues,
     initial_state,
     meanings_at,
+    places_stated,
     without,
 )
 from lagrange.mechanics.questions.times import TimeRoot, in_order, keeps_sign, times
@@ -149,7 +149,8 @@ class _Search:
         names = mentioned(self.question)
         missing = {a for a in self.slots.accelerations if a not in known.accelerations} & names
         if missing or any(known.unknown(s) for s in names):
-            known = meanings_at(self.place, known, setting.initial if self._is_at_start else setting.fixed)
+            where = {**setting.fixed, **places_stated(self.question, self.slots)}
+            known = meanings_at(self.place, known, setting.initial if self._is_at_start else where)
         if self.opposite is None:
             return known
         value = known.reactions.get(self.opposite)
@@ -293,12 +294,12 @@ class _Search:
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
             asked = (tuple(self.when), self.parameter, self.quantity, self.question)
-            reached = Arrivals(self.setting, self._beginning, self.rule, *asked).reached(branches)
-            branches = reached or self._at_the_start(lasting)
+            on_the_way = arrivals.Arrivals(self.setting, self._beginning, self.rule, *asked)
+            branches = on_the_way.reached(branches) or self._at_the_start(lasting)
         if not branches:
             raise ProblemError(never_holds(self.question))
         if self._is_at_start:
-            begins = while_it_begins(self.setting, self.rule, self._beginning.sign)
+            begins = arrivals.while_it_begins(self.setting, self.rule, self._beginning.sign)
             if begins is None:
                 what = "asks for slip that does not begin: friction prevents it"
                 raise ProblemError(slip_has_ended(self.question, what))
@@ -462,7 +463,9 @@ class _Search:
         if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
         branches = [replace(b, states=tuple(without(s, places.values()) for s in b.states)) for b in branches]
-        branches = branches or [approached(self.question, self.quantity.xreplace(rule), self.when, rule, motions)]
+        branches = branches or [
+            arrivals.approached(self.question, self.quantity.xreplace(rule), self.when, rule, motions)
+        ]
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
             branches=tuple(shown(b) for b in branches),
@@ -496,8 +499,8 @@ class _Search:
         if not speeds or until is None:
             return b
         try:
-            conditions = while_slipping(speeds, until, lambda e: self._beginning.sign(e, b.conditions))
-        except SlipEndUndecidedError:
+            conditions = arrivals.while_slipping(speeds, until, lambda e: self._beginning.sign(e, b.conditions))
+        except arrivals.SlipEndUndecidedError:
             return replace(b, provided=True)
         if conditions is None:
             return None
@@ -544,8 +547,7 @@ class _Search:
             elimination = eliminated(left, called, [self.parameter], [], called)
             if not elimination.solved or elimination.free:
                 return None
-            right = [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
-            return [replace(b, conditions=b.conditions) for b in right]
+            return [b for b in elimination.branches if not all(sign_of(v) == -1 for v in b.values)]
         if any(is_zero(e) is not True for e in left):
             return None
         at = motion.written(value.xreplace(rule))
@@ -573,19 +575,17 @@ class _Search:
         unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
         elimination = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
         way = sign_of_value(end - initial[q])
-        if way not in (1, -1) or not elimination.branches:
-            return None
-        conditions = elimination.branches[0].conditions
-        speed = next((v for b in elimination.branches for v in b.values if sign_of_value(v) in (way, None)), None)
-        if speed is None:
+        speed = toward((v for b in elimination.branches for v in b.values), q, initial[q], way)
+        if speed is None or way is None:
             return None
         integrand = (q, under_one_root(speed), initial[q], end)
         asked = replace(self._asked(Route.QUADRATURE, None, used), integrand=integrand)
         if (taken := time_between(q, speed, initial[q], end, way)) is None:
-            number = number_between(q, speed, initial[q], end, self.setting.values)
-            branches = () if number is None else (AnswerBranch(t, number, (number,)),)
-            return replace(asked, branches=branches, how=None if number is None else How.NUMERICAL, verified=None)
-        branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
+            number, whole = not_elementary((q, speed, initial[q], end), way, self.setting.values)
+            branches, how = ((), None) if number is None else ((AnswerBranch(t, number, (number,)),), How.NUMERICAL)
+            return replace(asked, branches=branches, how=how, verified=None, integral=whole)
+        conditions = tuple(c for c in elimination.branches[0].conditions if q not in c.lhs.free_symbols)
+        branch = AnswerBranch(t, taken, (taken,), (), conditions)
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
     def _by_speed(self) -> Asked | None:
@@ -593,8 +593,7 @@ class _Search:
         stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
         if stated is None:
             return None
-        asked = replace(self._asked(Route.QUADRATURE, None, ()), integrand=stated)
         if (found := taken_between_speeds(*stated, self.setting.values)) is None:
             return None
         branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
-        return replace(asked, branches=(shown(branch),), how=How.EXACT)
+        return replace(self._asked(Route.QUADRATURE, How.EXACT, ()), integrand=stated, branches=(shown(branch),))

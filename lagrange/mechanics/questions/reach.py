@@ -197,8 +197,9 @@ class Path:
     def _inside(self, p: sp.Expr, end: sp.Expr, way: int) -> bool | None:
         if self.positive and p == 0:
             return False
-        after, before = self._sign(p - self.start), self._sign(end - p)
-        if after in (0, -way) or before in (0, -way):
+        if (after := self._sign(p - self.start)) in (0, -way):
+            return False
+        if (before := self._sign(end - p)) in (0, -way):
             return False
         return None if None in (after, before) else True
 

@@ -150,6 +150,7 @@ class Asked:
     solutions   coordinates as functions of time
     missing     initial values that are not given and would be needed
     integrand   q, q' as a function of it, q_0 and q_1, where the time is an integral over q
+    integral    the time as this integral, where it is no elementary function and letters are left
     open        coordinates and velocities on which the quantity depends, and which nothing determines
     turning     where the motion has come to rest before, from where it goes back with the other sense of friction
     opposite    a force that is counted in the sense opposite to that of its constraint
@@ -171,6 +172,7 @@ class Asked:
     solutions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     missing: tuple[sp.Symbol, ...] = ()
     integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
+    integral: sp.Integral | None = None
     open: tuple[sp.Symbol, ...] = ()
     initial: tuple[Substituted, ...] = ()
     senses: Mapping[sp.Expr, int] = field(default_factory=dict)
@@ -181,8 +183,13 @@ class Asked:
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer."""
+        """Whether there is an answer in closed form or in numbers."""
         return bool(self.branches)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether there is no answer, not even as an integral."""
+        return not self.branches and self.integral is None
 
     def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr], moving: Collection[sp.Symbol]) -> bool:
         """Whether the motion never gets there with these values; a parameter that is asked for may have any value."""

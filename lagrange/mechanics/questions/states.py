@@ -24,7 +24,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import base, prime, t
+from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import Conserved
@@ -32,7 +32,7 @@ from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_TOGETHER
-from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem, Question
 
 SymbolValues = Mapping[sp.Symbol, sp.Expr]
 Senses = Mapping[sp.Expr, int]
@@ -185,6 +185,12 @@ def meanings_at(place: MotionView, known: Meanings, state: SymbolValues) -> Mean
             reactions[r.symbol] = reactions[r.force] = textbook_form(factor * value)
     accelerations = {s: v for s, v in values.items() if s in configuration.slots.accelerations}
     return replace(known, accelerations={**accelerations, **known.accelerations}, reactions=reactions)
+
+
+def places_stated(question: Question, slots: Slots) -> dict[sp.Symbol, sp.Expr]:
+    """The values of coordinates that the conditions state by themselves, θ = 0."""
+    moving = {*slots.coordinates, *slots.velocities, t}
+    return {c.lhs: c.rhs for c in question.when if c.lhs in slots.coordinates and c.rhs.free_symbols.isdisjoint(moving)}
 
 
 def fixed_coordinates(place: MotionView, initial: SymbolValues) -> dict[sp.Symbol, sp.Expr]:
@@ -435,16 +441,26 @@ def _check(
                 continue
             kind = "the rate of left minus right" if velocity and row.finite is not None else "left minus right"
             message = f"the initial state contradicts the constraint `{row.name}`"
-            label = f"{kind} would be {text(tidy_quotient(left))}, not 0"
+            label = f"{kind} would be {_with_number(left, values)}, not 0"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
     for e, v in conditions:
         left = e.xreplace(dict(known))
         if not left.free_symbols & moving and is_zero(left) is False and is_zero(left.xreplace(values)) is False:
             message = f"the initial value of `{v.symbol}` contradicts the others"
-            label = f"it would differ by {text(tidy_quotient(left))}"
+            label = f"it would differ by {_with_number(left, values)}"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, v.span, label, help_))
+
+
+def _with_number(e: sp.Expr, values: SymbolValues) -> str:
+    """`1/2 - l^2, that is -0.5`, where the letters have values."""
+    number, written = e.xreplace(dict(values)), text(tidy_quotient(e))
+    if not e.free_symbols or number.free_symbols:
+        return written
+    from lagrange.values.quantities import rounded
+
+    return f"{written}, that is {text(rounded(number))}"
 
 
 def without(state: SymbolValues, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:

@@ -14,9 +14,9 @@ from tests.support.shared import solved
 
 def test_equilibria_have_a_line_and_a_motion_has_none() -> None:
     view = next(v for v in solved("inverted-pendulum-springs").views if v.equilibrium is not None)
-    lines = dict(result_at_rest(view))
+    lines = dict(result_at_rest(view, {}))
     assert len(lines[Rule.EQUILIBRIUM]) >= 2
-    assert not any(equations for _, equations in result_at_rest(solved("ex11-ideal-pendulum").choices[0]))
+    assert not any(equations for _, equations in result_at_rest(solved("ex11-ideal-pendulum").choices[0], {}))
 
 
 HOOP = """title: Hoop
@@ -58,6 +58,20 @@ forces:
   rub: {static: mu, friction: mu, constraint: right, on: plate, at: r_plate + a*e1_plate}
 find: equilibrium
 """
+SHAFT = """title: Bracket on a rough shaft
+parameters: {W: positive, VALUES}
+unknowns: [x_W]
+coordinates: [x, y, theta]
+bodies: {bracket: {position: x*i + y*j, angle: theta}}
+constraints:
+  A: {equation: "x + d/2 - h*sin(theta) <= d/2", reaction: N_A}
+  B: {equation: "x - d/2 >= -d/2", reaction: N_B}
+forces:
+  load: {on: bracket, vector: -W*j, at: r_bracket + x_W*i}
+  rub_A: {friction: mu, static: mu, constraint: A, on: bracket, at: r_bracket + d/2*i + h*e2_bracket, slip: -j}
+  rub_B: {friction: mu, static: mu, constraint: B, on: bracket, at: r_bracket - d/2*i, slip: -j}
+find: equilibrium
+"""
 WHEEL = """title: Wheel
 parameters: {m: positive, g: positive, R: positive, mu: positive, alpha: acute}
 coordinates: [x, y, theta]
@@ -74,8 +88,14 @@ find: equilibrium
     [
         (PUSHED.replace("x = 0", "x = 0"), ["the forces:", "S = 0", "N = W"], ["F_rub"]),
         (WHEEL, ["Two degrees of freedom; the system cannot be at rest."], ["= 0"]),
+        (SHAFT.replace("VALUES", "mu: positive, h: positive, d: positive"), ["μ ≥ h/d or", "x_W ≥ d/2 and"], []),
+        (
+            SHAFT.replace("VALUES", "mu: 0.25, h: 6 in, d: 3 in"),
+            ["x_W ≥ h/(2μ) that is x_W ≥ 0.3048 m"],
+            ["h/d", "d/2"],
+        ),
     ],
-    ids=["the forces where nothing can move", "rest is impossible"],
+    ids=["the forces where nothing can move", "rest is impossible", "two cases", "values exclude one of them"],
 )
 def test_the_head_of_rest_with_friction(text: str, said: list[str], not_said: list[str]) -> None:
     made = report(lagrange.loads(text))

@@ -186,6 +186,7 @@ gravity: -g*j
         "3*l = 3*norm(end - peg)",
         "l^2 = dot(end - peg, end - peg)",
         "m*l^2/2 = m*((x + a*cos(theta) - c)^2 + (y + a*sin(theta) - h)^2)/2",
+        "norm(end - peg) = l', by: 'string",
     ],
 )
 def test_a_cord_to_a_point_of_a_body_pulls_toward_its_other_end(problem: Read, equation: str) -> None:

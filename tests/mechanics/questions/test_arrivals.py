@@ -160,3 +160,26 @@ def test_contact_lasts_all_the_way_round_a_loop(problem: Read) -> None:
     )
     [least] = [v for v in sp.solve(margin) if v.is_positive]
     assert least == 10  # v² = 5 g R
+
+
+def test_a_terminal_speed_is_approached(problem: Read) -> None:
+    """v' = g - k v²/m from rest: the root √(m g/k) is approached, the other is not."""
+    text = FALL + 'ask: {terminal: {quantity: "y\'", when: "y\'\' = 0"}}\n'
+    [answer] = report(problem(text), None).solution.asked
+    [branch] = answer.branches
+    m, g, k = sp.symbols("m g k", positive=True)
+    assert (branch.rhs - sp.sqrt(m * g / k)).equals(0)
+    assert branch.limit
+    assert not branch.provided
+
+
+FALL = """
+title: Fall
+axes: {j: down}
+parameters: [m, g, k]
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: g*j
+forces: {drag: {on: P, vector: "-k*y'*abs(y')*j"}}
+initial: {y: 0, y': 0}
+"""

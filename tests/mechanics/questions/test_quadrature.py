@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.symbols import Bounded
-from lagrange.mechanics.questions.quadrature import in_sine, time_between, time_between_speeds
+from lagrange.mechanics.questions.quadrature import in_sine, not_elementary, time_between, time_between_speeds, toward
 
 g, l = sp.symbols("g l", positive=True)
 theta = sp.Symbol("theta", real=True)
@@ -60,3 +60,27 @@ def test_the_time_is_that_of_numerical_integration(end: sp.Expr) -> None:
 def test_a_sine_is_no_variable_beyond_a_right_angle() -> None:
     assert in_sine(x, WELL, sp.S.Zero, sp.pi / a) is None
     assert in_sine(x, v**2 - u * sp.cos(a * x), sp.S.Zero, sp.pi / (8 * a)) is None
+
+
+def test_a_time_that_is_not_elementary_is_a_number_times_letters_or_an_integral() -> None:
+    """V = A x⁴ (Landau and Lifshitz, § 11): the quarter period from x = a is ∫_0^1 du/√(1 − u⁴) times √(m/2A)/a."""
+    strength, m = sp.symbols("A m", positive=True)
+    speed = -sp.sqrt(2 * strength * (a**4 - x**4) / m)
+    number, _ = not_elementary((x, speed, a, sp.S.Zero), -1, {})
+    assert number is not None
+    lemniscate = sp.gamma(sp.Rational(1, 4)) ** 2 / (4 * sp.sqrt(2 * sp.pi))
+    assert float((number * a * sp.sqrt(2 * strength / m)) / lemniscate) == pytest.approx(1, rel=1e-5)
+    swing = -sp.sqrt(2 * g * (sp.cos(theta) - sp.cos(start)) / l)
+    number, whole = not_elementary((theta, swing, start, sp.S.Zero), -1, {})
+    assert number is None
+    assert whole.limits == ((theta, 0, start),)
+    assert is_zero(whole.function.doit() + 1 / swing) is True
+
+
+def test_the_velocity_taken_leads_to_the_end() -> None:
+    """A string that winds up on a drum: θ' = v/(L − a θ), which has a pole where the string ends (Greenwood)."""
+    length, speed = sp.symbols("L v_0", positive=True)
+    winding = speed / (length - a * theta)
+    assert toward([-winding, winding], theta, sp.S.Zero, 1) == winding
+    assert toward([winding, -winding], theta, sp.S.Zero, -1) == -winding
+    assert toward([winding], theta, sp.S.Zero, None) is None

@@ -8,6 +8,9 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
+from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.constraints.kinematics import file_configuration
+from lagrange.mechanics.questions.states import places_stated
 from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
 from lagrange.render.json import as_object
@@ -63,3 +66,20 @@ ask: {closest: {quantity: y - x, when: "x' = y'"}}
     m, M, k, l, v = (sp.Symbol(n, positive=True) for n in "mMklv")
     assert is_zero(branch.values[0] - (l - v * sp.sqrt(M * m / ((M + m) * k)))) is True
     assert branch.conditions  # they must not meet before: v <= l √((M + m) k/(M m))
+
+
+def test_places_that_a_question_states(problem: Read) -> None:
+    """θ = 0 and x = l are states, x = y and N = 0 are none: only the first two simplify what is to be solved there."""
+    text = """
+title: Example
+parameters: [m, l]
+coordinates: [x, y, theta]
+particles: {P: {mass: m, position: x*i + y*j}}
+bodies: {B: {mass: m, inertia: m, position: 0*i, angle: theta}}
+initial: {x: 0, y: 0, theta: 0}
+ask: {it: {quantity: "x'", when: [theta = 0, x = l, "y = x", "y' = 0"]}}
+"""
+    read = problem(text)
+    slots = file_configuration(read, classify(read).constrained).slots
+    stated = places_stated(read.questions[0], slots)
+    assert {q.name: str(v) for q, v in stated.items()} == {"theta": "0", "x": "l"}

@@ -4,7 +4,7 @@ angles that they make equal.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -50,15 +50,25 @@ def _upright(
     outright: Mapping[sp.Symbol, sp.Expr],
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The position in which all angles are 0, where the constraints admit it and hold the system there: a bracket on a
-    pipe is upright as it is drawn, though it would fit in another position, too."""
+    pipe is upright as it is drawn, though it would fit in another position, too.
+
+    Where the constraints are not linear in the other coordinates, these are 0 as well: a file is written in the
+    position in which its vectors are simple.
+    """
     if not turning or not {*turning} <= {*used}:
         return None
     at = {q: sp.S.Zero for q in used if q in turning} | dict(outright)
     left = [e for e in (shortest(f.xreplace(at)) for f in finite) if e != 0]
     others = [q for q in used if q not in at]
+    candidates: Iterable[Sequence[sp.Expr]]
     if any(e.diff(q).free_symbols & {*others} for e in left for q in others):
-        return None
-    for values in sp.linsolve(left, others) if left and others else () if left else ((),):
+        candidates = [[sp.S.Zero] * len(others)]
+        left_there = [shortest(e.xreplace(dict.fromkeys(others, sp.S.Zero))) for e in left]
+        if any(e != 0 for e in left_there):
+            return None
+    else:
+        candidates = sp.linsolve(left, others) if left and others else () if left else ((),)
+    for values in candidates:
         place = at | dict(zip(others, values, strict=False))
         slopes = sp.Matrix([[shortest(f.diff(q).xreplace(place)) for q in used] for f in finite])
         fixed = all(v.free_symbols.isdisjoint(used) for v in place.values())

@@ -18,7 +18,7 @@ conditions of rest: a bracket on a pipe is upright.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from itertools import combinations, product
 
 import sympy as sp
@@ -28,7 +28,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
@@ -62,6 +62,7 @@ class ImpendingMotion:
     senses       by friction: +1 if it acts along its tangent, −1 if against it
     pressed      by constraint: the force in which its reaction is written
     equilibrium  with the friction as applied forces
+    held         the position that the constraints hold, which an answer need not state
     """
 
     contacts: tuple[RoughContact, ...]
@@ -69,6 +70,7 @@ class ImpendingMotion:
     senses: Mapping[str, int]
     pressed: Mapping[str, sp.Expr]
     equilibrium: Equilibrium
+    held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
 
 @record
@@ -222,6 +224,9 @@ def _at_limit(
     pressed = {u: without_leading_minus(shortest(v)) for u, v in zip(unknowns, solved, strict=True) if v is not None}
     loads = []
     for contact, share in shares.values():
+        if pressed[contact.reaction.force] == 0 and not any(right) and any(statics.work.forces):
+            what = "impending motion of what friction alone holds (`find: equilibrium` gives the conditions of rest),"
+            raise NotCoveredError(what, contact.friction.span)
         if pressed[contact.reaction.force] == 0:
             raise ProblemError(unpressed(contact.friction))
         vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
@@ -233,9 +238,14 @@ def _at_limit(
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
     laws = [shortest(b.reserve.xreplace(pressed)) for b in belts]
     resting = equilibrium(loaded, elimination, problem.unknowns, laws=laws)
-    if resting.given and (held := held_coordinates(configuration)):
+    held: Mapping[sp.Symbol, sp.Expr] = {}
+    if resting.given or len(resting.branches) > 1:
+        held = held_coordinates(configuration)
+    if resting.given and held:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = at_position(resting, held)
+    elif held:
+        resting = _where_held(resting, held)
     resting = _possible(resting, contacts, signs)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
@@ -247,7 +257,33 @@ def _at_limit(
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
-    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting)
+    beside = {} if resting.given else held
+    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, beside)
+
+
+def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
+    """The equilibria in the position that the constraints hold: a drawer would fit askew, too. All if none is there."""
+
+    waves = {str(f(q)): f(v) for q, v in held.items() for f in (sp.sin, sp.cos)}
+    there = waves | {q.name: v for q, v in held.items()}
+
+    def is_elsewhere(point: Mapping[sp.Symbol, sp.Expr]) -> bool:
+        return any(s.name in there and is_zero(e - there[s.name]) is False for s, e in point.items())
+
+    here = [n for n, b in enumerate(resting.branches) if not all(map(is_elsewhere, b.points))]
+    if not here:
+        return resting
+    idle = tuple(resting.idle[n] for n in here if n < len(resting.idle))
+    solution = resting.solution
+    left = tuple(b for b in solution.branches if not b.points or not all(map(is_elsewhere, b.points)))
+    branches = tuple(_without_held(resting.branches[n], held) for n in here)
+    return replace(resting, branches=branches, idle=idle, solution=replace(solution, branches=left))
+
+
+def _without_held(b: Branch, held: Mapping[sp.Symbol, sp.Expr]) -> Branch:
+    """The branch with what it says beside the position that the constraints hold."""
+    other = tuple(r for r in b.relations if r.lhs not in held or is_zero(r.rhs - held[r.lhs]) is not True)
+    return replace(b, relations=other or b.relations)
 
 
 def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs) -> Equilibrium:

@@ -17,6 +17,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.checks import Check
@@ -103,6 +104,8 @@ def _answer(
     elimination = eliminated(equations, quantity, unknowns, (), question.quantity)
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
+    if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
+        kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
     if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
     if elimination.solved and elimination.free:

@@ -100,3 +100,26 @@ def test_triangle_of_bars_by_its_joints() -> None:
     tie, bar = solve(read_problem(Source("triangle.yaml", TRIANGLE))).asked
     rule = {sp.Symbol("P", positive=True): 8000, sp.Symbol("l", positive=True): 5}
     assert (tie.branches[0].rhs.xreplace(rule), bar.branches[0].rhs.xreplace(rule)) == (3000, -5000)
+
+
+COIN = """
+title: Coin on a turntable
+axes: {i: outward, k: up}
+parameters: [m, g, r, w, mu]
+coordinates: [x, z]
+particles: {coin: {mass: m, position: x*i + z*k}}
+constraints: {table: {equation: z >= 0, reaction: N}, place: {equation: x = r, reaction: F}}
+forces:
+  weight: {on: coin, vector: -m*g*k}
+  centrifugal: {on: coin, vector: m*w^2*x*i}
+find: equilibrium
+ask: {slips: {quantity: w, when: "-F = mu*N"}}
+"""
+
+
+def test_a_positive_parameter_has_no_negative_value() -> None:
+    """m w² r = μ m g: of both roots the file means the positive one."""
+    [asked] = solve(read_problem(Source("coin.yaml", COIN))).asked
+    [branch] = asked.branches
+    mu, g, r = sp.symbols("mu g r", positive=True)
+    assert branch.rhs.equals(sp.sqrt(mu * g / r))
