@@ -338,6 +338,8 @@ def _reasons(
     for sentence, sides in others:
         if sentence != _INVERTED and right(sides):
             yield sentence
+    if problem is not None and tried.tried and (clause := tried.of_one_force(problem)):
+        yield f"these are the equilibria {clause}"
     if others and tried.tried:
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
         factor = tried.missing_factor(lhs, rhs)

@@ -285,6 +285,12 @@ MOST_RESTING_ROWS = 2
 MOST_RESTING_COORDINATES = 5
 """Constraints and coordinates of a system at rest whose equilibrium is sought with a mistake in it."""
 
+MOST_RESTING_FORCES = 8
+"""Forces of a system at rest whose contributions to a wrong answer are compared one by one."""
+
+RATIO_OPERATIONS = 12
+"""Operations in a ratio of what a force contributes to what it should: a longer one is no single mistake."""
+
 MOST_RESTING_FACTORS = 4
 """Factors of a plain value: one with more is no short mistake."""
 

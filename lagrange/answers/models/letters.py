@@ -60,7 +60,7 @@ def _letters(
     for p in used:
         for factor, word in ((sp.Rational(1, 2), "twice as large"), (sp.Integer(2), "half as large")):
             yield Variation(f"for {p} {word}", f"the factor of {p}", rule={p: factor * p})
-    waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan) for s in w.free_symbols}
+    waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in w.free_symbols}
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
         yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)

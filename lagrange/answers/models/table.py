@@ -62,6 +62,7 @@ MODELS = (
     Model("support taken as fixed in a force", forces.support_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
+    Model("force at the end for the middle", forces.at_the_end),
     Model("force with another factor", forces.force_doubled),
     Model("mass left out", kinetic.mass_left_out),
     Model("kinetic energy of one part left out", kinetic.translation_left_out),

@@ -33,8 +33,9 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
 
 Substitution = Mapping[sp.Basic, sp.Basic]
+_LIKELIER = ("gravity reversed", "carried weight left out", "force left out")
 _LESS_LIKELY = ("force with another factor", "force in the wrong equation")
-"""At rest an arm is taken wrongly more often than a weight."""
+"""At rest an arm is taken wrongly more often than a weight, and a force forgotten more often than reversed."""
 
 
 class Resting:
@@ -58,10 +59,10 @@ class Resting:
         """E_k of the problem itself."""
         return tuple(-q for q in self.equilibrium.work.forces)
 
-    def solved(self, equations: Sequence[sp.Expr], *fixed: sp.Symbol) -> dict[sp.Symbol, sp.Expr] | None:
-        """Equations as a rule for letters other than those that are fixed, each in one of them; None if one cannot be
-        written so."""
-        rule: dict[sp.Symbol, sp.Expr] = {}
+    def solved(self, equations: Sequence[sp.Expr], *fixed: sp.Symbol) -> dict[sp.Expr, sp.Expr] | None:
+        """Equations as a rule for letters other than those that are fixed, or for the sine or cosine of an angle, each
+        in one of them; None if one cannot be written so."""
+        rule: dict[sp.Expr, sp.Expr] = {}
         bound = {s for row in self.rows for a in row for s in a.free_symbols}
         bound |= {s for f in self.configuration.finite_constraints for s in f.free_symbols}
         coordinates = {*self.slots.coordinates}
@@ -69,13 +70,17 @@ class Resting:
             return None
         for equation in equations:
             equation = equation.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+            equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
             letters = sorted(e.free_symbols - bound - {*rule, *fixed, t}, key=lambda s: (s in coordinates, str(s)))
-            for s in letters:
-                slope = sp.diff(e, s)
-                if slope != 0 and s not in slope.free_symbols:
-                    value = -e.xreplace({s: sp.S.Zero}) / slope
+            waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
+            for s in (*letters, *waves):
+                stand_in = s if s.is_Symbol else sp.Dummy()
+                with_it = e if s.is_Symbol else e.xreplace({s: stand_in})
+                slope = sp.diff(with_it, stand_in)
+                if slope != 0 and stand_in not in slope.free_symbols and not (slope.has(s) and s in waves):
+                    value = -with_it.xreplace({stand_in: sp.S.Zero}) / slope
                     rule = {k: v.xreplace({s: value}) for k, v in rule.items()} | {s: value}
                     break
             else:
@@ -111,7 +116,7 @@ class Resting:
         if not same:
             return
         number = 0
-        for model in sorted(MODELS, key=lambda model: model.name in _LESS_LIKELY):
+        for model in sorted(MODELS, key=lambda n: (n.name in _LESS_LIKELY) - (n.name in _LIKELIER)):
             for variation in model.changes(m):
                 changed = variation.mechanics
                 if changed is None or variation.quasi is not None or changed.kept != m.kept:
@@ -187,6 +192,19 @@ class WrongEquilibria:
                 return f"{variation.clause}{arm}"
         return ""
 
+    def of_one_force(self, problem: Problem) -> str:
+        """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not
+        found."""
+        from lagrange.answers.results.contributions import contributions
+
+        if len(self.rules) != 1 or self.rules[0] is None:
+            return ""
+        try:
+            m = mechanics_of(self.resting.configuration, problem)
+            return contributions(m, self.rules[0], self.resting.values, self.resting.rows)
+        except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
+            return ""
+
     def missing_factor(self, lhs: sp.Expr, rhs: sp.Expr) -> sp.Expr | None:
         """What the right side of the one wrong equation has to be multiplied by; None if that is no product of powers
         of a few letters."""
@@ -221,6 +239,16 @@ def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Va
             yield Variation(f"with {q}/2 in place of {q}", "", rule={q: 2 * q})
         elif sp.tan(2 * q) in waves or sp.sin(2 * q) in waves:
             yield Variation(f"with 2*{q} in place of {q}", "", rule={q: q / 2})
+    placed = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
+    for q in (q for q in e.configuration.slots.coordinates if q in placed and not any(q in c.free_symbols for c in stated)):
+        for p in sorted({s for c in stated for s in c.free_symbols} & placed - {*e.configuration.slots.coordinates}, key=str):
+            yield Variation(f"with {p} in place of {q}", "", rule={p: q})
+    functions = {type(w) for w in waves}
+    if len(functions) == 1 and all(any(abs(sp.expand(c).coeff(w)) == 1 for w in c.atoms(*functions)) for c in stated):
+        [own] = functions
+        for other in (f for f in (sp.tan, sp.sin, sp.cos) if f is not own):
+            names = own.__name__, other.__name__
+            yield Variation(f"with {names[0]} in place of {names[1]}", "", rule={w: other(w.args[0]) for w in waves})
     legs = {r.base for c in stated for r in c.atoms(sp.Pow) if r.exp in (sp.S.Half, -sp.S.Half) and r.base.is_Add}
     for q in coordinates:
         for p in sorted(
