@@ -252,6 +252,7 @@ class StatedReactionsAtRest:
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
+        from lagrange.answers.results.resting_reactions import of_one_letter
 
         for reactions in self.reactions:
             configuration = reactions.configuration
@@ -261,8 +262,12 @@ class StatedReactionsAtRest:
                 if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:
                     continue
                 value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
-                stated, off = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
+                at_rest = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
+                stated, off = (sp.factor(sp.together(v)) for v in at_rest)
                 right = sp.factor(sp.together(stated + off))
+                letters = sorted({*self.reference.parameters.values()}, key=str)
+                if why := of_one_letter(value, off, letters, r, configuration.slots.coordinates):
+                    return why
                 if sp.count_ops(right) <= LONGEST_COMPARED_REACTION:
                     why = explained_value(stated, right, {*configuration.slots.coordinates})
                     if why:

@@ -229,5 +229,5 @@ _MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
-NUMBER_OF_MEANINGS = len(_MEANT)
-"""How many of `explained_frequencies` are other quantities; the rest are other meanings of letters."""
+NUMBER_OF_MEANINGS = 4
+"""How many of `explained_frequencies` are other quantities; the rest are other factors, and other meanings of letters."""

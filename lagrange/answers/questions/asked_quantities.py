@@ -107,7 +107,8 @@ class AskedClaim:
         self.unit_fits = unit_fits
         self.solution = solution
         self.values, self.units = dict(reference.values), reference.units
-        self.own = reference.candidates[0] if reference.candidates else None
+        self.candidates = reference.candidates
+        self.own = self.candidates[0] if self.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
@@ -153,6 +154,7 @@ class AskedClaim:
         )
         from lagrange.answers.results.instants import explained_instant
         from lagrange.answers.results.starts import explained_at_start
+        from lagrange.answers.results.uniform_motion import explained_uniform
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -167,9 +169,16 @@ class AskedClaim:
             return lost
         if value is not None and (other := explained_instant(value, self.asked, self.solution.asked)):
             return other
+        if value is not None and (
+            uniform := explained_uniform(value, self.asked, self.solution.asked, self.candidates)
+        ):
+            return uniform
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
+        for changed, how in ((value**2, "root"), (sp.sqrt(value), "square")) if value is not None else ():
+            if not value.is_number and self._of_expression(changed)[0] is Verdict.EQUIVALENT:
+                return f"this is the {how} of what is asked for"
         for variation in letter_variations([claim], (), self.scope.slots):
             try:
                 changed = claim.xreplace(dict(variation.rule))
