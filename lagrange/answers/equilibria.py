@@ -295,15 +295,20 @@ def _reasons(
     wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
 ) -> Iterator[str]:
     """What wrong alternatives are instead, the likeliest first."""
+    from lagrange.answers.results.at_random import AtRandom
     from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)
     stated = [c for a in wrong for r in a for c in r.components]
     tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
 
+    at_random = AtRandom([[c for r in a for c in r.components] for a in wrong], e)
+
     def holds(variation: Variation) -> bool:
         if tried.tried:
             return tried.holds(variation)
+        if not at_random.may_hold(variation):
+            return False
         rule = dict(variation.rule)
         changed = [
             tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
@@ -313,6 +318,8 @@ def _reasons(
     def right(sides: Sequence[tuple[Reading, ...]]) -> bool:
         if tried.tried:
             return WrongEquilibria([[c for r in a for c in r.components] for a in sides], e, values).holds(_AS_IT_IS)
+        if not AtRandom([[c for r in a for c in r.components] for a in sides], e).may_hold(_AS_IT_IS):
+            return False
         return _right(_verdict_of(sides, e, reference, values))
 
     others = [*_other_sides(wrong)]
@@ -338,7 +345,7 @@ def _reasons(
     for sentence, sides in others:
         if sentence != _INVERTED and right(sides):
             yield sentence
-    if problem is not None and tried.tried and (clause := tried.of_one_force(problem)):
+    if problem is not None and (clause := tried.of_one_force(problem)):
         yield f"these are the equilibria {clause}"
     if others and tried.tried:
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))

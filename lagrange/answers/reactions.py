@@ -35,10 +35,13 @@ from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 
 if TYPE_CHECKING:
     from lagrange.mechanics.constraints.kinematics import Configuration
+    from lagrange.mechanics.results import Solution
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 
-def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> EquationVerdict | None:
+def check_reaction(
+    fragment: Fragment, reaction: Reaction, reference: Reference, solution: Solution | None = None
+) -> EquationVerdict | None:
     """The verdict on the stated value of one reaction; None if no set of coordinates has all that it uses.
 
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
@@ -62,6 +65,11 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
                     return replace(stated, diagnosis=why, cause=why)
     from lagrange.answers.results.units import wrong_dimension
 
+    if solution is not None:
+        from lagrange.answers.results.forces import explained_size
+
+        if why := explained_size([as_written(zero) for zero in claims], reaction, reference.candidates, solution):
+            return replace(stated, diagnosis=why, cause=why)
     forces = {reaction.multiplier, reaction.force, reaction.symbol}
     values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]
     why = next(filter(None, (wrong_dimension(v, reference.units) for v in values)), "")

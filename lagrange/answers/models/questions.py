@@ -10,7 +10,7 @@ into these equations with one of them changed: where they hold, that change expl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from random import Random
@@ -26,6 +26,7 @@ from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
 
 Substitution = dict[sp.Basic, sp.Basic]
+NO_DEPENDENCE = "the right answer does not depend on"
 
 
 @record
@@ -223,19 +224,24 @@ def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequenc
     return ""
 
 
-def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> str:
+def explained_value(
+    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic] = ()
+) -> str:
     """How a wrong value differs from the right one: the case of a parameter that is zero, a term, a factor.
 
-    fixed  symbols that are no parameters; empty if nothing simple is found
+    fixed    symbols that are no parameters; empty if nothing simple is found
+    lengths  letters of the geometry, which are forgotten less often than others
     """
     try:
-        return next(_differences(claim, right, fixed), "")
+        return next(_differences(claim, right, fixed, lengths), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return ""
 
 
-def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
-    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
+def _differences(
+    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
+) -> Iterator[str]:
+    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = sp.together(right).xreplace({p: sp.S.Zero})
         if special.has(sp.nan, sp.zoo, sp.oo):
             special = claim if _tends_to(right, p, claim) else sp.nan
@@ -290,7 +296,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
             yield f"this is the answer for {angle} measured from the perpendicular direction (sine and cosine)"
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
-        yield f"the right answer does not depend on {', '.join(map(str, more))}"
+        yield f"{NO_DEPENDENCE} {', '.join(map(str, more))}"
 
 
 def _tends_to(value: sp.Expr, p: sp.Symbol, claim: sp.Expr) -> bool:

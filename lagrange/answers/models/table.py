@@ -60,6 +60,7 @@ MODELS = (
     Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
     Model("sine and cosine exchanged in a force", forces.components_exchanged),
     Model("support taken as fixed in a force", forces.support_at_rest),
+    Model("moving surface taken as fixed", coordinates.surface_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
     Model("force at the end for the middle", forces.at_the_end),

@@ -146,7 +146,7 @@ class AskedClaim:
 
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
-        from lagrange.answers.models.letters import letter_variations
+        from lagrange.answers.models.letters import geometry_of, letter_variations
         from lagrange.answers.models.questions import (
             explained_answer,
             explained_by_constant_velocity,
@@ -179,20 +179,27 @@ class AskedClaim:
         for changed, how in ((value**2, "root"), (sp.sqrt(value), "square")) if value is not None else ():
             if not value.is_number and self._of_expression(changed)[0] is Verdict.EQUIVALENT:
                 return f"this is the {how} of what is asked for"
-        for variation in letter_variations([claim], (), self.scope.slots):
+        lengths = geometry_of(self.own.configuration) if self.own is not None else ()
+        up_to_sign = ""  # a velocity of either sign counts as a speed: what is right as it stands is likelier meant
+        for variation in letter_variations([claim], (), self.scope.slots, lengths=lengths):
             try:
                 changed = claim.xreplace(dict(variation.rule))
-                if changed != claim and judged(changed)[0] is Verdict.EQUIVALENT:
+                verdict, remark = judged(changed) if changed != claim else (Verdict.WRONG, "")
+                if verdict is Verdict.EQUIVALENT and not remark:
                     return f"this is the answer {variation.clause}"
+                if verdict is Verdict.EQUIVALENT:
+                    up_to_sign = up_to_sign or f"this is the answer {variation.clause}"
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
+        if up_to_sign:
+            return up_to_sign
         if stated is None:
             return ""
         if value is not None and self.own is not None and (changed := explained_at_start(value, self.asked, self.own)):
             return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
-        if lost := next(filter(None, (explained_value(stated, v, fixed) for v in right)), ""):
+        if lost := next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), ""):
             return lost
         from lagrange.answers.results.units import wrong_dimension
 

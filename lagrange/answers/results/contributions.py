@@ -27,12 +27,17 @@ _OPPOSITE = ", with the opposite sign,"
 
 
 def contributions(
-    m: Mechanics, rule: Substitution, values: Substitution, rows: Sequence[Sequence[sp.Expr]] = ()
+    m: Mechanics,
+    rule: Substitution,
+    values: Substitution,
+    rows: Sequence[Sequence[sp.Expr]] = (),
+    letters: Substitution | None = None,
 ) -> str:
     """Which forces contribute something else in a wrong answer, as the end of a sentence; empty if not found.
 
-    rule  the answer, solved for a letter in each of its equations
-    rows  the coefficients of constraints: then the virtual work in the displacements that they leave is compared
+    rule     the answer, solved for a letter in each of its equations
+    rows     the coefficients of constraints: then the virtual work in the displacements that they leave is compared
+    letters  what letters stand for that the problem does not have
     """
     forces = [f for f in m.forces if f.kind is not AppliedForceKind.QUASI]
     if not 1 < len(forces) <= MOST_RESTING_FORCES:
@@ -47,7 +52,7 @@ def contributions(
         residue = _reduced(-sp.Add(*put))
         if residue == 0:
             continue
-        changes = _changes(k, forces, put, own, residue, m, tied=bool(rows))
+        changes = _changes(k, forces, put, own, residue, m, letters or {}, tied=bool(rows))
         change = min(changes, default=None, key=lambda pair: pair[0])
         if change is None:
             return ""
@@ -63,10 +68,15 @@ def _changes(
     own: Sequence[Sequence[sp.Expr]],
     residue: sp.Expr,
     m: Mechanics,
+    letters: Substitution,
     *,
     tied: bool,
 ) -> Iterator[tuple[int, str]]:
     """What one force would have to contribute to equation k, with the length of that."""
+
+    def said(e: sp.Expr) -> str:
+        return written(e.xreplace(dict(letters)), m.slots)
+
     strengths = [_strength(shares, m) for shares in own]
     for f, share, shares, strength in zip(forces, put, own, strengths, strict=True):
         if share == 0:
@@ -81,12 +91,12 @@ def _changes(
             size = 1 + int(sp.count_ops(c))
             if tied:
                 how, by = ("divided", 1 / c) if sp.fraction(c)[0].is_number else ("multiplied", c)
-                yield size, f"with the contribution of {name_of(f)} {how} by {written(by, m.slots)}"
+                yield size, f"with the contribution of {name_of(f)} {how} by {said(by)}"
                 continue
             opposite = c.as_coeff_Mul()[0].is_negative and not c.has(sp.Add)
             stated = sp.factor(sp.cancel(-c * derived if opposite else c * derived))
             stated = sp.expand(stated) if stated.could_extract_minus_sign() else stated
-            what = f"with {written(stated, m.slots)} in place of {written(derived, m.slots)}"
+            what = f"with {said(stated)} in place of {said(derived)}"
             yield size, f"{what} as the contribution of {name_of(f)}{_OPPOSITE if opposite else ''}"
     for f, shares in zip(forces, own, strict=True):
         if put[forces.index(f)] == 0 and any(sp.expand(residue - sign * s) == 0 for s in shares for sign in (1, -1)):

@@ -13,6 +13,7 @@ be solved for a position.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 
@@ -49,10 +50,14 @@ class Resting:
         self.rows = [row.coefficients for row in equilibrium.binding]
 
     @property
+    def small(self) -> bool:
+        """Whether there are few constraints and coordinates."""
+        return len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
+
+    @property
     def usable(self) -> bool:
         """Whether the balance of forces is small enough to be tried, and has no roots, whose signs would be open."""
-        small = len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
-        return small and not any(map(_has_roots, self.own))
+        return self.small and not any(map(_has_roots, self.own))
 
     @cached_property
     def own(self) -> tuple[sp.Expr, ...]:
@@ -194,14 +199,26 @@ class WrongEquilibria:
 
     def of_one_force(self, problem: Problem) -> str:
         """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not
-        found."""
+        found. A length with a root in it counts as a letter."""
         from lagrange.answers.results.contributions import contributions
 
-        if len(self.rules) != 1 or self.rules[0] is None:
+        resting = self.resting
+        if len(self.wrong) != 1 or not resting.small:
             return ""
+        roots = {p for e in (*resting.own, *self.wrong[0]) for p in e.atoms(sp.Pow) if not p.exp.is_Integer}
+        bases = {p.base for p in roots}
+        if len(bases) > 1 or any(abs(p.exp) != sp.S.Half for p in roots):
+            return ""
+        length = sp.Dummy("length", positive=True)
+        letters: dict[sp.Basic, sp.Basic] = {p: length ** (2 * p.exp) for p in roots}
+        rule = resting.solved([e.xreplace(letters) for e in self.wrong[0]], length)
+        if rule is None:
+            return ""
+        written = {length: sp.sqrt(base) for base in bases}
         try:
-            m = mechanics_of(self.resting.configuration, problem)
-            return contributions(m, self.rules[0], self.resting.values, self.resting.rows)
+            m = mechanics_of(resting.configuration, problem)
+            m = m.force(lambda f: replace(f, shares=tuple(s.xreplace(letters) for s in f.shares)))
+            return contributions(m, rule, resting.values, resting.rows, written)
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return ""
 
