@@ -134,7 +134,14 @@ def check_equilibria(
     if not tried:
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
-    return replace(max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict)), notes=notes)
+    best = max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict))
+    if best.verdict is Verdict.WRONG and len(readings) == 1 and len(readings[0]) == 1 == len(readings[0][0].components):
+        from lagrange.answers.results.at_random import right_on_one_side
+
+        stated = readings[0][0].components[0]
+        if remark := next(filter(None, (right_on_one_side(stated, e) for e in solved)), ""):
+            best = AnswerVerdict(Verdict.EQUIVALENT, (EquationVerdict(readings[0][0].text, Verdict.EQUIVALENT, remarks=(remark,)),))
+    return replace(best, notes=notes)
 
 
 def check_steady(

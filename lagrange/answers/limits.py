@@ -287,6 +287,9 @@ MOST_RESTING_ROWS = 2
 MOST_RESTING_COORDINATES = 5
 """Constraints and coordinates of a system at rest whose equilibrium is sought with a mistake in it."""
 
+SAMPLES_OF_A_SIDE = 8
+"""Random acute values at which a stated force is compared with a root: it has the sign of the root at one of them."""
+
 MOST_IN_SERIES = 4
 """Springs of a system with one coordinate of which every group is tried as joined end to end."""
 

@@ -14,11 +14,13 @@ from random import Random
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
-from lagrange.answers.limits import RANDOM_DIGITS, RANDOM_ZERO_DIGITS
+from lagrange.answers.limits import RANDOM_DIGITS, RANDOM_ZERO_DIGITS, SAMPLES_OF_A_SIDE
 from lagrange.answers.models.variation import Variation
 from lagrange.answers.readings import without_displacements
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _SMALL = sp.Float(10) ** -(RANDOM_ZERO_DIGITS // 2)
@@ -68,3 +70,33 @@ class AtRandom:
         if s not in self.values:
             self.values[s] = sp.Rational(self.random.randint(200, 900), self.random.randint(200, 900))
         return self.values[s]
+
+
+def right_on_one_side(stated: sp.Expr, equilibrium: Equilibrium) -> str:
+    """Where a stated force w is right whose square is that of the derived √u, in a remark; empty if nowhere.
+
+    S = W sin(π/4 − φ/2) is √(W² (1 − sin φ)/2) where it is positive. A force that is −√u everywhere is wrong.
+    """
+    forces = [f for f in equilibrium.forces if f in stated.free_symbols]
+    comparison = EquilibriumComparison(equilibrium, {}, [[(stated,)]])
+    if len(forces) != 1 or len(comparison.points) != 1 or comparison.left:
+        return ""
+    [force] = forces
+    slope = stated.diff(force)
+    if force in slope.free_symbols or slope == 0:
+        return ""
+    claim = -stated.xreplace({force: sp.S.Zero}) / slope
+    [(_, point)] = comparison.points
+    try:
+        value = comparison.solution.at(point, force)
+        under_roots = [p for p in value.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.has(sp.sin, sp.cos)]
+        if not under_roots or is_zero(sp.expand(value**2) - claim**2) is not True:
+            return ""
+    except (NotAlgebraicError, DivisionByZeroError, NoPointError, UnsupportedError):
+        return ""
+    random = Random(1)
+    for _ in range(SAMPLES_OF_A_SIDE):
+        state = {s: sp.Rational(random.randint(1, 1500), 1000) for s in sorted((value - claim).free_symbols, key=str)}
+        if bool(abs((value - claim).xreplace(state).evalf(RANDOM_DIGITS)) < _SMALL):
+            return f"right where {text(claim, Notation())} > 0, which is taken to be meant"
+    return ""

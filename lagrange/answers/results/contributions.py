@@ -97,7 +97,7 @@ def _changes(
             stated = sp.factor(sp.cancel(-c * derived if opposite else c * derived))
             stated = sp.expand(stated) if stated.could_extract_minus_sign() else stated
             what = f"with {said(stated)} in place of {said(derived)}"
-            yield size, f"{what} as the contribution of {name_of(f)}{_OPPOSITE if opposite else ''}"
+            yield size + int(sp.count_ops(stated)), f"{what} as the contribution of {name_of(f)}{_OPPOSITE if opposite else ''}"
     for f, shares in zip(forces, own, strict=True):
         if put[forces.index(f)] == 0 and any(sp.expand(residue - sign * s) == 0 for s in shares for sign in (1, -1)):
             if any(s != 0 for s in shares):

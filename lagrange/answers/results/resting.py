@@ -205,19 +205,20 @@ class WrongEquilibria:
         resting = self.resting
         if len(self.wrong) != 1 or not resting.small:
             return ""
-        roots = {p for e in (*resting.own, *self.wrong[0]) for p in e.atoms(sp.Pow) if not p.exp.is_Integer}
-        bases = {p.base for p in roots}
-        if len(bases) > 1 or any(abs(p.exp) != sp.S.Half for p in roots):
-            return ""
-        length = sp.Dummy("length", positive=True)
-        letters: dict[sp.Basic, sp.Basic] = {p: length ** (2 * p.exp) for p in roots}
-        rule = resting.solved([e.xreplace(letters) for e in self.wrong[0]], length)
-        if rule is None:
-            return ""
-        written = {length: sp.sqrt(base) for base in bases}
         try:
             m = mechanics_of(resting.configuration, problem)
+            shares = [s for f in m.forces for s in f.shares]
+            roots = {p for e in (*shares, *self.wrong[0]) for p in e.atoms(sp.Pow) if not p.exp.is_Integer}
+            bases = {p.base for p in roots}
+            if len(bases) > 1 or any((2 * p.exp).is_Integer is not True for p in roots):
+                return ""
+            length = sp.Dummy("length", positive=True)
+            letters: dict[sp.Basic, sp.Basic] = {p: length ** (2 * p.exp) for p in roots}
+            rule = resting.solved([e.xreplace(letters) for e in self.wrong[0]], length)
+            if rule is None:
+                return ""
             m = m.force(lambda f: replace(f, shares=tuple(s.xreplace(letters) for s in f.shares)))
+            written = {length: sp.sqrt(base) for base in bases}
             return contributions(m, rule, resting.values, resting.rows, written)
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return ""
