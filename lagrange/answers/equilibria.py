@@ -135,12 +135,10 @@ def check_equilibria(
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
     best = max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict))
-    if best.verdict is Verdict.WRONG and len(readings) == 1 and len(readings[0]) == 1 == len(readings[0][0].components):
-        from lagrange.answers.results.at_random import right_on_one_side
+    if best.verdict is Verdict.WRONG and [len(a) for a in readings] == [1]:
+        from lagrange.answers.results.at_random import with_sign_of_root
 
-        stated = readings[0][0].components[0]
-        if remark := next(filter(None, (right_on_one_side(stated, e) for e in solved)), ""):
-            best = AnswerVerdict(Verdict.EQUIVALENT, (EquationVerdict(readings[0][0].text, Verdict.EQUIVALENT, remarks=(remark,)),))
+        best = with_sign_of_root(best, readings[0][0], solved)
     return replace(best, notes=notes)
 
 
@@ -352,13 +350,13 @@ def _reasons(
     for sentence, sides in others:
         if sentence != _INVERTED and right(sides):
             yield sentence
-    if problem is not None and (clause := tried.of_one_force(problem)):
-        yield f"these are the equilibria {clause}"
     if others and tried.tried:
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
         factor = tried.missing_factor(lhs, rhs)
         if factor is not None:
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
+    if problem is not None and (clause := tried.of_one_force(problem)):
+        yield f"these are the equilibria {clause}"
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}

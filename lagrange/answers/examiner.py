@@ -218,6 +218,7 @@ class Examiner:
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         from lagrange.answers.questions.texts.at_release import at_release
+        from lagrange.answers.results.one_sense import kept_from_start
         from lagrange.answers.written.judging import verdict_on
 
         reference = self.reference.of_answers
@@ -231,6 +232,8 @@ class Examiner:
             if last is None or [*map(id, equations)] != [*map(id, last[0])]:
                 last = [*equations], compared_answer(equations, reference)
             verdict = last[1].verdict(diagnosing=diagnosing)
+            if verdict.verdict is Verdict.WRONG:
+                verdict = kept_from_start(equations, verdict, self.problem.initial, reference)
             return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
         return verdict_on(working, reference, check)

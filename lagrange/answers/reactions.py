@@ -35,8 +35,8 @@ from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 
 if TYPE_CHECKING:
     from lagrange.mechanics.constraints.kinematics import Configuration
-    from lagrange.mechanics.results import Solution
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.results import Solution
 
 
 def check_reaction(

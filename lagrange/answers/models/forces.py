@@ -171,9 +171,11 @@ def at_the_end(m: Mechanics) -> Iterator[Variation]:
     for group in groups:
         those = [f for f in m.forces if f.on and (f.kind, f.name, f.on[0]) in group]
         changed = m.force(
-            lambda f, g=group: replace(f, shares=moved[f.kind, f.name, f.on[0]])  # type: ignore[misc]
-            if f.on and (f.kind, f.name, f.on[0]) in g
-            else f
+            lambda f, g=group: (
+                replace(f, shares=moved[f.kind, f.name, f.on[0]])  # type: ignore[misc]
+                if f.on and (f.kind, f.name, f.on[0]) in g
+                else f
+            )
         )
         names = ", ".join(map(name_of, those))
         where = "the end of its length, and not in the middle" if len(those) == 1 else "the ends, and not in the middle"
@@ -191,7 +193,10 @@ def force_doubled(m: Mechanics) -> Iterator[Variation]:
     yield from _each_kind(m, sp.Integer(2), "for {} twice as large", "the factor of {}")
     yield from _each_kind(m, sp.Rational(1, 2), "for {} half as large", "the factor of {}")
     for kind in (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL):
-        for factor, how in ((4, "four times as large, as for twice"), (sp.Rational(1, 4), "a quarter as large, as for half")):
+        for factor, how in (
+            (4, "four times as large, as for twice"),
+            (sp.Rational(1, 4), "a quarter as large, as for half"),
+        ):
             clause = f"for {{}} {how} the displacement"
             yield from _all_and_each(m, m.of_kind(kind), sp.S(factor), clause, "the displacement in {}")
 
@@ -235,7 +240,11 @@ def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
         for a in letters:
             without = tuple(s.xreplace({a: sp.S.Zero}) for s in f.shares)
             linear = all(p.is_polynomial(a) and sp.degree(sp.expand(p), a) == 1 for p in pulls)
-            if linear and not any(p.coeff(a).has(t) for p in map(sp.expand, pulls)) and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0):
+            if (
+                linear
+                and not any(p.coeff(a).has(t) for p in map(sp.expand, pulls))
+                and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0)
+            ):
                 clause = (
                     f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
                 )

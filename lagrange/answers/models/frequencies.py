@@ -162,9 +162,7 @@ class RandomMatrices:
         """K of some forces of a system with one coordinate."""
         return sum((self.of_force(f)[0][0] for f in forces), sp.S.Zero)
 
-    def is_frequency(
-        self, square: sp.Expr, m: Mechanics, stiffness: sp.Expr, springs: Sequence[ForceShare]
-    ) -> bool:
+    def is_frequency(self, square: sp.Expr, m: Mechanics, stiffness: sp.Expr, springs: Sequence[ForceShare]) -> bool:
         """Whether ω² M is a stiffness of the springs with that of the other forces."""
         others = self.stiffness([f for f in m.forces if f not in springs])
         wanted = self.number(square) * self.sum([self.of_inertia(i) for i in m.inertias])[0][0]

@@ -226,7 +226,8 @@ BODIES = {
 
 
 _STANDARD = frozenset(
-    sp.Rational(p, q) for p, q in ((1, 1), (1, 2), (2, 5), (2, 3), (1, 3), (1, 12), (1, 4), (3, 2), (7, 5), (5, 3), (4, 3))
+    sp.Rational(p, q)
+    for p, q in ((1, 1), (1, 2), (2, 5), (2, 3), (1, 3), (1, 12), (1, 4), (3, 2), (7, 5), (5, 3), (4, 3))
 )
 """Moments of inertia over m R² or m l², of standard bodies about the centre or a point of the rim, in any length."""
 

@@ -238,4 +238,4 @@ _MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
 NUMBER_OF_MEANINGS = 4
-"""How many of `explained_frequencies` are other quantities; the rest are other factors, and other meanings of letters."""
+"""How many of `explained_frequencies` are other quantities; the rest are factors, and other meanings of letters."""

@@ -224,9 +224,7 @@ def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequenc
     return ""
 
 
-def explained_value(
-    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic] = ()
-) -> str:
+def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic] = ()) -> str:
     """How a wrong value differs from the right one: the case of a parameter that is zero, a term, a factor.
 
     fixed    symbols that are no parameters; empty if nothing simple is found
@@ -238,9 +236,7 @@ def explained_value(
         return ""
 
 
-def _differences(
-    claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]
-) -> Iterator[str]:
+def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]) -> Iterator[str]:
     for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = sp.together(right).xreplace({p: sp.S.Zero})
         if special.has(sp.nan, sp.zoo, sp.oo):

@@ -176,8 +176,9 @@ class AskedClaim:
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
-        for changed, how in ((value**2, "root"), (sp.sqrt(value), "square")) if value is not None else ():
-            if not value.is_number and self._of_expression(changed)[0] is Verdict.EQUIVALENT:
+        others = () if value is None or value.is_number else ((value**2, "root"), (sp.sqrt(value), "square"))
+        for changed, how in others:
+            if self._of_expression(changed)[0] is Verdict.EQUIVALENT:
                 return f"this is the {how} of what is asked for"
         lengths = geometry_of(self.own.configuration) if self.own is not None else ()
         up_to_sign = ""  # a velocity of either sign counts as a speed: what is right as it stands is likelier meant

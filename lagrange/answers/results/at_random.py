@@ -7,9 +7,10 @@ numbers, and those that are left are compared exactly.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from random import Random
+from typing import Any
 
 import sympy as sp
 
@@ -18,7 +19,8 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, 
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import RANDOM_DIGITS, RANDOM_ZERO_DIGITS, SAMPLES_OF_A_SIDE
 from lagrange.answers.models.variation import Variation
-from lagrange.answers.readings import without_displacements
+from lagrange.answers.readings import Reading, without_displacements
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -53,7 +55,7 @@ class AtRandom:
             for a in self.wrong
         )
 
-    def _may_vanish(self, e: sp.Expr, point: dict[sp.Symbol, sp.Expr], special: dict[sp.Symbol, sp.Expr]) -> bool:
+    def _may_vanish(self, e: sp.Expr, point: Mapping[Any, Any], special: dict[sp.Symbol, sp.Expr]) -> bool:
         configuration = self.equilibrium.configuration
         try:
             stated = without_displacements(configuration.rewritten(e), configuration)
@@ -72,7 +74,18 @@ class AtRandom:
         return self.values[s]
 
 
-def right_on_one_side(stated: sp.Expr, equilibrium: Equilibrium) -> str:
+def with_sign_of_root(verdict: AnswerVerdict, reading: Reading, equilibria: Sequence[Equilibrium]) -> AnswerVerdict:
+    """The verdict on one wrong equation, which may be right where it is positive."""
+    if len(reading.components) != 1:
+        return verdict
+    remark = next(filter(None, (_right_on_one_side(reading.components[0], e) for e in equilibria)), "")
+    if not remark:
+        return verdict
+    right = EquationVerdict(reading.text, Verdict.EQUIVALENT, remarks=(remark,))
+    return AnswerVerdict(Verdict.EQUIVALENT, (right,))
+
+
+def _right_on_one_side(stated: sp.Expr, equilibrium: Equilibrium) -> str:
     """Where a stated force w is right whose square is that of the derived √u, in a remark; empty if nowhere.
 
     S = W sin(π/4 − φ/2) is √(W² (1 − sin φ)/2) where it is positive. A force that is −√u everywhere is wrong.

@@ -78,34 +78,45 @@ def _changes(
         return written(e.xreplace(dict(letters)), m.slots)
 
     strengths = [_strength(shares, m) for shares in own]
-    for f, share, shares, strength in zip(forces, put, own, strengths, strict=True):
+    letters_of_forces = {s for s in strengths if s is not None}
+    known = {s for shares in own for e in shares for s in e.free_symbols}
+    for f, share, shares in zip(forces, put, own, strict=True):
         if share == 0:
             continue
         c = sp.factor(sp.cancel(1 + residue / share))
         if c == 0:
             yield 0, f"without {name_of(f)}"
-        elif c == 1 or not _is_plain(c, m) or (strength is not None and strength in c.free_symbols):
+        elif (
+            c == 1
+            or not _is_plain(c, m)
+            or not letters_of_forces.isdisjoint(c.free_symbols)
+            or not c.free_symbols <= known
+        ):
             continue
         else:
             derived = _unsigned(shares[k])
             size = 1 + int(sp.count_ops(c))
             if tied:
-                how, by = ("divided", 1 / c) if sp.fraction(c)[0].is_number else ("multiplied", c)
+                divided = sp.fraction(c)[0] == 1
+                how, by = ("divided", 1 / c) if divided else ("multiplied", c)
                 yield size, f"with the contribution of {name_of(f)} {how} by {said(by)}"
                 continue
             opposite = c.as_coeff_Mul()[0].is_negative and not c.has(sp.Add)
             stated = sp.factor(sp.cancel(-c * derived if opposite else c * derived))
             stated = sp.expand(stated) if stated.could_extract_minus_sign() else stated
             what = f"with {said(stated)} in place of {said(derived)}"
-            yield size + int(sp.count_ops(stated)), f"{what} as the contribution of {name_of(f)}{_OPPOSITE if opposite else ''}"
+            yield (
+                size + int(sp.count_ops(stated)),
+                f"{what} as the contribution of {name_of(f)}{_OPPOSITE if opposite else ''}",
+            )
     for f, shares in zip(forces, own, strict=True):
-        if put[forces.index(f)] == 0 and any(sp.expand(residue - sign * s) == 0 for s in shares for sign in (1, -1)):
-            if any(s != 0 for s in shares):
-                yield 2, f"with {name_of(f)}, which does not act there,"
+        elsewhere = [s for s in shares if s != 0]
+        if put[forces.index(f)] == 0 and any(sp.expand(residue - x * s) == 0 for s in elsewhere for x in (1, -1)):
+            yield 2, f"with {name_of(f)}, which does not act there,"
 
 
 def _strength(shares: Sequence[sp.Expr], m: Mechanics) -> sp.Symbol | None:
-    """The letter of a force in its contributions: the one that all have as a factor and that is no length of a place."""
+    """The letter of a force in its contributions: a factor of all of them that is no length of a place."""
     common = set.intersection(*({*_factors(s)} for s in shares if s != 0)) if any(s != 0 for s in shares) else set()
     places = {s for p in m.configuration.points for c in p.position.fixed().components for s in c.free_symbols}
     letters = sorted(common - places - {*m.slots.coordinates}, key=str)

@@ -78,7 +78,8 @@ class Resting:
             equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
-            letters = sorted(e.free_symbols - bound - {*rule, *fixed, t}, key=lambda s: (s in coordinates, str(s)))
+            free = e.free_symbols - bound - {*rule, *fixed, t}
+            letters = sorted(free, key=lambda s: (s in coordinates, s not in self.equilibrium.forces, str(s)))
             waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
             for s in (*letters, *waves):
                 stand_in = s if s.is_Symbol else sp.Dummy()
@@ -218,7 +219,7 @@ class WrongEquilibria:
             if rule is None:
                 return ""
             m = m.force(lambda f: replace(f, shares=tuple(s.xreplace(letters) for s in f.shares)))
-            written = {length: sp.sqrt(base) for base in bases}
+            written = {length: sp.sqrt(sp.Add(*bases))}  # there is one, or none
             return contributions(m, rule, resting.values, resting.rows, written)
         except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
             return ""
@@ -258,8 +259,9 @@ def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Va
         elif sp.tan(2 * q) in waves or sp.sin(2 * q) in waves:
             yield Variation(f"with 2*{q} in place of {q}", "", rule={q: q / 2})
     placed = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
-    for q in (q for q in e.configuration.slots.coordinates if q in placed and not any(q in c.free_symbols for c in stated)):
-        for p in sorted({s for c in stated for s in c.free_symbols} & placed - {*e.configuration.slots.coordinates}, key=str):
+    used, moving = {s for c in stated for s in c.free_symbols}, {*e.configuration.slots.coordinates}
+    for q in sorted((moving & placed) - used, key=str):
+        for p in sorted((used & placed) - moving, key=str):
             yield Variation(f"with {p} in place of {q}", "", rule={p: q})
     functions = {type(w) for w in waves}
     if len(functions) == 1 and all(any(abs(sp.expand(c).coeff(w)) == 1 for w in c.atoms(*functions)) for c in stated):

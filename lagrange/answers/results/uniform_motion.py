@@ -23,7 +23,7 @@ from lagrange.algebra.exact.zero_test import (
     is_zero,
 )
 from lagrange.answers.limits import MAX_MODEL_WORK
-from lagrange.answers.models.search import Models, changed_space
+from lagrange.answers.models.search import changed_space
 from lagrange.answers.references import ReferenceCandidate
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
@@ -49,7 +49,10 @@ def explained_uniform(
         return ""
     try:
         if asked.question.quantity == t and (place := _place(asked, motion)) is not None:
-            way, end = place - motion.start, sp.sqrt(motion.velocity**2 + 2 * motion.acceleration * (place - motion.start))
+            way, end = (
+                place - motion.start,
+                sp.sqrt(motion.velocity**2 + 2 * motion.acceleration * (place - motion.start)),
+            )
             if motion.velocity == 0 and is_zero(claim**2 - way / motion.acceleration) is True:
                 return "the way is taken as A t^2, and with a constant acceleration A from rest it is A t^2/2"
             if is_zero(claim**2 - (way / end) ** 2) is True:
