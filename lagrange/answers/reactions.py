@@ -68,7 +68,7 @@ def check_reaction(
     if solution is not None:
         from lagrange.answers.results.forces import explained_size
 
-        if why := explained_size([as_written(zero) for zero in claims], reaction, reference.candidates, solution):
+        if why := explained_size([as_written(zero) for zero in claims], reaction, reference, solution):
             return replace(stated, diagnosis=why, cause=why)
     forces = {reaction.multiplier, reaction.force, reaction.symbol}
     values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]

@@ -16,7 +16,7 @@ from lagrange.answers.limits import LONGEST_COMPARED_REACTION
 from lagrange.core.symbols import base
 
 if TYPE_CHECKING:
-    from lagrange.answers.references import ReferenceCandidate
+    from lagrange.answers.references import Reference, ReferenceCandidate
     from lagrange.mechanics.dynamics.newton import Reaction
     from lagrange.mechanics.results import Solution
 
@@ -66,9 +66,7 @@ def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate
     return ""
 
 
-def explained_size(
-    claims: Sequence[sp.Expr], reaction: Reaction, candidates: Sequence[ReferenceCandidate], solution: Solution
-) -> str:
+def explained_size(claims: Sequence[sp.Expr], reaction: Reaction, reference: Reference, solution: Solution) -> str:
     """How a stated reaction differs from the derived one: by a term, a factor, a sign; empty if not found.
 
     claims  what may be meant, as expressions that are zero
@@ -78,7 +76,7 @@ def explained_size(
     forces = {reaction.multiplier, reaction.force, reaction.symbol}
     for view in solution.views:
         reactions = view.dynamics.reactions if view.dynamics is not None else None
-        candidate = next((c for c in candidates if c.choice == view.name), None)
+        candidate = next((c for c in reference.candidates if c.choice == view.name), None)
         if reactions is None or candidate is None:
             continue
         right = reactions.sizes.get(reaction.name, reactions.multipliers.get(reaction.name))
@@ -87,6 +85,8 @@ def explained_size(
         if right is None or sp.count_ops(right) > LONGEST_COMPARED_REACTION:
             continue
         for zero in claims[:1]:
+            if not {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
+                continue
             value = candidate.read(-zero.xreplace(dict.fromkeys(forces, sp.S.Zero)))
             if any(base(s) != s and s not in moving and s not in right.free_symbols for s in value.free_symbols):
                 continue
