@@ -227,15 +227,18 @@ def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list
             yield f"these are the frequencies {variation.clause}", changed
 
 
-_MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
+_OTHER_QUANTITIES: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("these are the squares of the frequencies", sp.sqrt),
     ("these are the frequencies over 2*pi, and the angular frequencies are asked for", lambda c: 2 * sp.pi * c),
     ("these are the periods and not the frequencies", lambda c: 2 * sp.pi / c),
     ("these are the inverses of the frequencies", lambda c: 1 / c),
+)
+_MEANT = (
+    *_OTHER_QUANTITIES,
     ("these are twice the frequencies", lambda c: c / 2),
     ("these are half of the frequencies", lambda c: 2 * c),
     ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
-NUMBER_OF_MEANINGS = 4
+NUMBER_OF_MEANINGS = len(_OTHER_QUANTITIES)
 """How many of `explained_frequencies` are other quantities; the rest are factors, and other meanings of letters."""
