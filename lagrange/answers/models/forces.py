@@ -194,11 +194,11 @@ def force_doubled(m: Mechanics) -> Iterator[Variation]:
     yield from _each_kind(m, sp.Rational(1, 2), "for {} half as large", "the factor of {}")
     for kind in (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL):
         for factor, how in (
-            (4, "four times as large, as for twice"),
+            (sp.Integer(4), "four times as large, as for twice"),
             (sp.Rational(1, 4), "a quarter as large, as for half"),
         ):
             clause = f"for {{}} {how} the displacement"
-            yield from _all_and_each(m, m.of_kind(kind), sp.S(factor), clause, "the displacement in {}")
+            yield from _all_and_each(m, m.of_kind(kind), factor, clause, "the displacement in {}")
 
 
 def _each_kind(m: Mechanics, factor: sp.Expr, clause: str, place: str) -> Iterator[Variation]:

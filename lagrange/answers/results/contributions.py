@@ -16,6 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import MOST_RESTING_FACTORS, MOST_RESTING_FORCES, RATIO_OPERATIONS
 from lagrange.answers.models.forces import name_of
 from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Mechanics
@@ -79,7 +80,7 @@ def _changes(
 
     strengths = [_strength(shares, m) for shares in own]
     letters_of_forces = {s for s in strengths if s is not None}
-    known = {s for shares in own for e in shares for s in e.free_symbols}
+    known = {s for shares in (*own, letters.values()) for e in shares for s in e.free_symbols}
     for f, share, shares in zip(forces, put, own, strict=True):
         if share == 0:
             continue
@@ -130,7 +131,10 @@ def _factors(e: sp.Expr) -> Iterator[sp.Symbol]:
 
 
 def _reduced(e: sp.Expr) -> sp.Expr:
-    return sp.factor(sp.trigsimp(sp.cancel(sp.together(e)))) if e.has(sp.sin, sp.cos) else sp.factor(e)
+    if not e.has(sp.sin, sp.cos):
+        return sp.factor(e)
+    above, below = sp.fraction(sp.cancel(sp.together(e)))
+    return sp.factor(textbook_form(above) / textbook_form(below))
 
 
 def _is_plain(c: sp.Expr, m: Mechanics) -> bool:
