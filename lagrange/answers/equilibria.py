@@ -134,7 +134,12 @@ def check_equilibria(
     if not tried:
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
-    return replace(max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict)), notes=notes)
+    best = max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict))
+    if best.verdict is Verdict.WRONG and [len(a) for a in readings] == [1]:
+        from lagrange.answers.results.at_random import with_sign_of_root
+
+        best = with_sign_of_root(best, readings[0][0], solved)
+    return replace(best, notes=notes)
 
 
 def check_steady(
@@ -295,15 +300,20 @@ def _reasons(
     wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
 ) -> Iterator[str]:
     """What wrong alternatives are instead, the likeliest first."""
+    from lagrange.answers.results.at_random import AtRandom
     from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)
     stated = [c for a in wrong for r in a for c in r.components]
     tried = WrongEquilibria([[c for r in a for c in r.components] for a in wrong], e, values)
 
+    at_random = AtRandom([[c for r in a for c in r.components] for a in wrong], e)
+
     def holds(variation: Variation) -> bool:
         if tried.tried:
             return tried.holds(variation)
+        if not at_random.may_hold(variation):
+            return False
         rule = dict(variation.rule)
         changed = [
             tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in wrong
@@ -313,6 +323,8 @@ def _reasons(
     def right(sides: Sequence[tuple[Reading, ...]]) -> bool:
         if tried.tried:
             return WrongEquilibria([[c for r in a for c in r.components] for a in sides], e, values).holds(_AS_IT_IS)
+        if not AtRandom([[c for r in a for c in r.components] for a in sides], e).may_hold(_AS_IT_IS):
+            return False
         return _right(_verdict_of(sides, e, reference, values))
 
     others = [*_other_sides(wrong)]
@@ -343,6 +355,8 @@ def _reasons(
         factor = tried.missing_factor(lhs, rhs)
         if factor is not None:
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
+    if problem is not None and (clause := tried.of_one_force(problem)):
+        yield f"these are the equilibria {clause}"
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}

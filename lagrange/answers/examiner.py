@@ -218,6 +218,7 @@ class Examiner:
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         from lagrange.answers.questions.texts.at_release import at_release
+        from lagrange.answers.results.one_sense import kept_from_start
         from lagrange.answers.written.judging import verdict_on
 
         reference = self.reference.of_answers
@@ -231,6 +232,8 @@ class Examiner:
             if last is None or [*map(id, equations)] != [*map(id, last[0])]:
                 last = [*equations], compared_answer(equations, reference)
             verdict = last[1].verdict(diagnosing=diagnosing)
+            if verdict.verdict is Verdict.WRONG:
+                verdict = kept_from_start(equations, verdict, self.problem.initial, reference)
             return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
         return verdict_on(working, reference, check)
@@ -261,6 +264,10 @@ class Examiner:
         from lagrange.answers.equilibria import alternatives_of, check_equilibria
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
+        if grouped := _several_positions(working.judged):
+            together = check_equilibria(grouped, equilibria, self._statics_reference)
+            if together.verdict is Verdict.EQUIVALENT:
+                return replace(together, notes=(*together.notes, *working.notes))
         listed = [a for f in working.judged for a in alternatives_of([f])]
         each = check_equilibria(listed, equilibria, self._statics_reference)
         if verdict.verdict is Verdict.INCOMPLETE:  # `theta = asin(M/m)` and `theta = pi - asin(M/m)`, no `x = 0; y = l`
@@ -423,3 +430,15 @@ def _reference_of(solution: Solution) -> Reference:
         help_ = "give the problem masses, and leave `find` out"
         raise ProblemError(Diagnostic("no-equations", message, help=help_))
     return reference_of_solution(solution)
+
+
+def _several_positions(judged: Sequence[Fragment]) -> list[list[Fragment]]:
+    """`x = a, y = b or x = c, y = d` as two positions of two coordinates each; empty if it is no such list."""
+    from lagrange.answers.equilibria import alternatives_of
+
+    listed = [f for whole in judged for alternative in alternatives_of([whole]) for f in alternative]
+    names = [f.text.partition("=")[0].strip(" $&") for f in listed]
+    size = len(dict.fromkeys(names))
+    if size < 2 or size == len(names) or names != names[:size] * (len(names) // size):
+        return []
+    return [listed[n : n + size] for n in range(0, len(listed), size)]

@@ -194,8 +194,10 @@ MOST_IN_RATIO = 9
 """Numerator and denominator of a wrong factor that is named: 9 takes in every moment of inertia of a table but 1/12."""
 
 MOST_ASKED_TERMS = 8
-LONGEST_SPECIAL = 30
-"""Terms of a value in which one wrong term is sought, and operations of a value whose special case is worked out."""
+"""Terms of a value in which one wrong term is sought."""
+
+VANISHING_DIGITS = 40
+"""A parameter that is taken to vanish is 10^-40: then what is left of its root is 10^-20."""
 
 HIGHEST_FREQUENCY_EQUATION = 2
 """The degree in ω² of a frequency equation that is solved."""
@@ -284,6 +286,18 @@ MOST_STRUCK = 6
 MOST_RESTING_ROWS = 2
 MOST_RESTING_COORDINATES = 5
 """Constraints and coordinates of a system at rest whose equilibrium is sought with a mistake in it."""
+
+SAMPLES_OF_A_SIDE = 8
+"""Random acute values at which a stated force is compared with a root: it has the sign of the root at one of them."""
+
+MOST_IN_SERIES = 4
+"""Springs of a system with one coordinate of which every group is tried as joined end to end."""
+
+MOST_RESTING_FORCES = 8
+"""Forces of a system at rest whose contributions to a wrong answer are compared one by one."""
+
+RATIO_OPERATIONS = 12
+"""Operations in a ratio of what a force contributes to what it should: a longer one is no single mistake."""
 
 MOST_RESTING_FACTORS = 4
 """Factors of a plain value: one with more is no short mistake."""

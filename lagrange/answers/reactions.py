@@ -36,9 +36,12 @@ from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 if TYPE_CHECKING:
     from lagrange.mechanics.constraints.kinematics import Configuration
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.results import Solution
 
 
-def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> EquationVerdict | None:
+def check_reaction(
+    fragment: Fragment, reaction: Reaction, reference: Reference, solution: Solution | None = None
+) -> EquationVerdict | None:
     """The verdict on the stated value of one reaction; None if no set of coordinates has all that it uses.
 
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
@@ -62,6 +65,11 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
                     return replace(stated, diagnosis=why, cause=why)
     from lagrange.answers.results.units import wrong_dimension
 
+    if solution is not None:
+        from lagrange.answers.results.forces import explained_size
+
+        if why := explained_size([as_written(zero) for zero in claims], reaction, reference, solution):
+            return replace(stated, diagnosis=why, cause=why)
     forces = {reaction.multiplier, reaction.force, reaction.symbol}
     values = [zero.xreplace(dict.fromkeys(forces, sp.S.Zero)) for zero in claims]
     why = next(filter(None, (wrong_dimension(v, reference.units) for v in values)), "")
@@ -252,6 +260,7 @@ class StatedReactionsAtRest:
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
+        from lagrange.answers.results.resting_reactions import of_one_letter
 
         for reactions in self.reactions:
             configuration = reactions.configuration
@@ -261,8 +270,12 @@ class StatedReactionsAtRest:
                 if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:
                     continue
                 value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
-                stated, off = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
+                at_rest = next(iter(r.points.values_at([value, meant.xreplace(r.rule)])))
+                stated, off = (sp.factor(sp.together(v)) for v in at_rest)
                 right = sp.factor(sp.together(stated + off))
+                letters = sorted({*self.reference.parameters.values()}, key=str)
+                if why := of_one_letter(value, off, letters, r, configuration.slots.coordinates):
+                    return why
                 if sp.count_ops(right) <= LONGEST_COMPARED_REACTION:
                     why = explained_value(stated, right, {*configuration.slots.coordinates})
                     if why:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from click.testing import CliRunner
 
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.submissions import Grader, Submission
 from lagrange.core.diagnostics import ProblemError
 from lagsolve.main import main
 from tests.answers.test_equations import (
@@ -13,6 +15,7 @@ from tests.answers.test_equations import (
     solved_reference,
     verdict_on,
 )
+from tests.support.shared import loaded, solved
 
 RIGHT = "theta'' + g/l*sin(theta) = 0"
 
@@ -76,3 +79,11 @@ def test_exit_status_of_a_solve(tmp_path: object, said: str, status: int) -> Non
     result = CliRunner().invoke(main, [str(path)])
     assert result.exit_code == status, result.output
     assert "Traceback" not in result.output
+
+
+def test_two_positions_in_one_line() -> None:
+    """Commas within a position, `or` between positions."""
+    place = "y = 0, x = {0}F*l/sqrt(F^2 + W^2), z = {0}W*l/sqrt(F^2 + W^2)"
+    lines = Submission("one", (("answer.txt", f"{place.format('')} or {place.format('-')}".encode()),))
+    examiner = Examiner(loaded("pendulum-in-wind"), solved("pendulum-in-wind", complete=False))
+    assert Grader.of(examiner).grade(lines).verdict.value == EQUIVALENT

@@ -8,8 +8,8 @@ from itertools import combinations, permutations
 import sympy as sp
 
 from lagrange.answers.models.mechanics import Mechanics
-from lagrange.answers.models.variation import Variation
-from lagrange.core.symbols import Bounded, base, prime, t
+from lagrange.answers.models.variation import Variation, written
+from lagrange.core.symbols import Bounded, Unspecified, base, prime, t
 
 
 def measured_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
@@ -93,6 +93,21 @@ def left_out(m: Mechanics) -> Iterator[Variation]:
         yield Variation(f"without {u}", f"{u}", values={u: sp.S.Zero, **rates})
     for a in _parameters(m):
         yield Variation(f"without {a}, as if {a} = 0", f"{a}", values={a: sp.S.Zero})
+
+
+def surface_at_rest(m: Mechanics) -> Iterator[Variation]:
+    """A surface that moves, f(x − u t, y, z) = c, is taken as fixed: f(x, y, z)."""
+    entries = [e for row in m.configuration.rows for e in row.coefficients]
+    moved = sorted({f for e in entries for f in e.atoms(Unspecified) if any(a.has(t) for a in f.arguments)}, key=str)
+    rule: dict[sp.Basic, sp.Basic] = {}
+    for f in moved:
+        held = [a.xreplace({t: sp.S.Zero}) for a in f.arguments]
+        rule[f.func(*f.args[:3], *held)] = f
+    if rule:
+        changes = [(a.xreplace({t: sp.S.Zero}), a) for a in moved[0].arguments if a.has(t)]
+        words = ", ".join(f"{written(a, m.slots)} for {written(b, m.slots)}" for a, b in changes)
+        clause = f"for a surface that does not move ({words} in {moved[0].name})"
+        yield Variation(clause, f"the arguments of {moved[0].name}: the surface moves", rule=rule)
 
 
 def sum_of_lengths(m: Mechanics) -> Iterator[Variation]:

@@ -18,7 +18,7 @@ from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
 from lagrange.mechanics.dynamics.friction import FrictionForce
-from lagrange.mechanics.dynamics.lagrangian import share_of_damper, share_of_load, share_of_spring
+from lagrange.mechanics.dynamics.lagrangian import is_constant, share_of_damper, share_of_load, share_of_spring
 
 _NAMES = {
     AppliedForceKind.WEIGHT: "the weight of",
@@ -116,21 +116,33 @@ def force_left_out(m: Mechanics) -> Iterator[Variation]:
 def carried_weight_left_out(m: Mechanics) -> Iterator[Variation]:
     """A weight acts on the coordinates of its own body alone, and not on those of what carries it."""
     bound = {p.name: carriers(p, m) for p in m.particles}
-    weights = {f.on[0]: f for f in m.of_kind(AppliedForceKind.WEIGHT) if bound.get(f.on[0])}
-    for names in (*([n] for n in weights), *([list(weights)] if len(weights) > 1 else ())):
+    kind = AppliedForceKind.WEIGHT
+    if not m.particles and not m.of_kind(kind):  # at rest weights may be given as forces, of points without mass
+        kind = AppliedForceKind.FORCE
+        moved = {f.on[0]: {k for k, s in enumerate(f.shares) if s != 0} for f in m.of_kind(kind) if f.on}
+        bound = {a: {k for other in moved.values() if other < own for k in other} for a, own in moved.items()}
+    weights = {f.on[0]: f for f in m.of_kind(kind) if f.on and bound.get(f.on[0])}
+    alike: dict[Vector, list[str]] = {}
+    for load in m.configuration.loads:
+        if load.on in weights and (kind is AppliedForceKind.FORCE or load.name == "weight"):
+            alike.setdefault(load.vector, []).append(load.on)
+    together = [list(weights), *(names for names in alike.values() if len(names) < len(weights))]
+    for names in (*([n] for n in weights), *(names for names in together if len(names) > 1)):
         shares = {n: tuple(sp.S.Zero if k in bound[n] else s for k, s in enumerate(weights[n].shares)) for n in names}
         if any(shares[n] != weights[n].shares for n in names):
             changed = m.force(
                 lambda f, s=shares: (
                     replace(f, shares=s[f.on[0]])  # type: ignore[misc]
-                    if f.kind is AppliedForceKind.WEIGHT and f.on[0] in s
+                    if f.kind is kind and f.on and f.on[0] in s
                     else f
                 )
             )
             listed = ", ".join(map(called, names))
-            what, it = ("weight", "it") if len(names) == 1 else ("weights", "them")
-            clause = f"without the {what} of {listed} in the equations of what carries {it}"
-            yield Variation(clause, f"the {what} of {listed}: what carries {it} is pulled too", changed)
+            one = "weight" if kind is AppliedForceKind.WEIGHT else "force"
+            what, it = (one, "it") if len(names) == 1 else (f"{one}s", "them")
+            of = "of" if kind is AppliedForceKind.WEIGHT else "on"
+            clause = f"without the {what} {of} {listed} in the equations of what carries {it}"
+            yield Variation(clause, f"the {what} {of} {listed}: what carries {it} is pulled too", changed)
 
 
 def force_reversed(m: Mechanics) -> Iterator[Variation]:
@@ -145,10 +157,48 @@ def energy_doubled(m: Mechanics) -> Iterator[Variation]:
         yield from _all_and_each(m, m.of_kind(kind), sp.Integer(2), clause, place)
 
 
+def at_the_end(m: Mechanics) -> Iterator[Variation]:
+    """A weight or another constant force acts at the end of a length, and not in its middle."""
+    points = {p.name: p.position.fixed() for p in m.configuration.points}
+    moved = {}
+    for load in (f for f in m.configuration.loads if f.on in points and is_constant(f, m.configuration)):
+        position = points[load.on]
+        end = position.map(_without_halves)
+        kind = AppliedForceKind.WEIGHT if load.name == "weight" else AppliedForceKind.FORCE
+        if end.components != position.components and not load.elsewhere:
+            moved[kind, load.name, load.on] = weight_shares(load, end, m.slots)
+    groups = [[key] for key in moved] + ([list(moved)] if len(moved) > 1 else [])
+    for group in groups:
+        those = [f for f in m.forces if f.on and (f.kind, f.name, f.on[0]) in group]
+        changed = m.force(
+            lambda f, g=group: (
+                replace(f, shares=moved[f.kind, f.name, f.on[0]])  # type: ignore[misc]
+                if f.on and (f.kind, f.name, f.on[0]) in g
+                else f
+            )
+        )
+        names = ", ".join(map(name_of, those))
+        where = "the end of its length, and not in the middle" if len(those) == 1 else "the ends, and not in the middle"
+        yield Variation(f"for {names} acting at {where}", f"where {names} acts", changed)
+
+
+def _without_halves(component: sp.Expr) -> sp.Expr:
+    """l/2 as l, in every term that has a factor 1/2."""
+    terms = sp.Add.make_args(sp.expand(component))
+    return sp.Add(*(2 * x if abs(x.as_coeff_Mul()[0]) == sp.Rational(1, 2) else x for x in terms))
+
+
 def force_doubled(m: Mechanics) -> Iterator[Variation]:
     """A force twice or half as large."""
     yield from _each_kind(m, sp.Integer(2), "for {} twice as large", "the factor of {}")
     yield from _each_kind(m, sp.Rational(1, 2), "for {} half as large", "the factor of {}")
+    for kind in (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL):
+        for factor, how in (
+            (sp.Integer(4), "four times as large, as for twice"),
+            (sp.Rational(1, 4), "a quarter as large, as for half"),
+        ):
+            clause = f"for {{}} {how} the displacement"
+            yield from _all_and_each(m, m.of_kind(kind), factor, clause, "the displacement in {}")
 
 
 def _each_kind(m: Mechanics, factor: sp.Expr, clause: str, place: str) -> Iterator[Variation]:
@@ -190,7 +240,11 @@ def _potential_by_length(m: Mechanics) -> Iterator[Variation]:
         for a in letters:
             without = tuple(s.xreplace({a: sp.S.Zero}) for s in f.shares)
             linear = all(p.is_polynomial(a) and sp.degree(sp.expand(p), a) == 1 for p in pulls)
-            if linear and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0):
+            if (
+                linear
+                and not any(p.coeff(a).has(t) for p in map(sp.expand, pulls))
+                and all(w != 0 for w, s in zip(without, f.shares, strict=True) if s != 0)
+            ):
                 clause = (
                     f"for a force of {called(f.name)} proportional to the length and not to the extension ({a} missing)"
                 )

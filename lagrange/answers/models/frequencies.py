@@ -9,15 +9,16 @@ for a chance that nobody has to fear.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from itertools import permutations
+from itertools import combinations, permutations
 from random import Random
 
 import sympy as sp
 
-from lagrange.answers.limits import MOST_FREQUENCIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
-from lagrange.answers.models.mechanics import ForceShare, Inertia, Mechanics
+from lagrange.answers.limits import MOST_FREQUENCIES, MOST_IN_SERIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
+from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Inertia, Mechanics
 from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
+from lagrange.answers.models.variation import called
 from lagrange.core.symbols import base, partial, t
 
 _LIKELY = LIKELY | {
@@ -49,14 +50,64 @@ def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[
     if any(c != 0 for i in m.inertias for c in i.columns[-1]):  # what a moving frame adds to K is not among the parts
         fixed = all(d.satisfied(squares, m) for d in draws)
         return "these are the frequencies for a frame or support that does not move" if fixed else ""
-    for name, variation in models.variations:
+    whole = (v for v in models.variations if "the component along" not in v[1].clause)
+    parts = (v for v in models.variations if "the component along" in v[1].clause)  # at an equilibrium often all of it
+    for name, variation in (*whole, *parts):
         changed = variation.mechanics
         if name in _LIKELY and changed is not None and all(d.satisfied(squares, changed) for d in draws):
             return f"these are the frequencies {variation.clause}"
+    if len(m.slots.coordinates) == 1 and len(squares) == 1 and (combined := _in_series(squares[0], m, draws)):
+        return combined
     for coupling, words in (("inertia", "accelerations"), ("stiffness", "coordinates")):
         if all(d.satisfied(squares, m, without=coupling) for d in draws):
             return f"these are the frequencies without the coupling of the {words}"
     return ""
+
+
+def _in_series(square: sp.Expr, m: Mechanics, draws: Sequence[RandomMatrices]) -> str:
+    """Which springs of a system with one coordinate are combined the wrong way, in series or in parallel."""
+    springs = [f for f in m.forces if f.kind in (AppliedForceKind.SPRING, AppliedForceKind.POTENTIAL)]
+    if len(springs) > MOST_IN_SERIES:
+        return ""
+    letters = sorted({s for f in springs for e in f.shares for s in e.free_symbols} - {*m.slots.coordinates}, key=str)
+    ways: list[tuple[str, Callable[[RandomMatrices], sp.Expr]]] = []
+    for size in range(len(springs), 1, -1):
+        for group in combinations(springs, size):
+            names = ", ".join(called(f.name) for f in group)
+            ways.append((f"with the springs {names} in series, and not side by side", _joined(group, springs)))
+            if 1 < size < len(springs):
+                others = ", ".join(called(f.name) for f in springs if f not in group)
+                both = f"with {names} side by side and in series with {others}, and not all side by side"
+                ways.append((both, _sides_joined(group, springs)))
+    for a, b in combinations(letters, 2):
+        ratio = a * b / (a + b) ** 2
+        for said, c in (("in series, and not side by side", ratio), ("side by side, and not in series", 1 / ratio)):
+            ways.append((f"with the springs {a} and {b} {said}", lambda d, c=c: d.stiffness(springs) * d.number(c)))  # type: ignore[misc]
+    for clause, stiffness in ways:
+        if all(d.is_frequency(square, m, stiffness(d), springs) for d in draws):
+            return f"these are the frequencies {clause}"
+    return ""
+
+
+def _joined(group: Sequence[ForceShare], springs: Sequence[ForceShare]) -> Callable[[RandomMatrices], sp.Expr]:
+    """The stiffness of all springs if those of a group are joined end to end."""
+
+    def stiffness(d: RandomMatrices) -> sp.Expr:
+        each = [d.stiffness([f]) for f in group]
+        softer = 1 / sum(1 / k for k in each) if all(each) else sp.S.Zero
+        return softer + d.stiffness([f for f in springs if f not in group])
+
+    return stiffness
+
+
+def _sides_joined(group: Sequence[ForceShare], springs: Sequence[ForceShare]) -> Callable[[RandomMatrices], sp.Expr]:
+    """The stiffness if a group side by side is joined end to end with the others side by side."""
+
+    def stiffness(d: RandomMatrices) -> sp.Expr:
+        a, b = d.stiffness(group), d.stiffness([f for f in springs if f not in group])
+        return a * b / (a + b) if a + b else sp.S.Zero
+
+    return stiffness
 
 
 class RandomMatrices:
@@ -86,7 +137,7 @@ class RandomMatrices:
             sum((self.number(f.shares[k]) * self.number(f.factor) for f in m.forces), sp.S.Zero)
             for k in range(len(inertia))
         ]
-        if any(abs(p) > _SMALL for p in pulls):
+        if any(abs(p) > _SMALL for p in pulls) and not self.is_linear(m):
             return False  # it is no equilibrium of the changed problem
         n = len(inertia)
         whole = determinant(inertia)
@@ -100,6 +151,22 @@ class RandomMatrices:
             if abs(determinant(matrix) - expected) > (_size(matrix) + abs(expected)) * _SMALL:
                 return False
         return True
+
+    def is_linear(self, m: Mechanics) -> bool:
+        """Whether M and K are the same at all positions: then it does not matter where the equilibrium is."""
+        slopes = (partial(s, q) for f in m.forces for s in f.shares for q in self.coordinates)
+        parts = (c for i in m.inertias for column in i.columns for c in column)
+        return all(e.free_symbols.isdisjoint(self.coordinates) for e in (*slopes, *parts))
+
+    def stiffness(self, forces: Sequence[ForceShare]) -> sp.Expr:
+        """K of some forces of a system with one coordinate."""
+        return sum((self.of_force(f)[0][0] for f in forces), sp.S.Zero)
+
+    def is_frequency(self, square: sp.Expr, m: Mechanics, stiffness: sp.Expr, springs: Sequence[ForceShare]) -> bool:
+        """Whether ω² M is a stiffness of the springs with that of the other forces."""
+        others = self.stiffness([f for f in m.forces if f not in springs])
+        wanted = self.number(square) * self.sum([self.of_inertia(i) for i in m.inertias])[0][0]
+        return bool(abs(wanted - stiffness - others) <= abs(wanted) * _SMALL)
 
     def random_number(self) -> sp.Rational:
         """A random positive number."""

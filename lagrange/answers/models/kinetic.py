@@ -225,16 +225,17 @@ BODIES = {
 }
 
 
+_STANDARD = frozenset(
+    sp.Rational(p, q)
+    for p, q in ((1, 1), (1, 2), (2, 5), (2, 3), (1, 3), (1, 12), (1, 4), (3, 2), (7, 5), (5, 3), (4, 3))
+)
+"""Moments of inertia over m R² or m l², of standard bodies about the centre or a point of the rim, in any length."""
+
+
 def other_inertia(m: Mechanics) -> Iterator[Variation]:
     """The moment of inertia of another standard body, or about another point."""
+    yield from _other_factors(m, standard=True)
     for r in m.rotations:
-        place = f"the moment of inertia of {called(r.name)}"
-        for ratio in RATIOS:
-            moments = [w for w in r.weights if w != 0]
-            now = written(ratio * moments[0], m.slots) if len(set(moments)) == 1 else f"{ratio} of the right ones"
-            body = BODIES.get((ratio * moments[0]).as_coeff_Mul()[0]) if len(moments[0].free_symbols) == 2 else None
-            clause = f"with the moment of inertia {now} for {called(r.name)}" + (f", which {body} has" if body else "")
-            yield Variation(clause, place, _changed(m, r, replace(r, factor=ratio)))
         yield from _about_another_point(m, r)
         if len({*r.weights} - {0}) == 2:
             yield from _moments_exchanged(m, r)
@@ -247,6 +248,24 @@ def other_inertia(m: Mechanics) -> Iterator[Variation]:
                 clause = f"with {ratio} of the moment of inertia of {called(p.name)}, as for {body}"
                 changed = _changed(m, p, replace(p, factor=ratio))
                 yield Variation(clause, f"the kinetic energy of {called(p.name)}", changed)
+
+
+def odd_inertia(m: Mechanics) -> Iterator[Variation]:
+    """A moment of inertia with a factor that no standard body has."""
+    yield from _other_factors(m, standard=False)
+
+
+def _other_factors(m: Mechanics, *, standard: bool) -> Iterator[Variation]:
+    for r in m.rotations:
+        place = f"the moment of inertia of {called(r.name)}"
+        for ratio in RATIOS:
+            moments = [w for w in r.weights if w != 0]
+            if ((ratio * moments[0]).as_coeff_Mul()[0] in _STANDARD) is not standard:
+                continue
+            now = written(ratio * moments[0], m.slots) if len(set(moments)) == 1 else f"{ratio} of the right ones"
+            body = BODIES.get((ratio * moments[0]).as_coeff_Mul()[0]) if len(moments[0].free_symbols) == 2 else None
+            clause = f"with the moment of inertia {now} for {called(r.name)}" + (f", which {body} has" if body else "")
+            yield Variation(clause, place, _changed(m, r, replace(r, factor=ratio)))
 
 
 def _about_another_point(m: Mechanics, r: Inertia) -> Iterator[Variation]:
@@ -356,6 +375,15 @@ def mass_left_out(m: Mechanics) -> Iterator[Variation]:
         both = rest.inertia(lambda i, p=p: None if i.name == p.name else i)  # type: ignore[misc]
         if any(r.name == p.name for r in m.rotations):
             yield Variation(f"without {called(p.name)}", f"{called(p.name)}", both.scaled(weights, sp.S.Zero))
+
+
+def one_alone(m: Mechanics) -> Iterator[Variation]:
+    """One particle or body alone is accelerated, as if the others pulled with their whole weights."""
+    names = list(dict.fromkeys(i.name for i in m.inertias))
+    for name in names if len(names) > 1 else ():
+        alone = m.inertia(lambda i, name=name: i if i.name == name else None)  # type: ignore[misc]
+        clause = f"with the inertia of {called(name)} alone, as if what is joined to it pulled with its whole weight"
+        yield Variation(clause, "the inertia of the others: a string does not pull with the weight", alone)
 
 
 def translation_left_out(m: Mechanics) -> Iterator[Variation]:

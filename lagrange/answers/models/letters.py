@@ -30,17 +30,22 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 
 
 def letter_variations(
-    answer: Sequence[sp.Expr], right: Iterable[sp.Expr], slots: Slots, known: Iterable[sp.Symbol] = ()
+    answer: Sequence[sp.Expr],
+    right: Iterable[sp.Expr],
+    slots: Slots,
+    known: Iterable[sp.Symbol] = (),
+    lengths: Iterable[sp.Basic] = (),
 ) -> list[Variation]:
     """Other meanings of the letters of an answer, and special cases of letters that only the right conditions have.
 
-    known  letters that are no parameters: unknown forces, multipliers
+    known    letters that are no parameters: unknown forces, multipliers
+    lengths  letters of the geometry, which nobody takes as negative: tried after the others
     """
-    return list(_letters(answer, right, slots, {*known}))[:MAX_LETTER_VARIATIONS]
+    return list(_letters(answer, right, slots, {*known}, {*lengths}))[:MAX_LETTER_VARIATIONS]
 
 
 def _letters(
-    answer: Sequence[sp.Expr], right: Iterable[sp.Expr], slots: Slots, known: set[sp.Symbol]
+    answer: Sequence[sp.Expr], right: Iterable[sp.Expr], slots: Slots, known: set[sp.Symbol], lengths: set[sp.Basic]
 ) -> Iterator[Variation]:
     fixed = {*slots.coordinates, *slots.prescribed, t}
     used, needed = (
@@ -55,12 +60,15 @@ def _letters(
             yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
     for q in slots.coordinates:
         yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
-    for p in used:
+        if any(q in w.free_symbols for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan)):
+            clause = f"for {q} measured from the opposite direction"
+            yield Variation(clause, f"the direction from which {q} is measured", rule={q: sp.pi - q})
+    for p in sorted(used, key=lambda p: p in lengths):
         yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
     for p in used:
         for factor, word in ((sp.Rational(1, 2), "twice as large"), (sp.Integer(2), "half as large")):
             yield Variation(f"for {p} {word}", f"the factor of {p}", rule={p: factor * p})
-    waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan) for s in w.free_symbols}
+    waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in w.free_symbols}
     for q in sorted(waves, key=str):
         rule = {q: sp.pi / 2 - q}
         yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)
@@ -87,7 +95,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         if balanced := _balanced(claim, models, states):
             return balanced
         bound = geometry_of(models.system.configuration)
-        variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers)
+        variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers, bound)
         likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
         for variation in likely:
             if bound.isdisjoint(variation.values) and all(holds(claim, variation, at) for at in states):
@@ -219,15 +227,18 @@ def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list
             yield f"these are the frequencies {variation.clause}", changed
 
 
-_MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
+_OTHER_QUANTITIES: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
     ("these are the squares of the frequencies", sp.sqrt),
     ("these are the frequencies over 2*pi, and the angular frequencies are asked for", lambda c: 2 * sp.pi * c),
     ("these are the periods and not the frequencies", lambda c: 2 * sp.pi / c),
     ("these are the inverses of the frequencies", lambda c: 1 / c),
+)
+_MEANT = (
+    *_OTHER_QUANTITIES,
     ("these are twice the frequencies", lambda c: c / 2),
     ("these are half of the frequencies", lambda c: 2 * c),
     ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
     ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
 )
-NUMBER_OF_MEANINGS = len(_MEANT)
-"""How many of `explained_frequencies` are other quantities; the rest are other meanings of letters."""
+NUMBER_OF_MEANINGS = len(_OTHER_QUANTITIES)
+"""How many of `explained_frequencies` are other quantities; the rest are factors, and other meanings of letters."""

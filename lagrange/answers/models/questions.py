@@ -10,14 +10,15 @@ into these equations with one of them changed: where they hold, that change expl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, product
+from random import Random
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.limits import LONGEST_SPECIAL, MOST_ASKED_TERMS, MOST_IN_RATIO
+from lagrange.answers.limits import MOST_ASKED_TERMS, MOST_IN_RATIO, VANISHING_DIGITS
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
@@ -25,6 +26,7 @@ from lagrange.document.notation import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
 
 Substitution = dict[sp.Basic, sp.Basic]
+NO_DEPENDENCE = "the right answer does not depend on"
 
 
 @record
@@ -41,12 +43,12 @@ class _Change:
 
 
 _HALF = sp.Rational(1, 2)
-_MOVING = "the part of {reaction} with the square of the velocity"
+_MOVING = "the part of {{reaction}} with the square of the velocity"
 _OF_REACTION = (
     _Change(f"{_MOVING} is missing: it is that of a body at rest", moving=sp.S.Zero),
     _Change(f"only {_MOVING} is there: what the forces contribute is missing", resting=sp.S.Zero),
     _Change(f"{_MOVING} has the wrong sign", moving=sp.S.NegativeOne),
-    _Change("what the forces contribute to {reaction} has the wrong sign", resting=sp.S.NegativeOne),
+    _Change("what the forces contribute to {{reaction}} has the wrong sign", resting=sp.S.NegativeOne),
 )
 _OF_ENERGY = (
     _Change("the velocity is taken as zero there", still=True),
@@ -58,6 +60,10 @@ _OF_ENERGY = (
 _FROM_REST = {
     "less": "the square of the velocity is half as large as it should be: is the 1/2 of T missing?",
     "more": "the square of the velocity is twice as large as it should be",
+}
+_OF_A_REACTION = {
+    "less": "the part of {reaction} with the square of the velocity is half as large as it should be",
+    "more": "the part of {reaction} with the square of the velocity is twice as large as it should be",
 }
 _THROWN = {
     "less": "the kinetic energy is twice as large as it should be, or the change of the potential energy half as large",
@@ -80,9 +86,8 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None, be
         changes = _OF_REACTION if setting.reaction is not None else ()
         for change in (*changes, *_OF_ENERGY) if own else (*_OF_ENERGY[:1], *changes, *_OF_ENERGY[1:]):
             if setting.gives(change, claim, quantity):
-                said: str = change.said.format(
-                    reaction=setting.reaction, **(_FROM_REST if setting.start == 0 else _THROWN)
-                )
+                words = _OF_A_REACTION if own else _FROM_REST if setting.start == 0 else _THROWN
+                said: str = change.said.format(**words).format(reaction=setting.reaction)
                 return said
         if before is not None and setting.gives(_Change("", start=before), claim, quantity):
             return "the kinetic energy is taken to be conserved in the impact, and some of it is lost there"
@@ -219,22 +224,23 @@ def explained_by_constant_velocity(claim: sp.Expr, asked: Asked, others: Sequenc
     return ""
 
 
-def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> str:
+def explained_value(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic] = ()) -> str:
     """How a wrong value differs from the right one: the case of a parameter that is zero, a term, a factor.
 
-    fixed  symbols that are no parameters; empty if nothing simple is found
+    fixed    symbols that are no parameters; empty if nothing simple is found
+    lengths  letters of the geometry, which are forgotten less often than others
     """
     try:
-        return next(_differences(claim, right, fixed), "")
+        return next(_differences(claim, right, fixed, lengths), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return ""
 
 
-def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Iterator[str]:
-    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=str):
+def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths: Collection[sp.Basic]) -> Iterator[str]:
+    for p in sorted(right.free_symbols - claim.free_symbols - fixed, key=lambda p: (p in lengths, str(p))):
         special = sp.together(right).xreplace({p: sp.S.Zero})
-        if special.has(sp.nan, sp.zoo, sp.oo) and sp.count_ops(right) < LONGEST_SPECIAL:
-            special = sp.limit(right, p, 0)
+        if special.has(sp.nan, sp.zoo, sp.oo):
+            special = claim if _tends_to(right, p, claim) else sp.nan
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
         if right.is_rational_function(p) and _same(
@@ -286,7 +292,20 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol]) -> Itera
             yield f"this is the answer for {angle} measured from the perpendicular direction (sine and cosine)"
     more = sorted(claim.free_symbols - right.free_symbols - fixed, key=str)
     if more:
-        yield f"the right answer does not depend on {', '.join(map(str, more))}"
+        yield f"{NO_DEPENDENCE} {', '.join(map(str, more))}"
+
+
+def _tends_to(value: sp.Expr, p: sp.Symbol, claim: sp.Expr) -> bool:
+    """Whether a value tends to a claim as p → 0: as seen at two random states, at a very small p."""
+    draw = Random(1)
+    for _ in range(2):
+        state = {s: sp.Rational(draw.randint(200, 900), 500) for s in sorted(value.free_symbols, key=str)}
+        state[p] = sp.Rational(1, 10**VANISHING_DIGITS)
+        difference = (value - claim).xreplace(state).evalf(3 * VANISHING_DIGITS)
+        size = abs(claim.xreplace(state).evalf(20))
+        if not difference.is_number or not bool(abs(difference) <= size * sp.Float(10) ** (-VANISHING_DIGITS // 4)):
+            return False
+    return True
 
 
 def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:

@@ -32,6 +32,13 @@ def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
                 turned = replace(r, columns=_added(r, i, axis, sign))
                 clause = f"with {words} the angular velocity of {called(r.name)}, as if its angle were counted from"
                 yield Variation(f"{clause} the line to its centre", place, _turning(m, r, turned))
+        for i in _carried_round_by(r, m):
+            unit = [[sp.S.Zero] * 3 for _ in r.columns]
+            unit[i][axis] = sp.S.One
+            turned = replace(r, columns=tuple((c[0], c[1], c[2]) for c in unit))
+            if turned.columns != r.columns:
+                clause = f"for {called(r.name)} turning at the rate {m.slots.velocities[i]} of the line to its centre"
+                yield Variation(clause, place, _turning(m, r, turned))
         for factor, how in ((sp.Integer(2), "twice"), (sp.Rational(1, 2), "half")):
             if len(m.rotations) + len(m.particles) > 1:
                 scaled = replace(r, columns=tuple(_times(factor, c) for c in r.columns))

@@ -40,7 +40,7 @@ from lagrange.answers.models.table import MODELS
 from lagrange.answers.models.variation import Variation
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
-from lagrange.core.symbols import base, t
+from lagrange.core.symbols import Unspecified, base, t
 from lagrange.mechanics.dynamics.comparison import System, random_state, symbols_of
 
 unusable = (InadmissibleError, DivisionByZeroError, NoPointError, UnsupportedError, AssertionError)
@@ -286,13 +286,18 @@ class _Search:
         return None
 
     @cached_property
+    def _functions(self) -> set[Unspecified]:
+        """The unspecified functions of the answer, at their arguments."""
+        return {f for e in self.equations for f in e.atoms(Unspecified)}
+
+    @cached_property
     def _cost(self) -> int:
         return len(self.models.system.equations) * (len(self.states[0].unknowns) + 1)
 
     def _fits(self, number: int, variation: Variation, which: Sequence[int]) -> bool:
         """Whether the equations follow from a variation at the first state."""
         if variation.rule:
-            if not any(s in self.used for s in variation.rule):
+            if not any(s in self.used or s in self._functions for s in variation.rule):
                 return False
             if self.models.is_free and (space := self.models.space(number, variation)) is not None:
                 return all(self.rows[n] in space for n in which)

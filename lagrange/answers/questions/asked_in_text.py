@@ -30,6 +30,10 @@ from lagrange.mechanics.results import Solution
 
 _LETTER = re.compile(r"\s*\$?\s*\\?(?P<name>[^\W\d_](?:[^\W\d_]*))(?P<rest>[^=]{0,40}?)\s*=")
 _APPLIED = re.compile(r"\s*\$?\s*\\?(?:cos|sin|tan)\s*(?:\(|\\left\s*\(|\{|~|\s)?\s*\\?(?P<name>[^\W\d_]+)[^=]{0,40}=")
+_NAMES_A_RATE = re.compile(
+    r"\s*\$?\s*\\?\w{1,8}\s*(?::=|=|\\equiv)\s*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\s\w+|\\\w+)|\w+')\s*\$?[\s.,;]*\Z"
+)
+"""`v = \\dot y`, `v = y'`: a letter for a velocity, which answers no question."""
 _SPEEDS = frozenset({"v", "V", "u", "w", "omega", "speed", "velocity"})
 _TIMES = frozenset({"t", "T", "tau", "time"})
 _NOT_JUDGED = (Verdict.UNREADABLE, Verdict.UNDECIDED)
@@ -68,7 +72,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         named = [
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
-        named = [] if is_used_beside(fragment, answer, reference) else named
+        named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
         about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
         named = _of_function(named, fragment, questions, reference)

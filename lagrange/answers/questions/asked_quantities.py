@@ -107,7 +107,8 @@ class AskedClaim:
         self.unit_fits = unit_fits
         self.solution = solution
         self.values, self.units = dict(reference.values), reference.units
-        self.own = reference.candidates[0] if reference.candidates else None
+        self.candidates = reference.candidates
+        self.own = self.candidates[0] if self.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
         self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
@@ -145,7 +146,7 @@ class AskedClaim:
 
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
-        from lagrange.answers.models.letters import letter_variations
+        from lagrange.answers.models.letters import geometry_of, letter_variations
         from lagrange.answers.models.questions import (
             explained_answer,
             explained_by_constant_velocity,
@@ -153,6 +154,7 @@ class AskedClaim:
         )
         from lagrange.answers.results.instants import explained_instant
         from lagrange.answers.results.starts import explained_at_start
+        from lagrange.answers.results.uniform_motion import explained_uniform
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -167,23 +169,38 @@ class AskedClaim:
             return lost
         if value is not None and (other := explained_instant(value, self.asked, self.solution.asked)):
             return other
+        if value is not None and (
+            uniform := explained_uniform(value, self.asked, self.solution.asked, self.candidates)
+        ):
+            return uniform
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
-        for variation in letter_variations([claim], (), self.scope.slots):
+        others = () if value is None or value.is_number else ((value**2, "root"), (sp.sqrt(value), "square"))
+        for changed, how in others:
+            if self._of_expression(changed)[0] is Verdict.EQUIVALENT:
+                return f"this is the {how} of what is asked for"
+        lengths = geometry_of(self.own.configuration) if self.own is not None else ()
+        up_to_sign = ""  # a velocity of either sign counts as a speed: what is right as it stands is likelier meant
+        for variation in letter_variations([claim], (), self.scope.slots, lengths=lengths):
             try:
                 changed = claim.xreplace(dict(variation.rule))
-                if changed != claim and judged(changed)[0] is Verdict.EQUIVALENT:
+                verdict, remark = judged(changed) if changed != claim else (Verdict.WRONG, "")
+                if verdict is Verdict.EQUIVALENT and not remark:
                     return f"this is the answer {variation.clause}"
+                if verdict is Verdict.EQUIVALENT:
+                    up_to_sign = up_to_sign or f"this is the answer {variation.clause}"
             except (DivisionByZeroError, NoPointError, UnsupportedError):
                 continue
+        if up_to_sign:
+            return up_to_sign
         if stated is None:
             return ""
         if value is not None and self.own is not None and (changed := explained_at_start(value, self.asked, self.own)):
             return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
-        if lost := next(filter(None, (explained_value(stated, v, fixed) for v in right)), ""):
+        if lost := next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), ""):
             return lost
         from lagrange.answers.results.units import wrong_dimension
 

@@ -233,7 +233,7 @@ def _explained(
     yield from (sentence for sentence, meant in islice(plain, NUMBER_OF_MEANINGS) if right(meant))
     for claims in lists:
         alone = [c for c in claims if not right([c])]
-        if len(alone) == len(claims):
+        if len(alone) == len(claims) > 1:
             yield from filter(None, [_of_models(claims, places, reference)])
         yield from filter(None, (p.held_fast(alone, values) for p in places))
         yield from filter(None, (_of_models(stated, places, reference) for stated in (claims, alone) if stated))

@@ -347,7 +347,7 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
     parts: list[EquationVerdict] = []
     errors: list[Diagnostic] = []
     for name, fragment in stated.items():
-        check = at_rest.check_stated if at_rest else partial(check_reaction, reference=reference)
+        check = at_rest.check_stated if at_rest else partial(check_reaction, reference=reference, solution=solution)
         unreadable = EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE)
         try:
             verdict = check(fragment, reactions[name])

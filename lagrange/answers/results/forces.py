@@ -6,15 +6,19 @@ nothing were accelerated, with that of a changed problem, with a multiple of the
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
+from lagrange.answers.limits import LONGEST_COMPARED_REACTION
 from lagrange.core.symbols import base
 
 if TYPE_CHECKING:
-    from lagrange.answers.references import ReferenceCandidate
+    from lagrange.answers.references import Reference, ReferenceCandidate
+    from lagrange.mechanics.dynamics.newton import Reaction
+    from lagrange.mechanics.results import Solution
 
 RATIOS = tuple(sp.Rational(p, q) for p, q in ((2, 1), (1, 2), (3, 2), (2, 3), (3, 1), (1, 3), (4, 3), (3, 4)))
 _NUMBER = "only a number is wrong in it: the force is {} times as large"
@@ -59,4 +63,37 @@ def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate
                 return said
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass
+    return ""
+
+
+def explained_size(claims: Sequence[sp.Expr], reaction: Reaction, reference: Reference, solution: Solution) -> str:
+    """How a stated reaction differs from the derived one: by a term, a factor, a sign; empty if not found.
+
+    claims  what may be meant, as expressions that are zero
+    """
+    from lagrange.answers.models.questions import NO_DEPENDENCE, explained_value
+
+    forces = {reaction.multiplier, reaction.force, reaction.symbol}
+    for view in solution.views:
+        reactions = view.dynamics.reactions if view.dynamics is not None else None
+        candidate = next((c for c in reference.candidates if c.choice == view.name), None)
+        if reactions is None or candidate is None:
+            continue
+        right = reactions.sizes.get(reaction.name, reactions.multipliers.get(reaction.name))
+        slots = view.configuration.slots
+        moving = {*slots.coordinates, *slots.velocities, *slots.prescribed}
+        if right is None or sp.count_ops(right) > LONGEST_COMPARED_REACTION:
+            continue
+        for zero in claims[:1]:
+            if not {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
+                continue
+            value = candidate.read(-zero.xreplace(dict.fromkeys(forces, sp.S.Zero)))
+            if any(base(s) != s and s not in moving and s not in right.free_symbols for s in value.free_symbols):
+                continue
+            resting = right.xreplace(dict.fromkeys(slots.velocities, sp.S.Zero))
+            for whole, beside in ((right, ""), *([(resting, "it is that at rest, and ")] if resting != right else [])):
+                for signed in (sp.expand(whole), -sp.expand(whole)):
+                    why = explained_value(value, signed, moving)
+                    if why and not why.startswith(NO_DEPENDENCE):
+                        return f"{beside}{why}"
     return ""

@@ -13,6 +13,7 @@ be solved for a position.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 
@@ -34,8 +35,9 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.problem.model import Problem
 
 Substitution = Mapping[sp.Basic, sp.Basic]
+_LIKELIER = ("gravity reversed", "carried weight left out", "force left out")
 _LESS_LIKELY = ("force with another factor", "force in the wrong equation")
-"""At rest an arm is taken wrongly more often than a weight."""
+"""At rest an arm is taken wrongly more often than a weight, and a force forgotten more often than reversed."""
 
 
 class Resting:
@@ -49,20 +51,24 @@ class Resting:
         self.rows = [row.coefficients for row in equilibrium.binding]
 
     @property
+    def small(self) -> bool:
+        """Whether there are few constraints and coordinates."""
+        return len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
+
+    @property
     def usable(self) -> bool:
         """Whether the balance of forces is small enough to be tried, and has no roots, whose signs would be open."""
-        small = len(self.rows) <= MOST_RESTING_ROWS and len(self.slots.coordinates) <= MOST_RESTING_COORDINATES
-        return small and not any(map(has_root, self.own))
+        return self.small and not any(map(has_root, self.own))
 
     @cached_property
     def own(self) -> tuple[sp.Expr, ...]:
         """E_k of the problem itself."""
         return tuple(-q for q in self.equilibrium.work.forces)
 
-    def solved(self, equations: Sequence[sp.Expr], *fixed: sp.Symbol) -> dict[sp.Symbol, sp.Expr] | None:
-        """Equations as a rule for letters other than those that are fixed, each in one of them; None if one cannot be
-        written so."""
-        rule: dict[sp.Symbol, sp.Expr] = {}
+    def solved(self, equations: Sequence[sp.Expr], *fixed: sp.Symbol) -> dict[sp.Expr, sp.Expr] | None:
+        """Equations as a rule for letters other than those that are fixed, or for the sine or cosine of an angle, each
+        in one of them; None if one cannot be written so."""
+        rule: dict[sp.Expr, sp.Expr] = {}
         bound = {s for row in self.rows for a in row for s in a.free_symbols}
         bound |= {s for f in self.configuration.finite_constraints for s in f.free_symbols}
         coordinates = {*self.slots.coordinates}
@@ -70,13 +76,18 @@ class Resting:
             return None
         for equation in equations:
             equation = equation.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
+            equation = equation.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
             e = sp.together(equation.xreplace(self.values).xreplace(rule))
             e = sp.numer(e)
-            letters = sorted(e.free_symbols - bound - {*rule, *fixed, t}, key=lambda s: (s in coordinates, str(s)))
-            for s in letters:
-                slope = sp.diff(e, s)
-                if slope != 0 and s not in slope.free_symbols:
-                    value = -e.xreplace({s: sp.S.Zero}) / slope
+            free = e.free_symbols - bound - {*rule, *fixed, t}
+            letters = sorted(free, key=lambda s: (s in coordinates, s not in self.equilibrium.forces, str(s)))
+            waves = sorted((w for w in e.atoms(sp.sin, sp.cos) if w.args[0] in coordinates), key=str, reverse=True)
+            for s in (*letters, *waves):
+                stand_in = s if s.is_Symbol else sp.Dummy()
+                with_it = e if s.is_Symbol else e.xreplace({s: stand_in})
+                slope = sp.diff(with_it, stand_in)
+                if slope != 0 and stand_in not in slope.free_symbols and not (slope.has(s) and s in waves):
+                    value = -with_it.xreplace({stand_in: sp.S.Zero}) / slope
                     rule = {k: v.xreplace({s: value}) for k, v in rule.items()} | {s: value}
                     break
             else:
@@ -112,7 +123,7 @@ class Resting:
         if not same:
             return
         number = 0
-        for model in sorted(MODELS, key=lambda model: model.name in _LESS_LIKELY):
+        for model in sorted(MODELS, key=lambda n: (n.name in _LESS_LIKELY) - (n.name in _LIKELIER)):
             for variation in model.changes(m):
                 changed = variation.mechanics
                 if changed is None or variation.quasi is not None or changed.kept != m.kept:
@@ -184,6 +195,32 @@ class WrongEquilibria:
                 return f"{variation.clause}{arm}"
         return ""
 
+    def of_one_force(self, problem: Problem) -> str:
+        """Which force contributes something else in the one wrong alternative, as the end of a sentence; empty if not
+        found. A length with a root in it counts as a letter."""
+        from lagrange.answers.results.contributions import contributions
+
+        resting = self.resting
+        if len(self.wrong) != 1 or not resting.small:
+            return ""
+        try:
+            m = mechanics_of(resting.configuration, problem)
+            shares = [s for f in m.forces for s in f.shares]
+            roots = {p for e in (*shares, *self.wrong[0]) for p in e.atoms(sp.Pow) if not p.exp.is_Integer}
+            bases = {p.base for p in roots}
+            if len(bases) > 1 or any((2 * p.exp).is_Integer is not True for p in roots):
+                return ""
+            length = sp.Dummy("length", positive=True)
+            letters: dict[sp.Basic, sp.Basic] = {p: length ** (2 * p.exp) for p in roots}
+            rule = resting.solved([e.xreplace(letters) for e in self.wrong[0]], length)
+            if rule is None:
+                return ""
+            m = m.force(lambda f: replace(f, shares=tuple(s.xreplace(letters) for s in f.shares)))
+            written = {length: sp.sqrt(sp.Add(*bases))}  # there is one, or none
+            return contributions(m, rule, resting.values, resting.rows, written)
+        except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
+            return ""
+
     def missing_factor(self, lhs: sp.Expr, rhs: sp.Expr) -> sp.Expr | None:
         """What the right side of the one wrong equation has to be multiplied by; None if that is no product of powers
         of a few letters."""
@@ -218,6 +255,17 @@ def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Va
             yield Variation(f"with {q}/2 in place of {q}", "", rule={q: 2 * q})
         elif sp.tan(2 * q) in waves or sp.sin(2 * q) in waves:
             yield Variation(f"with 2*{q} in place of {q}", "", rule={q: q / 2})
+    placed = {s for f in e.configuration.finite_constraints for s in f.free_symbols}
+    used, moving = {s for c in stated for s in c.free_symbols}, {*e.configuration.slots.coordinates}
+    for q in sorted((moving & placed) - used, key=str):
+        for p in sorted((used & placed) - moving, key=str):
+            yield Variation(f"with {p} in place of {q}", "", rule={p: q})
+    functions = {type(w) for w in waves}
+    if len(functions) == 1 and all(any(abs(sp.expand(c).coeff(w)) == 1 for w in c.atoms(*functions)) for c in stated):
+        [own] = functions
+        for other in (f for f in (sp.tan, sp.sin, sp.cos) if f is not own):
+            names = own.__name__, other.__name__
+            yield Variation(f"with {names[0]} in place of {names[1]}", "", rule={w: other(w.args[0]) for w in waves})
     legs = {r.base for c in stated for r in c.atoms(sp.Pow) if r.exp in (sp.S.Half, -sp.S.Half) and r.base.is_Add}
     for q in coordinates:
         for p in sorted(

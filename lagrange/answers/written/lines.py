@@ -107,7 +107,7 @@ _AFTER_COMMA = re.compile(
 """Words after a comma, where no equation follows: a comma outside brackets is no part of an equation."""
 _LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
-    r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()"
+    r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve|(?:Full)?Simplify|simplify|[Ee]xpand)\s*(?=\[|\()"
 )
 _MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
 _MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
@@ -386,7 +386,7 @@ def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragme
     if close is None:
         return
     sides = cuts(text[opening + 1 : close], re.compile(","))
-    if text[opening - 1].lower() == "e":  # Solve, with what is asked for
+    if text[opening - 1] != "q":  # Solve, with what is asked for, or Simplify
         first, last = sides[0]
         for start, stop in _parts(text, opening + 1 + first, opening + 1 + last):
             yield from _one(fragment, start, stop, beside)

@@ -11,7 +11,7 @@ from lagrange.problem.model import Answers
 from tests.support.shared import loaded, solved
 
 EQUILIBRIA = [
-    ("ladder", "P = W*tan(phi)", "the weight of `G` twice as large, or acting at twice the distance"),
+    ("ladder", "P = W*tan(phi)", "the weight of `G` acting at the end of its length"),
     ("ladder", "P = -W/2*tan(phi)", "for gravity that acts the other way"),
     ("rod-over-peg", "b*sin(theta)^3 = c", "sine and cosine"),
     ("ladder", "P = W/2*tan(phi)^3", ""),

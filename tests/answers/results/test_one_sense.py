@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.examiner import reference
+from lagrange.answers.examiner import Examiner, reference
 from lagrange.answers.readings import read_answer
 from lagrange.answers.results.one_sense import one_sense
+from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
+from tests.support.shared import loaded, solved
 
 BLOCK = """
 title: Block
@@ -33,3 +35,22 @@ def test_the_sense_is_named(equation: str, said: str) -> None:
     found = one_sense(against.candidates[0].read(e), against.candidates[0].system)
     assert found.startswith(said)
     assert bool(found) is bool(said)
+
+
+@pytest.mark.parametrize(
+    ("equation", "right"),
+    [("m*y'' = m*g - c*y'^2", True), ("m*y'' = m*g + c*y'^2", False), ("m*y'' = m*g - 2*c*y'^2", False)],
+)
+def test_a_motion_that_keeps_its_sense(equation: str, right: bool) -> None:
+    """A ball that is dropped falls: y' > 0 from the start on."""
+    verdict = Examiner(loaded("fall-through-air"), solved("fall-through-air", complete=False)).check(
+        [Fragment.of(equation)]
+    )
+    assert (verdict.verdict is Verdict.EQUIVALENT) is right
+
+
+def test_a_motion_that_turns_back_has_two_senses() -> None:
+    verdict = Examiner(loaded("ball-thrown-up"), solved("ball-thrown-up", complete=False)).check(
+        [Fragment.of("m*y'' = -m*g - c*y'^2")]
+    )
+    assert verdict.verdict is Verdict.WRONG
