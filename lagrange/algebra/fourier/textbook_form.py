@@ -46,7 +46,9 @@ from lagrange.algebra.fourier.terms import (
     Exponent,
     Factors,
     PowerProduct,
+    are_summands,
     common_factor,
+    common_factor_of,
     common_powers,
     divided,
     factored_sum,
@@ -62,7 +64,7 @@ from lagrange.core.effort import remembered
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 
-__all__ = ["CommonFactor", "Textbook", "common_factor", "normalised", "textbook_form"]
+__all__ = ["CommonFactor", "Textbook", "common_factor", "common_factor_of", "normalised", "textbook_form"]
 
 AtomPowers = tuple[tuple[Atom, int], ...]
 
@@ -74,6 +76,7 @@ class ParameterPolynomials:
         self._basis = basis
         self._write = write
         self._terms: dict[frozenset[tuple[int, Fraction]], PowerProduct] = {}
+        self._primitives: dict[tuple[int, frozenset[tuple[int, Fraction]]], PowerProduct] = {}
         self._monomials: dict[int, PowerProduct] = {}
         self._written: dict[int, Factors] = {}
         self._names: dict[int, tuple[tuple[str, int], ...]] = {}
@@ -131,14 +134,23 @@ class ParameterPolynomials:
         term = self.monomial(monomial).scaled(number)
         if len(primitive) == 1:
             return PowerProduct(term.number * primitive[0], term.factors)
+        # One sum of masses stands beside many products of lengths. What is under roots decides what is factored.
+        key = len(self._basis.related), frozenset(primitive.items())
+        factors = self._primitives.get(key)
+        if factors is None:
+            factors = self._primitives[key] = self._factors(primitive)
+        return term * factors
+
+    def _factors(self, primitive: Polynomial) -> PowerProduct:
         # l² − y² stays whole where it occurs under a root too: root and factor then cancel visibly.
         known = self._known()
         sign, factors = (1, [(primitive, 1)]) if len(primitive) > LONGEST_FACTORED else factorization(primitive, known)
+        product = PowerProduct(Fraction(sign), {})
         for factor, exponent in factors:
             turned, oriented = (1, factor) if factor in known else self._oriented(factor)
             power: Factors = {sum_of(self._grouped(oriented)): exponent}
-            term = term * PowerProduct(Fraction(turned**exponent), power)
-        return PowerProduct(term.number * sign, term.factors)
+            product = product * PowerProduct(Fraction(turned**exponent), power)
+        return product
 
     def _split(self, polynomial: Polynomial) -> tuple[Fraction, int, Polynomial]:
         number = common_number(polynomial.values())
@@ -273,6 +285,13 @@ class Textbook:
             [(monomial, _)] = self.ring.from_sympy(displacement).terms
             by_place[monomial] = coefficient
         return self._sum(by_place)
+
+    def summands(self, element: Element) -> list[PowerProduct] | None:
+        """The products that the textbook form is the sum of; None where SymPy would write that sum as another one."""
+        if element.by_exponents(self._displacements.places).keys() != {0}:
+            return None
+        terms = [PowerProduct(p.number, multiplied(p.scale, p.shape)) for p in self._parts(element)]
+        return terms if are_summands(terms) else None
 
     def _sum(self, by_displacements: Mapping[int, Element]) -> sp.Expr:
         summands = []
