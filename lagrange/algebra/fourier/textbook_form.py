@@ -25,7 +25,7 @@ from math import floor
 import sympy as sp
 
 from lagrange.algebra.fourier.division import as_fraction, by_denominator, over_one_denominator
-from lagrange.algebra.fourier.elements import Basis, Element, Terms
+from lagrange.algebra.fourier.elements import Basis, Element, Terms, WaveKey
 from lagrange.algebra.fourier.limits import LONGEST_FACTORED, MOST_JOINING_ROUNDS, MOST_SHARED_GENERATORS
 from lagrange.algebra.fourier.polynomials import (
     Polynomial,
@@ -39,7 +39,7 @@ from lagrange.algebra.fourier.polynomials import (
     square_of_two,
     unpack,
 )
-from lagrange.algebra.fourier.product_to_sum import Atom
+from lagrange.algebra.fourier.product_to_sum import Atom, TrigProduct
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import (
     CommonFactor,
@@ -374,8 +374,15 @@ class Textbook:
         for (monomial, frequency), value in element.terms.items():
             spectra.setdefault(monomial, {})[0, frequency] = value
         waves: dict[AtomPowers, Polynomial] = {}
+        alike: dict[tuple[tuple[WaveKey, tuple[int, int]], ...], tuple[TrigProduct, ...]] = {}
         for monomial, terms in spectra.items():
-            for p in self.ring.factoring.products(Element(self.ring, terms, element.denominator)):
+            spectrum = tuple(terms.items())  # one for all the masses that a link carries
+            products = alike.get(spectrum)
+            if products is None:
+                products = alike[spectrum] = self.ring.factoring.products(
+                    Element(self.ring, terms, element.denominator)
+                )
+            for p in products:
                 waves.setdefault(p.powers, {})[monomial] = p.number
         return waves
 
