@@ -39,7 +39,11 @@ class FreeDisplacements:
 def free_displacements(elimination: Elimination, slots: Slots, taken: Collection[str]) -> FreeDisplacements | None:
     """The displacements by a parameter, whose letter is not `taken`; None where not one of the free ones is divided."""
     sizes = Sizes()
-    if any(sizes.of(e).size > LONGEST_CANCELLED or _is_fraction_of_many(e, sizes) for row in elimination.solution for e in row):
+    if any(
+        sizes.of(e).size > LONGEST_CANCELLED or _is_fraction_of_many(e, sizes)
+        for row in elimination.solution
+        for e in row
+    ):
         return None
     columns = [[*map(in_sines, column)] for column in zip(*elimination.solution, strict=True)]
     divided = [k for k, column in enumerate(columns) if any(_may_be_infinite(e, elimination) for e in column)]

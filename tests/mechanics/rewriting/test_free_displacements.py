@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
+from lagrange.core.effort import allowed
 from lagrange.core.symbols import variation
 from lagrange.mechanics.rewriting.free_displacements import free_displacements
 from tests.support.shared import solved
@@ -27,3 +30,14 @@ def test_the_displacements_of_a_skate_satisfy_its_condition_in_every_position() 
 def test_what_is_never_infinite_needs_no_parameter() -> None:
     own = solved("ex07-constant-coefficients").own
     assert free_displacements(own.elimination, own.configuration.slots, set()) is None
+
+
+def test_long_denominators_are_not_multiplied_out() -> None:
+    own = solved("ex05-ice-skate").own
+    nested, below = sp.Symbol("x", real=True), sp.S.One
+    for _ in range(20):
+        nested = 2 + sp.log(nested)
+        below *= nested
+    long = replace(own.elimination, solution=((1 / below,),))
+    with allowed(1_000):
+        assert free_displacements(long, own.configuration.slots, set()) is None
