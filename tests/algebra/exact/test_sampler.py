@@ -221,7 +221,7 @@ def test_unlucky_draws_lose_no_points(seed: int) -> None:
 def test_points_that_are_never_admissible_are_soon_left() -> None:
     tries = 0
 
-    def overflowing(point: Point) -> None:
+    def overflowing(_: Point) -> None:
         nonlocal tries
         tries += 1
         raise InadmissibleError(surface.graph.node(x))
