@@ -52,6 +52,10 @@ LONGEST_TURNING_RATE = 12
 MOST_CHOICES_OF_DEPENDENT = 10
 """Choices of dependent coordinates that are compared for the fewest left in T: those of three of five."""
 
+LONGEST_CANCELLED = 400
+"""Nodes of an expression that is cancelled for a shorter page: those of the shipped problems have a few dozen, and a
+direction that is a function taken twenty times of itself, over a thousand, is multiplied out for half a minute."""
+
 MOST_EXPANDED_TERMS = 2_000
 """Terms of a form whose common number is sought: forms in books have a dozen, an arc tangent taken twenty times of
 itself a million."""

@@ -238,6 +238,8 @@ def _state(
     unknown = (*slots.coordinates, *others.coordinates)
     count = len(slots.coordinates)
     guessed = [*guess[:count], *(0.5 for _ in others.coordinates)]
+    # The position of an impact may have been left open: y = a x² with any x, which the equations below then settle.
+    direct = {q: v for q, v in direct.items() if v.value.free_symbols <= values.keys()}
     start = [_value(direct[q].value, values) if q in direct else g for q, g in zip(unknown, guessed, strict=True)]
     start = others.placed(start, unknown, values)
     solved, error = solved_near([*e.finite, *others.places, *(c for c, _ in places)], unknown, start, numbers)

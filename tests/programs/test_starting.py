@@ -6,7 +6,8 @@ import math
 
 import pytest
 
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.problem.loader import read_problem
 from lagrange.programs.prepared import prepared
 from lagrange.programs.simulation import simulated
 from lagrange.programs.special.durations import longest_time
@@ -64,3 +65,21 @@ def test_names_that_do_not_exist_are_refused() -> None:
         solved().simulate(1.0, choice="angel")
     with pytest.raises(TypeError, match="expression of SymPy"):
         solved().simulate(1.0, functions={"u": "t^2"})  # type: ignore[dict-item]
+
+
+def test_an_impact_in_a_position_that_is_left_open() -> None:
+    text = """
+title: a bead on a parabola is hit
+parameters: {m: positive, a: positive, g: positive, F: positive}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {wire: y = a*x^2}
+gravity: -g*j
+find: [motion]
+impact: {before: {x': F/m}, impulses: {blow: {on: P, vector: F*i}}}
+"""
+    made = prepared(read_problem(Source("hit.yaml", text)), complete=True)
+    places = dict(zip(map(str, made.states.state), made.start.state, strict=True))
+    a = next(v for s, v in made.start.values.items() if s.name == "a")
+    assert math.isclose(places["y"], a * places["x"] ** 2, rel_tol=1e-9)
+    assert math.isclose(places["y'"], 2 * a * places["x"] * places["x'"], rel_tol=1e-9)

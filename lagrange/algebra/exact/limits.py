@@ -51,6 +51,9 @@ REAL_DRAWS = 30
 NEWTON_STARTS = 8
 # Draws of the symbols under a root that does not exist: k independent roots in turn take about 2k.
 REDRAWS = 60
+# Tries in a row, of all these draws, without an admissible point: no point is, as where exp(exp(exp x)) overflows
+# everywhere. 60 rounds of 50 redraws find 25 independent roots.
+MOST_TRIES = 3_000
 # Points without success before the surface counts as having none.
 MOST_MISSING_POINTS = 3
 # Random reals are e^s with |s| < SPREAD, 0.14 ... 7.4. Later points are wide, 6·10^-6 ... 1.6·10^5, because a sign may

@@ -27,6 +27,7 @@ from lagrange.algebra.exact.limits import (
     FIRST_WIDE_POINT,
     KEPT_POINTS,
     MOST_MISSING_POINTS,
+    MOST_TRIES,
     NEWTON_STARTS,
     POINTS_PER_FIELD,
     REAL_DRAWS,
@@ -137,10 +138,12 @@ class Sampler:
         """
         zeros: dict[int, int] = {}
         failures = missing = 0
+        tries = count()  # at a point, or again with other values of some symbols
+        last = 0
         for number in count():
             try:
-                yield self._admissible(evaluate, number, real)
-                failures, zeros = 0, {}
+                yield self._admissible(evaluate, number, real, tries)
+                failures, zeros, last = 0, {}, next(tries)
             except ZeroDivisorError as error:
                 failures += 1
                 # Only a denominator that has vanished at every point so far may be zero; a later failure is chance.
@@ -151,7 +154,7 @@ class Sampler:
                 failures += 1
             except NoPointError:
                 missing += 1
-            if failures > DRAWS or missing >= MOST_MISSING_POINTS:
+            if failures > DRAWS or missing >= MOST_MISSING_POINTS or next(tries) - last > MOST_TRIES:
                 raise NoPointError
 
     def _report_division(self, node: int, times: int) -> None:
@@ -172,11 +175,12 @@ class Sampler:
         """The first so many `results`."""
         return list(islice(self.results(evaluate, real=real), number))
 
-    def _admissible(self, evaluate: Callable[[Point], T], number: int, real: bool) -> T:
+    def _admissible(self, evaluate: Callable[[Point], T], number: int, real: bool, tries: Iterator[int]) -> T:
         """The result at one point, symbols under a root that does not exist being drawn again."""
         # Only the symbols under the missing root are drawn again: k independent roots exist at 2^-k of the points.
         point = self.real_point(number) if real else self.point(number)
         for _ in range(REDRAWS):
+            next(tries)
             try:
                 result = evaluate(point)
             except ZeroDivisorError:

@@ -23,7 +23,13 @@ from math import comb, prod
 import sympy as sp
 from sympy.polys.polyerrors import BasePolynomialError
 
-from lagrange.algebra.forms.limits import INTEGRATION_DEPTH, LARGEST_INTEGRAND, MOST_EXPANDED_TERMS, MOST_WAVES
+from lagrange.algebra.forms.limits import (
+    INTEGRATION_DEPTH,
+    LARGEST_INTEGRAND,
+    MOST_EXPANDED_TERMS,
+    MOST_UNDEFINED,
+    MOST_WAVES,
+)
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified
 
@@ -181,7 +187,7 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
         expanded = multiplied_out(e)
         if expanded != e:
             result = _by_terms(expanded, v, depth)
-        if result is None and expanded.has(Unspecified):
+        if result is None and 0 < len(expanded.atoms(Unspecified)) <= MOST_UNDEFINED:
             result = _through_undefined(expanded, v, depth)
         if result is None and 0 < _repeated(expanded, _HYPERBOLIC) <= LARGEST_INTEGRAND:
             result = antiderivative(multiplied_out(expanded.rewrite(sp.exp)), v, depth - 1)

@@ -20,6 +20,9 @@ INTEGRATION_DEPTH = 5
 LARGEST_INTEGRAND = 200
 MOST_EXPANDED_TERMS = 500
 MOST_WAVES = 64
+# Different undefined functions and derivatives of them in an integrand whose terms are traded for derivatives of
+# products: f(f(... x)) twenty deep is traded, level after level, for minutes.
+MOST_UNDEFINED = 8
 
 # Integrating factors (`integrating_factors`): operations [8] and variables [3] of a form, operations of a factor [3].
 LARGEST_FORM = 200

@@ -21,7 +21,7 @@ from math import gcd, lcm
 import sympy as sp
 
 from lagrange.algebra.fourier.limits import MANY_TERMS, PRODUCTS_PER_UNIT, TERMS_PER_UNIT
-from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, unpack
+from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, part_at, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
 
@@ -170,12 +170,10 @@ class Element:
         chosen = places if isinstance(places, set) else frozenset(places)
         if not chosen and self.terms:
             return {0: self}
+        part_of = part_at(chosen, len(self.basis.generators))
         split: dict[int, Terms] = {}
         for (monomial, frequency), value in self.terms.items():
-            part = 0
-            for i, e in unpack(monomial):
-                if i in chosen:
-                    part += e << (WIDTH * i)
+            part = part_of(monomial)
             split.setdefault(part, {})[monomial - part, frequency] = value
         if split.keys() == {0}:
             return {0: self}

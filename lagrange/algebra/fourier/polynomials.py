@@ -11,7 +11,7 @@ l² − y². Reference: Monagan and Pearce, *Polynomial division using dynamic a
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
@@ -55,6 +55,15 @@ def pack(places: Iterable[tuple[int, int]]) -> int:
 def value_at_place(packed: int, index: int) -> int:
     """The value at one place."""
     return next((value for i, value in unpack(packed) if i == index), 0)
+
+
+def part_at(places: Iterable[int], width: int) -> Callable[[int], int]:
+    """What takes the values at these places, still packed, out of whole numbers of no more than `width` places."""
+    # A half is added at every place, so that none borrows from the next, and taken off again.
+    halves = _HALF * (((1 << (WIDTH * width)) - 1) // _MASK)
+    mask = sum(_MASK << (WIDTH * index) for index in places)
+    below = halves & mask
+    return lambda packed: ((packed + halves) & mask) - below
 
 
 def lowest(monomials: Iterable[int]) -> int:

@@ -11,7 +11,7 @@ taken in textbook form (`textbook_form`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import lru_cache
 
@@ -130,6 +130,24 @@ def sum_of(terms: Iterable[PowerProduct]) -> sp.Expr:
     return sp.Add(*(term.to_sympy() for term in terms))
 
 
+def are_summands(terms: Collection[PowerProduct]) -> bool:
+    """Whether SymPy leaves the sum as these products, one summand each, and takes none of them for another.
+
+    It multiplies 2 (a + b) out, joins powers and like terms, and turns the sign of a base; then the answer is no.
+    """
+    return len({frozenset(term.factors.items()) for term in terms}) == len(terms) > 0 and all(map(_is_summand, terms))
+
+
+def _is_summand(term: PowerProduct) -> bool:
+    sums = 0
+    for factor, exponent in term.factors.items():
+        if factor.is_Add and exponent == 1:
+            sums += 1
+        elif not (factor.is_Symbol or isinstance(factor, sp.sin | sp.cos)) or exponent < 0 or exponent.denominator != 1:
+            return False
+    return term.number != 0 and 0 < len(term.factors) > sums <= 1
+
+
 def factored_sum(terms: list[PowerProduct]) -> PowerProduct | None:
     """A sum without common factors as a product, if that takes fewer operations."""
     exponents = [e for term in terms for e in term.factors.values()]
@@ -214,9 +232,16 @@ class CommonFactor:
         return self._times(expression, 1)
 
     def _times(self, expression: sp.Expr, exponent: int) -> sp.Expr:
+        return self._product(map(as_term, sp.Add.make_args(expression)), exponent)
+
+    def divide_terms(self, terms: Iterable[PowerProduct]) -> sp.Expr:
+        """The sum of these products divided by it, term by term."""
+        return self._product(terms, -1)
+
+    def _product(self, terms: Iterable[PowerProduct], exponent: int) -> sp.Expr:
         number = Fraction(self.number.p, self.number.q) ** exponent
         other = PowerProduct(number, {f: exponent * e for f, e in self.powers})
-        return sum_of(as_term(summand) * other for summand in sp.Add.make_args(expression))
+        return sum_of(term * other for term in terms)
 
 
 def _unexpanded(number: sp.Rational, factors: list[sp.Expr]) -> sp.Expr:
@@ -233,7 +258,11 @@ def common_factor(expression: sp.Expr) -> CommonFactor:
     """
     if expression == 0:
         return CommonFactor(sp.S.One, ())
-    terms = [as_term(summand) for summand in sp.Add.make_args(expression)]
+    return common_factor_of([as_term(summand) for summand in sp.Add.make_args(expression)])
+
+
+def common_factor_of(terms: Sequence[PowerProduct]) -> CommonFactor:
+    """The same of the sum of these products."""
     powers = [term.factors for term in terms]
     # Only a denominator that an acceleration has as well is multiplied out: r'' + k/r² stays.
     leading = [d for d in powers if any(map(is_acceleration, d))] or powers

@@ -25,7 +25,7 @@ from math import floor
 import sympy as sp
 
 from lagrange.algebra.fourier.division import as_fraction, by_denominator, over_one_denominator
-from lagrange.algebra.fourier.elements import Basis, Element, Terms
+from lagrange.algebra.fourier.elements import Basis, Element, Terms, WaveKey
 from lagrange.algebra.fourier.limits import LONGEST_FACTORED, MOST_JOINING_ROUNDS, MOST_SHARED_GENERATORS
 from lagrange.algebra.fourier.polynomials import (
     Polynomial,
@@ -39,14 +39,16 @@ from lagrange.algebra.fourier.polynomials import (
     square_of_two,
     unpack,
 )
-from lagrange.algebra.fourier.product_to_sum import Atom
+from lagrange.algebra.fourier.product_to_sum import Atom, TrigProduct
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import (
     CommonFactor,
     Exponent,
     Factors,
     PowerProduct,
+    are_summands,
     common_factor,
+    common_factor_of,
     common_powers,
     factored_sum,
     is_acceleration,
@@ -62,7 +64,7 @@ from lagrange.core.effort import remembered
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 
-__all__ = ["CommonFactor", "Textbook", "common_factor", "normalised", "textbook_form"]
+__all__ = ["CommonFactor", "Textbook", "common_factor", "common_factor_of", "normalised", "textbook_form"]
 
 AtomPowers = tuple[tuple[Atom, int], ...]
 
@@ -74,6 +76,7 @@ class ParameterPolynomials:
         self._basis = basis
         self._write = write
         self._terms: dict[frozenset[tuple[int, Fraction]], PowerProduct] = {}
+        self._primitives: dict[tuple[int, frozenset[tuple[int, Fraction]]], PowerProduct] = {}
         self._monomials: dict[int, PowerProduct] = {}
         self._written: dict[int, Factors] = {}
         self._names: dict[int, tuple[tuple[str, int], ...]] = {}
@@ -131,14 +134,23 @@ class ParameterPolynomials:
         term = self.monomial(monomial).scaled(number)
         if len(primitive) == 1:
             return PowerProduct(term.number * primitive[0], term.factors)
+        # One sum of masses stands beside many products of lengths. What is under roots decides what is factored.
+        key = len(self._basis.related), frozenset(primitive.items())
+        factors = self._primitives.get(key)
+        if factors is None:
+            factors = self._primitives[key] = self._factors(primitive)
+        return term * factors
+
+    def _factors(self, primitive: Polynomial) -> PowerProduct:
         # l² − y² stays whole where it occurs under a root too: root and factor then cancel visibly.
         known = self._known()
         sign, factors = (1, [(primitive, 1)]) if len(primitive) > LONGEST_FACTORED else factorization(primitive, known)
+        product = PowerProduct(Fraction(sign), {})
         for factor, exponent in factors:
             turned, oriented = (1, factor) if factor in known else self._oriented(factor)
             power: Factors = {sum_of(self._grouped(oriented)): exponent}
-            term = term * PowerProduct(Fraction(turned**exponent), power)
-        return PowerProduct(term.number * sign, term.factors)
+            product = product * PowerProduct(Fraction(turned**exponent), power)
+        return product
 
     def _split(self, polynomial: Polynomial) -> tuple[Fraction, int, Polynomial]:
         number = common_number(polynomial.values())
@@ -274,6 +286,13 @@ class Textbook:
             by_place[monomial] = coefficient
         return self._sum(by_place)
 
+    def summands(self, element: Element) -> list[PowerProduct] | None:
+        """The products that the textbook form is the sum of; None where SymPy would write that sum as another one."""
+        if element.by_exponents(self._displacements.places).keys() != {0}:
+            return None
+        terms = [PowerProduct(p.number, multiplied(p.scale, p.shape)) for p in self._parts(element)]
+        return terms if are_summands(terms) else None
+
     def _sum(self, by_displacements: Mapping[int, Element]) -> sp.Expr:
         summands = []
         for displacement, coefficient in by_displacements.items():
@@ -355,8 +374,15 @@ class Textbook:
         for (monomial, frequency), value in element.terms.items():
             spectra.setdefault(monomial, {})[0, frequency] = value
         waves: dict[AtomPowers, Polynomial] = {}
+        alike: dict[tuple[tuple[WaveKey, tuple[int, int]], ...], tuple[TrigProduct, ...]] = {}
         for monomial, terms in spectra.items():
-            for p in self.ring.factoring.products(Element(self.ring, terms, element.denominator)):
+            spectrum = tuple(terms.items())  # one for all the masses that a link carries
+            products = alike.get(spectrum)
+            if products is None:
+                products = alike[spectrum] = self.ring.factoring.products(
+                    Element(self.ring, terms, element.denominator)
+                )
+            for p in products:
                 waves.setdefault(p.powers, {})[monomial] = p.number
         return waves
 

@@ -309,6 +309,8 @@ def _polynomial(f: sp.Expr, q: sp.Symbol, degree: int) -> list[sp.Expr] | None:
     for order in range(degree + 1):
         coefficients.append(sp.expand(derivative.xreplace({q: sp.S.Zero})) / sp.factorial(order))
         derivative = derivative.diff(q)
+        if _is_long(derivative):  # of tanh(tanh(... q)), a product that grows with every tanh
+            return None
     if sp.expand(derivative) != 0 or coefficients[-1] == 0 or any(c.has(sp.zoo, sp.nan) for c in coefficients):
         return None
     return coefficients

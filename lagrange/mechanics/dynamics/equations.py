@@ -34,7 +34,14 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, 
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import is_acceleration
-from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, common_factor, normalised, textbook_form
+from lagrange.algebra.fourier.textbook_form import (
+    CommonFactor,
+    Textbook,
+    common_factor,
+    common_factor_of,
+    normalised,
+    textbook_form,
+)
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -185,6 +192,11 @@ def of_independent(d: Sequence[Element], ring: FourierRing, elimination: Elimina
 
 def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
     """The equation without common factors and common denominators, its leading acceleration positive."""
+    terms = textbook.summands(coefficient)
+    if terms is not None:  # as is usual: no expression need be made of them, and taken apart, before they are divided
+        factor = common_factor_of(terms)
+        if len(factor.nonzero) < 2 and not factor.denominator.powers:
+            return _with_sign(coordinate, factor.divide_terms(terms), factor)
     expression = textbook.form(coefficient)
     factor = common_factor(expression)
     kept = factor.divide(expression)
@@ -194,6 +206,10 @@ def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> 
             kept, factor = shorter, factor.numerator
     if factor.denominator.powers:
         kept = textbook.form(kept)
+    return _with_sign(coordinate, kept, factor)
+
+
+def _with_sign(coordinate: sp.Symbol, kept: sp.Expr, factor: CommonFactor) -> EquationOfMotion:
     leading = normalised(kept, [prime(coordinate, 2)])
     return EquationOfMotion(coordinate, leading, factor, leading != kept)
 

@@ -101,8 +101,12 @@ def placed_freely(configuration: Configuration) -> Placed | None:
             continue
         reached.update(columns)
         basis: list[int] = []
+        used = sum(any(freedom.partials[k].components[n] != 0 for k in columns) for n in range(3))
         for k in columns:
-            if anywhere.rank([freedom.partials[n].components for n in (*basis, k)]) == len(basis) + 1:
+            if (
+                len(basis) < used
+                and anywhere.rank([freedom.partials[n].components for n in (*basis, k)]) == len(basis) + 1
+            ):
                 basis.append(k)
         chosen.append(replace(freedom, basis=tuple(basis)))
     total = sum(len(f.basis) for f in chosen)

@@ -24,7 +24,7 @@ from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, prime, t, variation
-from lagrange.core.vectors import Vector
+from lagrange.core.vectors import Triad, Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 
@@ -134,19 +134,20 @@ def written_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
 
 def _inertia(configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:
     """Σ m r''·∂r/∂q_k + Σ dH/dt·ω_k, shape (n,)."""
-    total = [ring.zero] * len(configuration.slots.coordinates)
-    for p in configuration.points:
-        if p.mass == 0:
-            continue
-        mass = ring.from_sympy(p.mass)
-        for k, moved in enumerate(p.partials):
-            if not moved.is_zero:
-                total[k] = total[k] + mass * dot(p.acceleration, moved, ring)
-    for r in configuration.rotations:
-        for k, turned in enumerate(r.partials):
-            if not turned.is_zero:
-                total[k] = total[k] + dot(r.momentum_rate, turned, ring)
-    return tuple(total)
+    summands: list[list[Element]] = [[] for _ in configuration.slots.coordinates]
+    changes = [(p.acceleration, p.mass, p.partials) for p in configuration.points if p.mass != 0]
+    changes += [(r.momentum_rate, sp.S.One, r.partials) for r in configuration.rotations]
+    for rate, mass, partials in changes:
+        forces: dict[Triad, list[Element]] = {}  # in each triad, for all coordinates
+        for k, moved in enumerate(partials):
+            if moved.is_zero:
+                continue
+            force = forces.get(moved.triad)
+            if force is None:
+                along = rate.along(moved.triad).components
+                force = forces[moved.triad] = [ring.from_sympy(mass) * ring.from_sympy(c) for c in along]
+            summands[k].append(ring.dot(force, list(map(ring.from_sympy, moved.components))))
+    return tuple(map(ring.total, summands))
 
 
 def dot(a: Vector, b: Vector, ring: FourierRing) -> Element:

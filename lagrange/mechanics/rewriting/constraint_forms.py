@@ -24,7 +24,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
-from lagrange.mechanics.limits import MOST_EXPANDED_TERMS
+from lagrange.mechanics.limits import LONGEST_CANCELLED, MOST_EXPANDED_TERMS
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Constraint, Problem
 
@@ -148,6 +148,8 @@ def _ratio(whole: sp.Expr, part: sp.Expr, slots: Slots) -> sp.Expr | None:
     for v in slots.velocities:
         a, b = whole.diff(v), part.diff(v)
         if b != 0:
+            if max(Sizes().of(a).size, Sizes().of(b).size) > LONGEST_CANCELLED:
+                return None
             ratio = sp.cancel(a / b)
             return None if ratio == 0 or ratio.free_symbols & {*slots.coordinates, *slots.velocities, t} else ratio
     return None

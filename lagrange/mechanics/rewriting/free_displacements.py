@@ -14,10 +14,12 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import in_sines, shortest_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.expression_size import Sizes
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, free_letter, t, variation
 from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.limits import LONGEST_CANCELLED, MOST_EXPANDED_TERMS
 
 
 @record
@@ -36,6 +38,13 @@ class FreeDisplacements:
 
 def free_displacements(elimination: Elimination, slots: Slots, taken: Collection[str]) -> FreeDisplacements | None:
     """The displacements by a parameter, whose letter is not `taken`; None where not one of the free ones is divided."""
+    sizes = Sizes()
+    if any(
+        sizes.of(e).size > LONGEST_CANCELLED or _is_fraction_of_many(e, sizes)
+        for row in elimination.solution
+        for e in row
+    ):
+        return None
     columns = [[*map(in_sines, column)] for column in zip(*elimination.solution, strict=True)]
     divided = [k for k, column in enumerate(columns) if any(_may_be_infinite(e, elimination) for e in column)]
     if len(divided) != 1:
@@ -85,6 +94,11 @@ def _by_headings(
         chosen = {q: textbook_form(sp.expand(rows[q])) for q in slots.coordinates if q in rows}
         left[n] = new
     return chosen, left
+
+
+def _is_fraction_of_many(e: sp.Expr, sizes: Sizes) -> bool:
+    """Whether its denominators have many terms when they are multiplied out: twenty sums of two have a million."""
+    return sizes.of(sp.Mul(*(p.base for p in e.atoms(sp.Pow) if p.exp.is_negative))).widest > MOST_EXPANDED_TERMS
 
 
 def _shorter(e: sp.Expr) -> sp.Expr:

@@ -7,7 +7,9 @@ from itertools import combinations
 import pytest
 import sympy as sp
 
+from lagrange.algebra.exact.limits import MOST_TRIES, REDRAWS
 from lagrange.algebra.exact.points import Point
+from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.zero_test import Fields, NoPointError, Surface, agreed
 from lagrange.core.symbols import Sign, Unspecified, prime, t
 
@@ -214,3 +216,17 @@ def test_unlucky_draws_lose_no_points(seed: int) -> None:
     """The lemniscate is solved for a > 0 alone, which exists at a quarter of the points: a dozen draws may all fail."""
     lemniscate = (x**2 + y**2) ** 2 - r**2 * (x**2 - y**2)
     assert Surface([lemniscate], [x, y], fields=Fields(seed)).order is not None
+
+
+def test_points_that_are_never_admissible_are_soon_left() -> None:
+    tries = 0
+
+    def overflowing(_: Point) -> None:
+        nonlocal tries
+        tries += 1
+        raise InadmissibleError(surface.graph.node(x))
+
+    surface = Surface([], [x])
+    with pytest.raises(NoPointError):
+        surface.sampled(overflowing)
+    assert tries <= MOST_TRIES + REDRAWS

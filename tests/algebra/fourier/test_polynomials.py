@@ -14,6 +14,11 @@ from lagrange.algebra.fourier.polynomials import (
     factorization,
     lowest,
     pack,
+<<<<<<< HEAD
+=======
+    part_at,
+    place,
+>>>>>>> speed24c
     shared,
     unpack,
     value_at_place,
@@ -59,3 +64,10 @@ def test_division_by_known_factors_comes_to_an_end() -> None:
     circle = polynomial(((2, 0), 1), ((0, 2), 1))
     for base in (polynomial(((0, 0), 1), ((2, -2), 1)), polynomial(((0, 0), 1)), polynomial(((0, 0), 2))):
         assert factorization(circle, [base]) == (1, [(circle, 1)])
+
+
+@given(st.lists(numbers, min_size=1, max_size=6), st.sets(st.integers(0, 5)))
+def test_values_at_some_places(values: list[int], places: set[int]) -> None:
+    places = {i for i in places if i < len(values)}
+    taken = part_at(places, len(values))(pack(enumerate(values)))
+    assert taken == pack((i, n) for i, n in enumerate(values) if i in places)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from lagrange.algebra.fourier.ring import Element, FourierRing
-from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
+from lagrange.algebra.fourier.textbook_form import Textbook, common_factor, common_factor_of, textbook_form
 from lagrange.core.effort import allowed
 from lagrange.core.symbols import Slots, prime, t, variation
 from tests.support.chance import examples
@@ -534,3 +534,26 @@ def test_work_is_the_form_of_the_sum() -> None:
     }
     total = sum((d * read(v) for v, d in coefficients.items()), textbook.ring.zero)
     assert textbook.work(coefficients) == Textbook(textbook.ring).form(total)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        m * l**2 * ddot(theta) + (m + M) * l * ddot(x) * cos(theta - phi) - m * g * l * sin(theta),
+        (m + M) * ddot(x) + m * l * dot(theta) ** 2 * sin(theta),
+        2 * (m + M) * g + m * ddot(x),  # SymPy multiplies 2 (M + m) out where nothing else stands beside it
+        m * ddot(x) / x + m * g,
+    ],
+)
+def test_summands_are_those_of_the_form(expression: sp.Expr) -> None:
+    textbook = Textbook(FourierRing())
+    terms = textbook.summands(textbook.ring.from_sympy(expression))
+    form = textbook.form(expression)
+    if terms is None:
+        assert "/x" in str(expression)
+        return
+    assert sp.Add(*(p.to_sympy() for p in terms)) == form
+    assert len(terms) == len(sp.Add.make_args(form))
+    slow, fast = common_factor(form), common_factor_of(terms)
+    assert (slow.number, dict(slow.powers)) == (fast.number, dict(fast.powers))
+    assert slow.divide(form) == fast.divide_terms(terms)
