@@ -7,8 +7,9 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 
 import sympy as sp
 
@@ -24,11 +25,13 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.pictures.blocks import Blocks
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
+from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
-from lagrange.pictures.limits import LONGEST_ROD_LABEL
+from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
@@ -47,6 +50,7 @@ from lagrange.pictures.sketch import (
     toward,
 )
 from lagrange.pictures.solids import Solids
+from lagrange.pictures.space import InSpace, constraints_in_space
 from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends, with_other_values
 from lagrange.problem.model import AppliedForce, BodyShape, Drawn, Keeper, Outline
 
@@ -61,7 +65,9 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
     """The picture, with applied forces if `with_loads`; None if it cannot be drawn sensibly."""
     for inferred in (True, False):  # what is inferred may leave no room for a label
         try:
-            drawing = _Drawing(system)
+            implied = with_implied_shapes(system)
+            in_space = constraints_in_space(implied)
+            drawing = _Drawing(replace(implied, around=in_space.places) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:
             return None
@@ -74,7 +80,8 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
 class _Drawing:
     """One picture."""
 
-    def __init__(self, system: SystemPicture) -> None:
+    def __init__(self, system: SystemPicture, in_space: InSpace) -> None:
+        self.in_space = in_space
         self.system = system
         self.pose = system.pose
         self.page = system.page
@@ -83,6 +90,7 @@ class _Drawing:
         self.origin = self.page((0.0, 0.0, 0.0))
         self.hinges: list[PagePoint] = []
         self.mounts: list[PagePoint] = []
+        self.spring_ends: list[tuple[PagePoint, PagePoint]] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
@@ -95,11 +103,16 @@ class _Drawing:
         for pivot in inferred.pivots:
             self.hinge(pivot)
             self.mounts.append(pivot)
-        self.links()
-        self.supports_of_rods()
+        blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
+        if with_inferred:
+            blocks.all()
         self.bodies()
+        self.links(blocks.half)
+        self.supports_of_rods()
         if "constraints" not in self.hidden:
             self.curves()
+            if with_inferred:
+                self.in_space.draw(self.system, self.sketch)
         declared.points()
         self.particles()
         if with_loads and "loads" not in self.hidden:
@@ -189,7 +202,10 @@ class _Drawing:
         for at in self.mounts:
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
             x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
-            if math.hypot(*down) > 1e-6:
+            pulled = [link for link in self.spring_ends if apart(at, link[0]) < SAME_ON_PAGE]
+            if pulled and len(ways) == len(pulled) and abs(x) > 2 * abs(y):
+                inward = (math.copysign(1.0, x), 0.0)
+            elif math.hypot(*down) > 1e-6:
                 along = toward((0.0, 0.0), down)
                 inward = along if x * along[0] + y * along[1] >= -1e-6 else scaled(along, -1.0)
             elif math.hypot(x, y) < 1e-6:
@@ -205,10 +221,17 @@ class _Drawing:
             self.hinges.append(at)
             self.sketch.dot(at, HINGE, open_=True)
 
-    def links(self) -> None:
-        """Springs and dampers; those between the same points are side by side."""
+    @property
+    def downward(self) -> PagePoint:
+        """The direction of gravity on the page; to the bottom of the page where none is given."""
+        field = self.system.problem.gravity
+        down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
+        return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
+
+    def links(self, half: Mapping[str, float]) -> None:
+        """Springs and dampers; those between the same points are side by side. They end at the sides of blocks."""
         configuration = self.system.configuration
-        ends = [self.ends(link) for link in configuration.links]
+        ends = [self.ends(link, half) for link in configuration.links]
         rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
         for n, link in enumerate(configuration.links):
             a, b = ends[n]
@@ -238,9 +261,12 @@ class _Drawing:
         on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
         return not free or not (on_rod or self.system.is_on_body(place))
 
-    def ends(self, link: StretchedSpring | DamperForce) -> tuple[PagePoint, PagePoint]:
-        first, second = ends_of(link, self.system.configuration, self.pose)
-        return self.flat(first), self.flat(second)
+    def ends(self, link: StretchedSpring | DamperForce, half: Mapping[str, float]) -> tuple[PagePoint, PagePoint]:
+        first, second = (self.flat(place) for place in ends_of(link, self.system.configuration, self.pose))
+        inset = [half.get(e, 0.0) if isinstance(e, str) else 0.0 for e in link.ends]
+        if apart(first, second) < sum(inset) + 0.6:
+            return first, second
+        return beyond(first, toward(first, second), inset[0]), beyond(second, toward(second, first), inset[1])
 
     def bypass(self, a: PagePoint, b: PagePoint, shift: float) -> tuple[PagePoint, PagePoint]:
         """Two ends shifted to one side of the given ones, and joined to them."""
@@ -262,6 +288,7 @@ class _Drawing:
         else:
             self.hinge(at)
             self.mounts.append(at)
+            self.spring_ends.append((at, other))
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
@@ -298,12 +325,23 @@ class _Drawing:
             self.sketch.line([self.flat(centre), beyond(self.flat(centre), e1, radius)], StrokeKind.REFERENCE)
         if rotation is not None and self.system.view.planar and "constraints" not in self.hidden:
             self.supports(p, rotation)
+        if rotation is not None and self.system.view.planar and self.system.is_bare:
+            self.joints(p)
         if rotation is not None and self.system.view.planar and self.system.is_bare and self.is_fixed(p.position):
             self.pivot(self.flat(centre), round_)
         self.sketch.dot(self.flat(centre), 0.05)
 
         if rotation is None and shape.kind is Outline.BOX and self.system.is_bare:
             self.rail(p, self.system.number(shape.lengths[0]), self.system.number(shape.lengths[1]))
+
+    def joints(self, p: MassPoint) -> None:
+        """The hinges of a plane body; those that do not move are held by the ground."""
+        for joint in self.system.joints.get(p.name, ()):
+            at = self.flat(joint)
+            self.hinge(at)
+            fixed = any(math.dist(joint, pivot) < SAME_ON_PAGE for pivot in self.system.pivots)
+            if fixed and all(apart(at, m) > SAME_ON_PAGE for m in self.mounts):
+                self.mounts.append(at)
 
     def rail(self, p: MassPoint, width: float, height: float) -> None:
         """The ground under a box whose coordinates leave it on one level."""
@@ -332,10 +370,9 @@ class _Drawing:
         centre = self.flat(self.places[p.name])
         known = self.system.shapes[p.name]
         held = [self.flat(plus(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
-        joints = [self.flat(j) for j in self.system.joints.get(p.name, ())]
-        held += [*joints, *(self.flat(m) for m in self.system.marked.get(p.name, ()))]
-        for j in joints:
-            self.hinge(j)
+        self.joints(p)
+        more = (self.system.joints, self.system.marked, self.system.fastened)
+        held += [self.flat(place) for places in more for place in places.get(p.name, ())]
         if known.radius:
             radius = known.radius * self.page.scale
             self.sketch.ellipse(centre, (radius, 0.0), (0.0, radius))
@@ -464,7 +501,7 @@ class _Drawing:
         for reaction in self.system.newton.reactions:
             if reaction.name in self.hidden:
                 continue
-            if reaction.rod is not None or reaction.directions is None or len(reaction.directions) != 1:
+            if self.system.is_rod(reaction) or reaction.directions is None or len(reaction.directions) != 1:
                 continue
             [name] = reaction.directions
             p = next(x for x in self.system.configuration.points if x.name == name)

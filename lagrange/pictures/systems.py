@@ -34,9 +34,11 @@ from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_P
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
-from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
+from lagrange.problem.model import Drawn, Figure, FigureMark, Keeper, Outline, Problem
 
-ROD = re.compile(r"pendulum|\brods?\b|\barms?\b|\blinks?\b|\bbars?\b", re.IGNORECASE)
+ROD = re.compile(
+    r"pendulum|linkage|\b(rod|arm|link|bar|crank|rocker|lever|beam|pole|stick|hinge)s?\b|\bhinged\b", re.IGNORECASE
+)
 """Words for what keeps a distance."""
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
@@ -47,6 +49,7 @@ class SystemPicture:
 
     newton    the free bodies and reactions
     contacts  those with friction at rest
+    around    further places that have to fit on the page
     """
 
     problem: Problem
@@ -55,6 +58,7 @@ class SystemPicture:
     pose: Pose
     view: View
     contacts: tuple[RoughContact, ...] = ()
+    around: tuple[FloatVector, ...] = ()
 
     def at(self, vector: Vector, more: FloatValues | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
@@ -116,7 +120,16 @@ class SystemPicture:
     @property
     def rods(self) -> tuple[tuple[Reaction, Rod], ...]:
         """The reactions that keep a distance, with their rods."""
-        return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None)
+        return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None and self.is_rod(r))
+
+    def is_rod(self, reaction: Reaction) -> bool:
+        """Whether what keeps a distance is a rod or string, and not a bowl or a hoop, as far as is said."""
+        if reaction.rod is None or reaction.rod.ends[1]:
+            return reaction.rod is not None
+        by = reaction.constraint.by
+        if by in (Keeper.SURFACE, Keeper.WIRE) or by in (Keeper.ROD, Keeper.STRING):
+            return by in (Keeper.ROD, Keeper.STRING)
+        return not _HOOP.search(reaction.name)
 
     def reactions_on(self, body: str) -> tuple[Reaction, ...]:
         """The reactions on a body whose directions are known."""
@@ -169,6 +182,24 @@ class SystemPicture:
             for p in points
             if plane_rotation(self.configuration, p.name) is not None
         }
+
+    @cached_property
+    def fastened(self) -> dict[str, list[FloatVector]]:
+        """The ends of springs and dampers that move with a plane body, by body."""
+        ends = {e for link in self.configuration.links for e in link.ends if isinstance(e, Vector)}
+        return {
+            p.name: [self.pose.at(e) for e in ends if _holds(self, p, lambda pose, e=e: pose.at(e))]  # type: ignore[misc]
+            for p in self.configuration.points
+            if ends and plane_rotation(self.configuration, p.name) is not None
+        }
+
+    @cached_property
+    def pivots(self) -> tuple[FloatVector, ...]:
+        """The joints of plane bodies that are fixed in space."""
+        turning = [(p, plane_rotation(self.configuration, p.name)) for p in self.configuration.points]
+        centres = [c for p, r in turning if r is not None for c in _circle_centres(self.pose, p, r) if _holds(self, p, c)]
+        places = [c(self.pose) for c in centres if _same_everywhere(self.pose, c)]
+        return tuple(place for place in places if place is not None)
 
     @cached_property
     def text(self) -> str:
@@ -239,7 +270,7 @@ class SystemPicture:
     def page(self) -> PaperMap:
         """The page, with a scale at which all points and bodies fit."""
         places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
-        flat = [self.view.flat(p) for p in (*places, *self._figure_corners(), (0.0, 0.0, 0.0))]
+        flat = [self.view.flat(p) for p in (*places, *self.around, *self._figure_corners(), (0.0, 0.0, 0.0))]
         for p in self.configuration.points:
             known = self.shapes.get(p.name)
             if known is None:
