@@ -60,6 +60,7 @@ class Blocks:
 
     corners  where strings bend around a pulley at the edge of something, with the centre of the pulley
     half     half the width of each box along its way, by particle
+    on_wedge the face on which a particle slides, by particle; None for a wedge itself
     """
 
     def __init__(
@@ -76,20 +77,50 @@ class Blocks:
         self.down = down
         self.corners = corners
         self.half: dict[str, float] = {}
+        self.on_wedge: dict[str, Way | None] = {}
 
     def all(self) -> None:
         """Draw them."""
         if not (self.system.is_bare and self.system.view.planar):
             return
+        self.wedges()
         ways = {p.name: way for p in self._particles() if (way := self.way(p)) is not None}
         carried = []
         for p in self._particles():
             way = ways.get(p.name)
             if self.is_block(p):
                 self.block(p, way)
-            if way is not None and self.is_carried(way):
+            if way is not None and p.name not in self.on_wedge and self.is_carried(way):
                 carried.append((way, HIGH / 2 if p.name in self.half else 0.0))
         self.grounds([*carried, *self.wheels()])
+
+    def wedges(self) -> None:
+        """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
+        pose, page = self.system.pose, self.system.page
+        side = left_of(self.down)
+        for wedge in [p for p in self._particles() if "wedge" in p.name]:
+            level = self.way(wedge)
+            for rider in [p for p in self._particles() if p.name != wedge.name and p.mass != 0]:
+                relative = rider.position.fixed() - wedge.position.fixed()
+                moving = [q for q in pose.coordinates if not relative.partial(q).is_zero]
+                with suppress(NoValueError):
+                    if level is None or len(moving) != 1 or not is_distance(pose, moving[0], relative):
+                        continue
+                    [q] = moving
+                    at, top = page(pose.at(rider.position)), page(pose.moved(q, -pose.values[q]).at(rider.position))
+                    along = toward(top, at)
+                    if inner(along, self.down) < 0:
+                        along, top = scaled(along, -1.0), beyond(at, along, 0.9)
+                    if not 0.1 < inner(along, self.down) < 0.95:
+                        continue
+                    toe = beyond(top, along, apart(top, at) + 1.2)
+                    up = left_of(along)
+                    up = up if inner(up, self.down) < 0 else scaled(up, -1.0)
+                    heel = beyond(top, self.down, inner((toe[0] - top[0], toe[1] - top[1]), self.down))
+                    self.sketch.face([top, toe, heel], 2, -2.0)
+                    foot = ((toe[0] + heel[0]) / 2, (toe[1] + heel[1]) / 2)
+                    rail(self.sketch, foot, self.down, abs(inner((toe[0] - heel[0], toe[1] - heel[1]), side)) / 2 + 0.7)
+                    self.on_wedge |= {wedge.name: None, rider.name: Way(at, along, up)}
 
     def wheels(self) -> Iterator[tuple[Way, float]]:
         """The ways of round bodies that roll, on no support that the reactions show, with their radii."""
@@ -122,7 +153,7 @@ class Blocks:
         return None
 
     def surface(self, p: MassPoint) -> Way | None:
-        """The straight line of a constraint on which a particle alone is kept."""
+        """The line of a constraint on which a particle alone is kept, or the tangent of its curve."""
         pose, page = self.system.pose, self.system.page
         for reaction in self.system.newton.reactions:
             if reaction.rod is not None or set(reaction.directions or ()) != {p.name}:
@@ -131,10 +162,9 @@ class Blocks:
             if force is None:
                 continue
             with suppress(NoValueError):
-                ways = [toward((0.0, 0.0), page.way(x.at(force))) for x in (pose, *pose.others)]
-                if all(abs(w[0] * ways[0][1] - w[1] * ways[0][0]) < SAME_ON_PAGE for w in ways):
-                    up = ways[0] if inner(ways[0], self.down) <= 0 else scaled(ways[0], -1.0)
-                    return Way(page(pose.at(p.position)), left_of(up), up)
+                push = toward((0.0, 0.0), page.way(pose.at(force)))
+                up = push if inner(push, self.down) <= 0 else scaled(push, -1.0)
+                return Way(page(pose.at(p.position)), left_of(up), up)
         return None
 
     def is_block(self, p: MassPoint) -> bool:
@@ -143,7 +173,7 @@ class Blocks:
         text = f"{self.system.problem.title} {self.system.problem.description}"
         called = re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
         others = [q for q in self._particles() if q.mass != 0]
-        return p.mass != 0 and bool(
+        return p.mass != 0 and "wedge" not in name and bool(
             _WORD.search(name) or called or _SEVERAL.search(text) or (len(others) == 1 and _WORD.search(text))
         )
 
@@ -155,7 +185,7 @@ class Blocks:
 
     def block(self, p: MassPoint, way: Way | None) -> None:
         """A box: on the ground, on a plane that is drawn, or around its particle."""
-        kept = self.surface(p)
+        kept = self.on_wedge.get(p.name) or self.surface(p)
         on = kept or way
         at = self.system.page(self.system.pose.at(p.position))
         hangs = on is None or (kept is None and way is not None and way.is_upright)
