@@ -7,7 +7,6 @@ of a wall. A particle that the text calls a block, a cart, a slider or the like 
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -28,7 +27,8 @@ _BLOCK = r"block|cart|car|carriage|trolley|slider|piston|crate|box|wagon|truck|s
 _WORD = re.compile(rf"\b({_BLOCK})\b", re.IGNORECASE)
 _SEVERAL = re.compile(rf"\b({_BLOCK}|boxe)s\b", re.IGNORECASE)
 _GROUND = re.compile(
-    r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)", re.IGNORECASE
+    r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
+    re.IGNORECASE,
 )
 _IN_PLANE = re.compile(r"\b(in|of) (a|the|its|one) (\w+ )?plane\b", re.IGNORECASE)
 _HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
@@ -129,9 +129,9 @@ class Blocks:
             if p is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE):
                 continue
             way = self.way(p)
-            if way is not None and not way.is_upright and not self.system.reactions_on(name):
-                if re.search(r"\brolls?|rolling", self.system.text):
-                    yield way, abs(self.system.number(shape.lengths[0])) * self.system.page.scale
+            rolls = re.search(r"\brolls?|rolling", self.system.text) and not self.system.reactions_on(name)
+            if way is not None and not way.is_upright and rolls:
+                yield way, abs(self.system.number(shape.lengths[0])) * self.system.page.scale
 
     def _particles(self) -> Iterator[MassPoint]:
         bodies = {r.name for r in self.system.configuration.rotations} | {*self.system.problem.figure.shapes}
@@ -173,8 +173,10 @@ class Blocks:
         text = f"{self.system.problem.title} {self.system.problem.description}"
         called = re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
         others = [q for q in self._particles() if q.mass != 0]
-        return p.mass != 0 and "wedge" not in name and bool(
-            _WORD.search(name) or called or _SEVERAL.search(text) or (len(others) == 1 and _WORD.search(text))
+        return (
+            p.mass != 0
+            and "wedge" not in name
+            and bool(_WORD.search(name) or called or _SEVERAL.search(text) or (len(others) == 1 and _WORD.search(text)))
         )
 
     def is_carried(self, way: Way) -> bool:
@@ -216,7 +218,9 @@ class Blocks:
                 start, end = (start, stop) if stop > sum(places) / len(places) else (stop, end)
                 if centre is not None:
                     back = 2.4 * CORNER if stop < sum(places) / len(places) else -2.4 * CORNER
-                    start, end, stop = (start + back, end, stop + back) if back > 0 else (start, end + back, stop + back)
+                    start, end, stop = (
+                        (start + back, end, stop + back) if back > 0 else (start, end + back, stop + back)
+                    )
                     self.sketch.line([centre, beyond(foot, way.along, stop - here)], StrokeKind.LINK)
                     self.corners.remove((at, centre))
             middle, half = (start + end) / 2 - here, (end - start) / 2

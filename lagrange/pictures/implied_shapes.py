@@ -22,13 +22,14 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.pictures.floats import NoValueError, inner, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.shapes import own_coordinates, plane_rotation
-from lagrange.pictures.systems import SystemPicture
+from lagrange.pictures.systems import SystemPicture, is_string
 from lagrange.problem.model import BodyShape, Outline
 
 _ROUND = {sp.Rational(1, 2): Outline.DISC, sp.Rational(2, 5): Outline.SPHERE, sp.Rational(2, 3): Outline.SPHERE}
 _HALF_LENGTH = {sp.Rational(1, 3): sp.Integer(1), sp.Rational(1, 12): sp.Rational(1, 2)}
 _RING = re.compile(r"hoop|\bring\b|\brim\b|wheel", re.IGNORECASE)
 _TOP = re.compile(r"\btops?\b|gyroscope|spinning", re.IGNORECASE)
+_PULLEY = re.compile(r"\b(pulley|drum|wheel|winch|capstan|cylinder|disc|disk)s?\b", re.IGNORECASE)
 _WIDE = sp.Rational(9, 20)
 """Radius of a top that is drawn as a cone, as a part of its height."""
 
@@ -58,7 +59,7 @@ def ratio(moment: sp.Expr, mass: sp.Expr) -> tuple[sp.Rational, sp.Expr] | None:
         return None
     number, rest = sp.cancel(moment / mass).as_coeff_Mul()
     length = sp.sqrt(rest)
-    if not isinstance(number, sp.Rational) or not rest.free_symbols or length.has(sp.Pow) and not _is_product(length):
+    if not isinstance(number, sp.Rational) or not rest.free_symbols or not _is_product(length):
         return None
     return number, length
 
@@ -73,8 +74,9 @@ def _plane(system: SystemPicture, p: MassPoint) -> BodyShape | None:
     if system.shapes[p.name].radius:
         return None  # its contact says so already
     known = ratio(rotation.inertia.moments[2], p.mass)
-    if known is None:
-        return None
+    if known is None or known[0] not in {*_ROUND, *_HALF_LENGTH, sp.S.One}:
+        radius = _rim(system, rotation)
+        return None if radius is None else BodyShape(Outline.DISC, (radius,))
     number, length = known
     if number in _ROUND:
         return BodyShape(_ROUND[number], (length,))
@@ -89,13 +91,29 @@ def _plane(system: SystemPicture, p: MassPoint) -> BodyShape | None:
     return BodyShape(Outline.ROD, (), (p.position.fixed() - way * half, p.position.fixed() + way * half))
 
 
+def _rim(system: SystemPicture, rotation: Rotation) -> sp.Expr | None:
+    """The radius R of a pulley, as far as a string says it by x' = R φ'; None for any other body."""
+    coordinates = system.configuration.slots.coordinates
+    turning = rotation.axes[0].fixed().as_sum().free_symbols & {*coordinates}
+    for reaction in system.newton.reactions if _PULLEY.search(system.text) else ():
+        if not is_string(reaction) or len(reaction.row.coefficients) != len(coordinates):
+            continue
+        used = {q: a for q, a in zip(coordinates, reaction.row.coefficients, strict=True) if a != 0}
+        angle = turning & {*used}
+        if len(used) == 2 and len(angle) == 1:
+            [q] = angle
+            [other] = {*used} - angle
+            return sp.Abs(sp.cancel(used[q] / used[other]))
+    return None
+
+
 def _along(system: SystemPicture, p: MassPoint, rotation: Rotation) -> Vector | None:
     """The unit vector along a rod: towards the points at which it is held, or else its first axis."""
     held = list(system.shapes[p.name].held)
     places = [*system.joints.get(p.name, ()), *system.marked.get(p.name, ()), *system.fastened.get(p.name, ())]
     held += [own_coordinates(system.pose, rotation, p.position, place) for place in places]
     held = [h for h in held if math.hypot(*h) > SAME_ON_PAGE]
-    e1, e2 = (a.fixed() for a in rotation.axes[:2])
+    e1, e2 = rotation.axes[0].fixed(), rotation.axes[1].fixed()
     if not held:
         return e1
     x, y = max(held, key=lambda h: math.hypot(*h))
@@ -103,7 +121,8 @@ def _along(system: SystemPicture, p: MassPoint, rotation: Rotation) -> Vector | 
         return None  # they are on no line
     size = math.hypot(x, y)
     parts = [sp.Integer(round(c)) if abs(c - round(c)) < SAME_ON_PAGE else sp.Float(c) for c in (x / size, y / size)]
-    return e1 * parts[0] + e2 * parts[1]
+    along: Vector = e1 * parts[0] + e2 * parts[1]
+    return along
 
 
 def _space(system: SystemPicture, p: MassPoint, rotation: Rotation) -> BodyShape | None:

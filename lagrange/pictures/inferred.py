@@ -23,8 +23,8 @@ from lagrange.pictures.floats import NoValueError, inner
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, toward
-from lagrange.pictures.systems import ROD, SystemPicture
-from lagrange.problem.model import Keeper
+from lagrange.pictures.systems import ROD, SystemPicture, is_string
+from lagrange.problem.model import Keeper, Outline
 
 _STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
 PULLEY = 0.32
@@ -54,6 +54,8 @@ class Inferred:
         """Draw them."""
         if self.system.is_bare:
             self.strings()
+            with suppress(NoValueError):
+                self.hanging()
             for p in self._particles():
                 if not self.arm(p):
                     self.path(p)
@@ -122,19 +124,19 @@ class Inferred:
         """The strings between weights, each at its own coordinate, over pulleys where these begin."""
         slots = self.system.configuration.slots
         for reaction in self.system.newton.reactions:
-            row, constraint = reaction.row, reaction.constraint
+            row = reaction.row
             if len(row.coefficients) != len(slots.coordinates):
                 continue  # the constraint is in the coordinates of the file, and the picture in those of a choice
             used = {q: a for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0}
-            if constraint.by is not Keeper.STRING and not re.search("string|rope|cord|cable", row.name):
+            if not is_string(reaction):
                 continue
             if len(used) != 2 or row.finite is None:
                 continue
             points = self.system.configuration.points
-            ends = [[p for p in points if not p.position.fixed().partial(q).is_zero and p.mass != 0] for q in used]
-            if any(len(e) != 1 for e in ends):
+            pairs = [[p for p in points if not p.position.fixed().partial(q).is_zero and p.mass != 0] for q in used]
+            if any(len(pair) != 1 for pair in pairs):
                 continue
-            ends = [e[0].position for e in ends]
+            ends = [pair[0].position for pair in pairs]
             with suppress(NoValueError):
                 match sorted(abs(a) for a in used.values() if a.is_number):
                     case [one, other] if one == other:
@@ -142,6 +144,30 @@ class Inferred:
                     case [one, other] if other == 2 * one:
                         order = sorted(zip(used, ends, strict=True), key=lambda e: abs(used[e[0]]))
                         self._under_pulley([v for _, v in order], [q for q, _ in order])
+
+    def hanging(self) -> None:
+        """The strings of what hangs from the rim of a wheel with a fixed centre."""
+        field, figure = self.system.problem.gravity, self.system.problem.figure
+        if field is None or not self.system.view.planar:
+            return
+        up = toward((0.0, 0.0), self.system.page.way(self.pose.at(field * sp.Integer(-1))))
+        across = left_of(up)
+        poses = (self.pose, *self.pose.others)
+        wheels = [p for p in self.system.configuration.points if p.name in figure.shapes]
+        for wheel in wheels:
+            shape = figure.shapes[wheel.name]
+            if shape.kind not in (Outline.DISC, Outline.RING):
+                continue
+            radius = abs(self.system.number(shape.lengths[0])) * self.system.page.scale
+            for p in self.system.configuration.points:
+                ways = [(self.system.page(x.at(p.position)), self.system.page(x.at(wheel.position))) for x in poses]
+                offsets = [inner((a[0] - c[0], a[1] - c[1]), across) for a, c in ways]
+                below = inner((ways[0][0][0] - ways[0][1][0], ways[0][0][1] - ways[0][1][1]), up)
+                at_rim = all(abs(abs(x) - radius) < 10 * SAME_ON_PAGE and x * offsets[0] > 0 for x in offsets)
+                if p.name != wheel.name and p.mass != 0 and below < -0.3 and at_rim:
+                    top = beyond(ways[0][1], across, offsets[0])
+                    self.sketch.line([top, ways[0][0]], StrokeKind.STRING)
+                    self.busy.append((top, ways[0][0]))
 
     def _tops(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> list[PagePoint]:
         """Where the coordinates of the ends of a string begin."""
@@ -161,11 +187,10 @@ class Inferred:
         if abs(apart_by) < 3 * PULLEY:
             return
         level = beyond(tops[1], up, 3 * PULLEY)
-        radius = min((abs(apart_by) - PULLEY) / 2, 2 * PULLEY)
         near, far = beyond(ends[1], side, PULLEY), beyond(ends[1], side, -PULLEY)
         wheel = beyond(ends[1], up, 2 * PULLEY)
-        middle = beyond(beyond(tops[1], side, PULLEY + (abs(apart_by) - PULLEY) / 2), up, 0.0)
         radius = (abs(apart_by) - PULLEY) / 2
+        middle = beyond(tops[1], side, PULLEY + radius)
         rise = 2 * PULLEY
         for at, top in ((near, tops[1]), (far, level)):
             on = beyond(at, up, rise)
@@ -194,24 +219,26 @@ class Inferred:
         if len(downs) == 2 and apart(*tops) < SAME_ON_PAGE:
             self._around_corner(tops[0], bottoms, downs)
             return
-        if len(downs) != 2 or apart(*tops) < 4 * PULLEY or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE:
+        if len(downs) != 2 or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE:
             return
         along = toward(tops[0], tops[1])
         up = (-downs[0][0], -downs[0][1])
         if abs(along[0] * up[0] + along[1] * up[1]) > SAME_ON_PAGE:
             return
-        centres = [beyond(tops[0], along, PULLEY), beyond(tops[1], along, -PULLEY)]
+        one = apart(*tops) < 4 * PULLEY  # there is room for one pulley only, as wide as they are apart
+        radius = apart(*tops) / 2 if one else PULLEY
+        centres = [beyond(tops[0], along, radius), beyond(tops[1], along, -radius)][: 1 if one else 2]
         for top, bottom in zip(tops, bottoms, strict=True):
             self.sketch.line([top, bottom], StrokeKind.STRING)
             self.busy.append((top, bottom))
-        self.sketch.line([beyond(c, up, PULLEY) for c in centres], StrokeKind.STRING)
+        if not one:
+            self.sketch.line([beyond(c, up, radius) for c in centres], StrokeKind.STRING)
         for centre in centres:
-            self.sketch.circle(centre, PULLEY, 1)
+            self.sketch.circle(centre, radius, 1)
             hook = beyond(centre, up, 3 * PULLEY)
             self.sketch.line([centre, hook], StrokeKind.LINK)
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
             self.sketch.wall(hook, (-up[0], -up[1]), 0.45)
-
 
     def _around_corner(self, corner: PagePoint, ends: Sequence[PagePoint], ways: Sequence[PagePoint]) -> None:
         """A string over a small pulley at a corner, or through a hole there."""

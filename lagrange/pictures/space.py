@@ -36,7 +36,7 @@ Field = Callable[[FloatVector], float]
 
 @record
 class InSpace:
-    """What is drawn of constraints in space: surfaces as grids of places, curves, and flat tables with their corners."""
+    """What constraints in space look like: surfaces as grids of places, curves, and flat tables with their corners."""
 
     grids: tuple[list[list[FloatVector]], ...] = ()
     curves: tuple[list[FloatVector], ...] = ()
@@ -241,4 +241,3 @@ def _back(fields: Sequence[Field], at: FloatVector, size: float) -> FloatVector:
             return moved
         at = moved
     raise NoValueError("the curve ends")
-

@@ -8,12 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
@@ -25,6 +23,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.pictures.arrows import ARROW, Arrows
 from lagrange.pictures.blocks import Blocks
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
@@ -32,7 +31,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
-from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
+from lagrange.pictures.loads import as_words, constraint_curve
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
 from lagrange.pictures.sketch import (
@@ -51,12 +50,10 @@ from lagrange.pictures.sketch import (
 )
 from lagrange.pictures.solids import Solids
 from lagrange.pictures.space import InSpace, constraints_in_space
-from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends, with_other_values
-from lagrange.problem.model import AppliedForce, BodyShape, Drawn, Keeper, Outline
+from lagrange.pictures.systems import SystemPicture, ends_of, is_string, rod_ends
+from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
-ARROW = 1.15
-"""Length of the arrows of unit vectors and loads, in centimetres."""
 ELLIPSOID = (0.75, 0.55, 0.4)
 """Semi-axes of a body of which nothing is known, in centimetres."""
 
@@ -115,16 +112,17 @@ class _Drawing:
                 self.in_space.draw(self.system, self.sketch)
         declared.points()
         self.particles()
+        arrows = Arrows(self.system, self.sketch, self.places)
         if with_loads and "loads" not in self.hidden:
-            self.loads()
-        self.impulses()
+            arrows.loads()
+        arrows.impulses()
         declared.marks()
         coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
         coordinates.all()
         if "axes" not in self.hidden:
             self.axes(coordinates.feet)
         if "gravity" not in self.hidden:
-            self.gravity()
+            arrows.gravity()
         if "origin" not in self.hidden:
             self.name_origin()
 
@@ -363,7 +361,9 @@ class _Drawing:
         if any(apart(at, h) < 1e-3 for h in self.hinges) or math.hypot(*down) < 1e-6:
             return
         self.hinge(at)
-        if not is_wheel:
+        if is_wheel:
+            self.mounts.append(at)
+        else:
             fulcrum(self.sketch, at, toward((0.0, 0.0), down))
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
@@ -411,6 +411,9 @@ class _Drawing:
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))
+            if is_string(reaction) and rolls:
+                self.unwinding(at, way if inner(way, self.downward) < 0 else scaled(way, -1.0))
+                continue
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
             ends = [beyond(at, way, -half), beyond(at, way, half)]
@@ -418,6 +421,14 @@ class _Drawing:
             if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
                 ends.reverse()
             self.sketch.ground(ends)
+
+    def unwinding(self, at: PagePoint, way: PagePoint) -> None:
+        """The string that leaves a wheel, up to the level where it is fastened."""
+        reach = max(1.6, inner((self.origin[0] - at[0], self.origin[1] - at[1]), way))
+        end = beyond(at, way, reach)
+        self.sketch.line([at, end], StrokeKind.STRING)
+        self.busy.append((at, end))
+        self.sketch.wall(end, scaled(way, -1.0), 0.45)
 
     def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
         """Whether a point of a body is fixed in space."""
@@ -544,57 +555,6 @@ class _Drawing:
         here = min(range(len(curve) - 1), key=lambda n: apart(curve[n], at))
         left = left_of(toward(curve[here], curve[here + 1]))
         return 1 if left[0] * push[0] + left[1] * push[1] > 0 else -1
-
-    def loads(self) -> None:
-        for name in self.places:
-            for acting in given_loads(self.system, name):
-                self.load(acting)
-
-    def load(self, acting: Acting) -> None:
-        if acting.is_moment:
-            return
-        start = self.flat(plus(self.places[acting.on], acting.offset))
-        way = toward((0.0, 0.0), self.page.way(acting.vector))
-        end = beyond(start, way, ARROW)
-        self.sketch.arrow(start, end, StrokeKind.FORCE)
-        self.sketch.label(acting.label, end, way)
-
-    def impulses(self) -> None:
-        """The blows of an impact, each as an arrow that ends where it strikes."""
-        impact = self.system.problem.impact
-        drawn = {str(m.label) for m in self.system.marks}
-        for blow in impact.impulses if impact is not None else ():
-            if not isinstance(blow, AppliedForce):
-                continue
-            with suppress(NoValueError):
-                size = sp.sqrt(textbook_form(blow.vector.dot(blow.vector)))
-                if str(size) in drawn:
-                    continue
-                pose = with_other_values(self.pose, blow.vector.fixed().components)
-                way = toward((0.0, 0.0), self.page.way(pose.at(blow.vector)))
-                at = self.places[blow.on] if blow.at is None else self.system.at(blow.at)
-                start = beyond(self.flat(at), way, -ARROW)
-                self.sketch.arrow(start, self.flat(at), StrokeKind.FORCE)
-                self.sketch.label(size if size.is_Symbol else as_words(blow.name), start, scaled(way, -1.0))
-
-    def gravity(self) -> None:
-        """An arrow in the direction of gravity, to the right of the picture."""
-        field = self.system.problem.gravity
-        if field is None or field.is_zero:
-            return
-        way = self.page.way(self.pose.at(field))
-        size = sp.sqrt(textbook_form(field.dot(field)))
-        if math.hypot(*way) < 1e-9 or not size.is_Symbol:
-            return
-        way = toward((0, 0), way)
-        corners = [p for line in self.sketch.lines for p in line.points] + [d.at for d in self.sketch.dots]
-        corners += [p for _, face in self.sketch.filled for p in face.points]
-        box = Box.around(corners)
-        x = box.right + 0.75
-        start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
-        end = beyond(start, way, 0.9)
-        self.sketch.arrow(start, end, StrokeKind.AXIS)
-        self.sketch.label_beside(size, start, end)
 
     def name_origin(self) -> None:
         units = [u for n, u in enumerate(self.system.view.units) if n in self.system.view.shown]

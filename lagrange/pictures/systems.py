@@ -40,6 +40,7 @@ ROD = re.compile(
     r"pendulum|linkage|\b(rod|arm|link|bar|crank|rocker|lever|beam|pole|stick|hinge)s?\b|\bhinged\b", re.IGNORECASE
 )
 """Words for what keeps a distance."""
+_ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
@@ -197,7 +198,9 @@ class SystemPicture:
     def pivots(self) -> tuple[FloatVector, ...]:
         """The joints of plane bodies that are fixed in space."""
         turning = [(p, plane_rotation(self.configuration, p.name)) for p in self.configuration.points]
-        centres = [c for p, r in turning if r is not None for c in _circle_centres(self.pose, p, r) if _holds(self, p, c)]
+        centres = [
+            c for p, r in turning if r is not None for c in _circle_centres(self.pose, p, r) if _holds(self, p, c)
+        ]
         places = [c(self.pose) for c in centres if _same_everywhere(self.pose, c)]
         return tuple(place for place in places if place is not None)
 
@@ -401,8 +404,9 @@ def _system(
         return None
     if not (configuration.points or figure.points or figure.lines or figure.curves):
         return None
+    configuration, own = beside(configuration, newton), beside(solution.own.configuration, newton)
     used = set()
-    for v in (*notable(solution.own.configuration), *_vectors(figure)):
+    for v in (*notable(own), *_vectors(figure)):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
     for r in solution.own.configuration.rotations:
         for axis in r.axes[:2]:
@@ -417,6 +421,40 @@ def _system(
             upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
             seen = seen_from(pose.at(figure.seen_from), upright)
     return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
+
+
+def beside(configuration: Configuration, newton: Newton) -> Configuration:
+    """The two ends of a string that the file puts on one line, one above the other, drawn side by side.
+
+    The distance between them does not matter in mechanics, and a file may leave it out; on the page a pulley needs it.
+    """
+    for reaction in newton.reactions:
+        coordinates = configuration.slots.coordinates
+        if (
+            not is_string(reaction)
+            or len(reaction.row.coefficients) != len(coordinates)
+            or len(configuration.points) != 2
+        ):
+            continue
+        used = [q for q, a in zip(coordinates, reaction.row.coefficients, strict=True) if a != 0]
+        points = configuration.points
+        parts = [{n for n, c in enumerate(p.position.fixed().components) if c != 0} for p in points]
+        alone = len(used) == 2 and all(len(p.position.fixed().as_sum().free_symbols & {*used}) == 1 for p in points)
+        if not alone or parts[0] != parts[1] or len(parts[0]) != 1:
+            continue
+        [along] = parts[0]
+        way = Vector(tuple(sp.Integer(n == (1 if along == 0 else 0)) for n in range(3)))
+        moved = [
+            replace(p, position=p.position.fixed() + way * sp.Rational(2 * s, 5))
+            for p, s in zip(points, (-1, 1), strict=True)
+        ]
+        return replace(configuration, points=tuple(moved))
+    return configuration
+
+
+def is_string(reaction: Reaction) -> bool:
+    """Whether a string or rope keeps a constraint."""
+    return reaction.constraint.by is Keeper.STRING or bool(_ROPE.search(reaction.row.name))
 
 
 def _rough_contacts(solution: Solution) -> tuple[RoughContact, ...]:

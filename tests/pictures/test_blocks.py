@@ -54,6 +54,7 @@ def test_a_pulley_at_the_edge_is_held_by_the_table() -> None:
     [ground] = [line for line in scene.lines if line.kind is StrokeKind.GROUND]
     [bracket] = [line for line in scene.lines if line.kind is StrokeKind.LINK]
     assert lines(scene, StrokeKind.STRING) == 2
-    assert bracket.points[1] in ground.points or min(
-        abs(bracket.points[1][0] - x) + abs(bracket.points[1][1] - y) for x, y in ground.points
-    ) < 1e-6
+    assert (
+        bracket.points[1] in ground.points
+        or min(abs(bracket.points[1][0] - x) + abs(bracket.points[1][1] - y) for x, y in ground.points) < 1e-6
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import pytest
 
@@ -46,4 +47,4 @@ def test_two_surfaces_leave_a_closed_curve() -> None:
     points = curve([bowl, ball], HERE)
     assert points[0] == points[-1]
     assert max(abs(f(p)) for f in (bowl, ball) for p in points) < 1e-6
-    assert max(math.dist(a, b) for a, b in zip(points, points[1:], strict=False)) < 0.1
+    assert max(math.dist(a, b) for a, b in pairwise(points)) < 0.1
