@@ -22,7 +22,7 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import NoValueError, inner
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, toward
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
 from lagrange.pictures.systems import ROD, SystemPicture, is_string
 from lagrange.problem.model import Keeper, Outline
 
@@ -89,6 +89,8 @@ class Inferred:
                 kind = self._kind(math.dist(mark.centre, mark.point), q, p.position)
                 if kind is not None:
                     centre, end = self.system.page(mark.centre), self.at(p.position)
+                    if any(same_ends((centre, end), line) for line in self.busy):
+                        return True  # the rod of a constraint
                     self.sketch.line([centre, end], kind)
                     self.busy.append((centre, end))
                     if fixed and not moving:
