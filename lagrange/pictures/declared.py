@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.core.symbols import UnitVector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, unit
-from lagrange.pictures.limits import CURVE_STEPS, SURFACE_FACES
+from lagrange.pictures.limits import CURVE_STEPS, SAME_ON_PAGE, SURFACE_FACES
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, overlapping, toward
 from lagrange.pictures.solids import LIGHT, Solids
 from lagrange.pictures.systems import SystemPicture
@@ -278,7 +278,9 @@ def patch(
             shade = 2 if bright > 0.75 else 3 if bright > 0.4 else 4
             depth = sum(inner(c, view.toward_reader) for c in corners) / 4
             sketch.face([page(c) for c in corners], shade, depth - 1e3, StrokeKind.FACE)
-    edges = [[row[0] for row in grid], [row[-1] for row in grid], list(grid[0]), list(grid[-1])]
+    sides = [[row[0] for row in grid], [row[-1] for row in grid]]
+    meets = all(math.dist(a, b) < SAME_ON_PAGE for a, b in zip(*sides, strict=True))  # all around an axis
+    edges = [*([] if meets else sides), list(grid[0]), list(grid[-1])]
     for edge in edges:
         points = [page(p) for p in edge]
         if max(apart(points[0], p) for p in points) > 0.05:

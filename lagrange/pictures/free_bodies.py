@@ -17,6 +17,7 @@ from lagrange.document.scene import PagePoint, Scene, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
+from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
@@ -37,6 +38,7 @@ _NEAR = math.cos(math.radians(20))
 
 def free_body_scene(system: SystemPicture, notation: Notation) -> Scene | None:
     """The diagrams side by side; None if one of them cannot be drawn."""
+    system = with_implied_shapes(system)
     bodies = system.newton.bodies
     if not bodies or len(bodies) > MOST_BODIES or system.configuration.has_forces_built_in:
         return None  # a pendulum's free body without its tension is none

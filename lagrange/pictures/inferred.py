@@ -22,19 +22,25 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.pictures.floats import NoValueError, inner
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
-from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, toward
-from lagrange.pictures.systems import ROD, SystemPicture
-from lagrange.problem.model import Keeper
+from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
+from lagrange.pictures.systems import ROD, SystemPicture, is_string
+from lagrange.problem.model import Keeper, Outline
 
 _STRING = re.compile(r"\b(string|rope|cord|thread|cable|wire rope|chain)s?\b|hangs|hoist|crane", re.IGNORECASE)
 PULLEY = 0.32
 """Radius of a pulley on the page, in centimetres."""
+CORNER = 0.2
+"""Radius of a pulley at the edge of a table or plane."""
 GAP = 0.22
 """Half the gap in the ground that a rope goes through."""
 
 
 class Inferred:
-    """Lines that the coordinates show; `pivots` are their fixed ends."""
+    """Lines that the coordinates show.
+
+    pivots   their fixed ends
+    corners  where a string bends around a pulley at an edge, and the centre of that pulley, which something has to hold
+    """
 
     def __init__(self, system: SystemPicture, sketch: Sketch, busy: list[tuple[PagePoint, PagePoint]]) -> None:
         self.system = system
@@ -42,19 +48,23 @@ class Inferred:
         self.busy = busy
         self.pose = system.pose
         self.pivots: list[PagePoint] = []
+        self.corners: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self) -> None:
         """Draw them."""
         if self.system.is_bare:
             self.strings()
+            with suppress(NoValueError):
+                self.hanging()
             for p in self._particles():
                 if not self.arm(p):
                     self.path(p)
 
     def _particles(self) -> Iterator[MassPoint]:
-        """The particles on which no reaction acts, that is, which coordinates alone place."""
+        """The particles which coordinates alone place: on which no reaction acts, but for rods and strings."""
         bodies = {r.name for r in self.system.configuration.rotations}
-        bound = {name for r in self.system.newton.reactions for name in (r.directions or {})}
+        kept = (r for r in self.system.newton.reactions if r.rod is None and r.constraint.by is not Keeper.STRING)
+        bound = {name for r in kept for name in (r.directions or {})}
         yield from (
             p for p in self.system.configuration.points if p.mass != 0 and p.name not in bodies and p.name not in bound
         )
@@ -79,6 +89,8 @@ class Inferred:
                 kind = self._kind(math.dist(mark.centre, mark.point), q, p.position)
                 if kind is not None:
                     centre, end = self.system.page(mark.centre), self.at(p.position)
+                    if any(same_ends((centre, end), line) for line in self.busy):
+                        return True  # the rod of a constraint
                     self.sketch.line([centre, end], kind)
                     self.busy.append((centre, end))
                     if fixed and not moving:
@@ -111,47 +123,144 @@ class Inferred:
             self.sketch.line(points, StrokeKind.CURVE)
 
     def strings(self) -> None:
-        """The strings between weights that hang, each at its own coordinate, over pulleys where these begin."""
+        """The strings between weights, each at its own coordinate, over pulleys where these begin."""
         slots = self.system.configuration.slots
         for reaction in self.system.newton.reactions:
-            row, constraint = reaction.row, reaction.constraint
+            row = reaction.row
             if len(row.coefficients) != len(slots.coordinates):
                 continue  # the constraint is in the coordinates of the file, and the picture in those of a choice
-            used = [q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0]
-            equal = {a for a in row.coefficients if a != 0}
-            if constraint.by is not Keeper.STRING and "string" not in row.name and "rope" not in row.name:
+            used = {q: a for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0}
+            if not is_string(reaction):
                 continue
-            if len(used) != 2 or len(equal) != 1 or row.finite is None:
+            if len(used) != 2 or row.finite is None:
                 continue
             points = self.system.configuration.points
-            ends = [p for q in used for p in points if not p.position.fixed().partial(q).is_zero]
+            pairs = [[p for p in points if not p.position.fixed().partial(q).is_zero and p.mass != 0] for q in used]
+            if any(len(pair) != 1 for pair in pairs):
+                continue
+            ends = [pair[0].position for pair in pairs]
             with suppress(NoValueError):
-                self._over_pulleys([p.position for p in ends], used)
+                match sorted(abs(a) for a in used.values() if a.is_number):
+                    case [one, other] if one == other:
+                        self._over_pulleys(ends, [*used])
+                    case [one, other] if other == 2 * one:
+                        order = sorted(zip(used, ends, strict=True), key=lambda e: abs(used[e[0]]))
+                        self._under_pulley([v for _, v in order], [q for q, _ in order])
+
+    def hanging(self) -> None:
+        """The strings of what hangs from the rim of a wheel with a fixed centre."""
+        field, figure = self.system.problem.gravity, self.system.problem.figure
+        if field is None or not self.system.view.planar:
+            return
+        up = toward((0.0, 0.0), self.system.page.way(self.pose.at(field * sp.Integer(-1))))
+        across = left_of(up)
+        poses = (self.pose, *self.pose.others)
+        wheels = [p for p in self.system.configuration.points if p.name in figure.shapes]
+        for wheel in wheels:
+            shape = figure.shapes[wheel.name]
+            if shape.kind not in (Outline.DISC, Outline.RING):
+                continue
+            radius = abs(self.system.number(shape.lengths[0])) * self.system.page.scale
+            for p in self.system.configuration.points:
+                ways = [(self.system.page(x.at(p.position)), self.system.page(x.at(wheel.position))) for x in poses]
+                offsets = [inner((a[0] - c[0], a[1] - c[1]), across) for a, c in ways]
+                below = inner((ways[0][0][0] - ways[0][1][0], ways[0][0][1] - ways[0][1][1]), up)
+                at_rim = all(abs(abs(x) - radius) < 10 * SAME_ON_PAGE and x * offsets[0] > 0 for x in offsets)
+                if p.name != wheel.name and p.mass != 0 and below < -0.3 and at_rim:
+                    top = beyond(ways[0][1], across, offsets[0])
+                    self.sketch.line([top, ways[0][0]], StrokeKind.STRING)
+                    self.busy.append((top, ways[0][0]))
+
+    def _tops(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> list[PagePoint]:
+        """Where the coordinates of the ends of a string begin."""
+        lifted = [self.pose.moved(q, -self.pose.values[q]) for q in used]
+        return [self.system.page(pose.at(v)) for pose, v in zip(lifted, positions, strict=True)]
+
+    def _under_pulley(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:
+        """A rope from the ceiling under a pulley with the second weight, then over a fixed pulley to the first."""
+        (weight, carried), tops = positions, self._tops(positions, used)
+        ends = [self.at(weight), self.at(carried)]
+        downs = [toward(a, b) for a, b in zip(tops, ends, strict=True) if apart(a, b) > 4 * PULLEY]
+        if len(downs) != 2 or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE or not self.system.view.planar:
+            return
+        across, up = left_of(downs[0]), (-downs[0][0], -downs[0][1])
+        apart_by = inner((tops[0][0] - tops[1][0], tops[0][1] - tops[1][1]), across)
+        side = across if apart_by > 0 else (-across[0], -across[1])
+        if abs(apart_by) < 3 * PULLEY:
+            return
+        level = beyond(tops[1], up, 3 * PULLEY)
+        near, far = beyond(ends[1], side, PULLEY), beyond(ends[1], side, -PULLEY)
+        wheel = beyond(ends[1], up, 2 * PULLEY)
+        radius = (abs(apart_by) - PULLEY) / 2
+        middle = beyond(tops[1], side, PULLEY + radius)
+        rise = 2 * PULLEY
+        for at, top in ((near, tops[1]), (far, level)):
+            on = beyond(at, up, rise)
+            shift = inner((at[0] - tops[1][0], at[1] - tops[1][1]), side)
+            high = beyond(top, side, shift)
+            self.sketch.line([high, on], StrokeKind.STRING)
+            self.busy.append((high, on))
+        self.sketch.line([tops[0], ends[0]], StrokeKind.STRING)
+        self.busy.append((tops[0], ends[0]))
+        self.sketch.circle(wheel, PULLEY, 1)
+        self.sketch.line([wheel, ends[1]], StrokeKind.LINK)
+        self.sketch.circle(middle, radius, 1)
+        hook = beyond(middle, up, inner((level[0] - middle[0], level[1] - middle[1]), up))
+        hook = hook if apart(hook, middle) > radius else beyond(middle, up, radius + PULLEY)
+        self.sketch.line([middle, hook], StrokeKind.LINK)
+        for centre in (wheel, middle):
+            self.sketch.dot(centre, 0.6 * HINGE, open_=True)
+        for held in (hook, beyond(level, side, -PULLEY)):
+            self.sketch.wall(held, (-up[0], -up[1]), 0.45)
 
     def _over_pulleys(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:
         if len(positions) != 2:
             return
-        lifted = [self.pose.moved(q, -self.pose.values[q]) for q in used]
-        tops = [self.system.page(pose.at(v)) for pose, v in zip(lifted, positions, strict=True)]
-        bottoms = [self.at(v) for v in positions]
+        tops, bottoms = self._tops(positions, used), [self.at(v) for v in positions]
         downs = [toward(a, b) for a, b in zip(tops, bottoms, strict=True) if apart(a, b) > 0.5]
-        if len(downs) != 2 or apart(*tops) < 4 * PULLEY or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE:
+        if len(downs) == 2 and apart(*tops) < SAME_ON_PAGE:
+            self._around_corner(tops[0], bottoms, downs)
+            return
+        if len(downs) != 2 or abs(downs[0][0] - downs[1][0]) > SAME_ON_PAGE:
             return
         along = toward(tops[0], tops[1])
         up = (-downs[0][0], -downs[0][1])
         if abs(along[0] * up[0] + along[1] * up[1]) > SAME_ON_PAGE:
             return
-        centres = [beyond(tops[0], along, PULLEY), beyond(tops[1], along, -PULLEY)]
+        one = apart(*tops) < 4 * PULLEY  # there is room for one pulley only, as wide as they are apart
+        radius = apart(*tops) / 2 if one else PULLEY
+        centres = [beyond(tops[0], along, radius), beyond(tops[1], along, -radius)][: 1 if one else 2]
         for top, bottom in zip(tops, bottoms, strict=True):
             self.sketch.line([top, bottom], StrokeKind.STRING)
             self.busy.append((top, bottom))
-        self.sketch.line([beyond(c, up, PULLEY) for c in centres], StrokeKind.STRING)
+        if not one:
+            self.sketch.line([beyond(c, up, radius) for c in centres], StrokeKind.STRING)
         for centre in centres:
-            self.sketch.circle(centre, PULLEY, 1)
+            self.sketch.circle(centre, radius, 1)
             hook = beyond(centre, up, 3 * PULLEY)
             self.sketch.line([centre, hook], StrokeKind.LINK)
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
             self.sketch.wall(hook, (-up[0], -up[1]), 0.45)
+
+    def _around_corner(self, corner: PagePoint, ends: Sequence[PagePoint], ways: Sequence[PagePoint]) -> None:
+        """A string over a small pulley at a corner, or through a hole there."""
+        bisector = (ways[0][0] + ways[1][0], ways[0][1] + ways[1][1])
+        half = math.hypot(*bisector) / 2  # the cosine of half the angle between the two parts
+        if not self.system.view.planar or not 0.2 < half < 0.98:
+            for end in ends:
+                self.sketch.line([corner, end], StrokeKind.STRING)
+                self.busy.append((corner, end))
+            self.sketch.dot(corner, HINGE, open_=True)
+            return
+        inward = toward((0.0, 0.0), bisector)
+        sine = math.sqrt(1 - half**2)
+        centre = beyond(corner, inward, CORNER / sine)
+        for way, end in zip(ways, ends, strict=True):
+            self.sketch.line([beyond(corner, way, CORNER * half / sine), end], StrokeKind.STRING)
+            self.busy.append((corner, end))
+        self.sketch.circle(centre, CORNER, 1)
+        self.sketch.dot(centre, 0.6 * HINGE, open_=True)
+        self.corners.append((corner, centre))
 
 
 def rail(

@@ -17,6 +17,7 @@ Other coordinates are not marked.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -103,6 +104,8 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
             values = _onto_constraints(problem, configuration, slopes, start)
             pose = Pose(configuration, values)
             score = _score(pose, points)
+            if score is not None and not _has_room(pose, problem):
+                score -= 2  # a picture all the same, where no position is better
         except NoValueError:
             continue
         if chosen_values(problem):
@@ -229,6 +232,26 @@ def _in_order(pose: Pose) -> bool:
         if first in depth and second in depth and depth[first] != depth[second]:
             ahead = sum(pose.at(s.apart))
             if ahead * (depth[first] - depth[second]) < 0:
+                return False
+    return True
+
+
+def _has_room(pose: Pose, problem: Problem) -> bool:
+    """Whether springs end outside the wheels that they hold, and what hangs on a spring is below its other end."""
+    inertia = {r.name: r.inertia.moments[2] for r in pose.configuration.rotations}
+    masses = {p.name: p.mass for p in pose.configuration.points}
+    places = {p.name: p.position for p in pose.configuration.points}
+    down = problem.gravity if re.search(r"\bhang", problem.description) else None
+    for s in pose.configuration.links:
+        first, second = (pose.at(places[e] if isinstance(e, str) else e) for e in s.ends)
+        for e in s.ends:
+            if isinstance(e, str) and inertia.get(e, 0) != 0 and masses[e] != 0:
+                gyration = math.sqrt(abs(pose.number(inertia[e]) / pose.number(masses[e])))
+                if math.dist(first, second) < 2.2 * gyration and not isinstance(s.ends[s.ends.index(e) - 1], str):
+                    return False
+        if down is not None and all(isinstance(e, str) for e in s.ends):
+            way, along = minus(second, first), pose.at(down)
+            if inner(way, along) < -0.99 * math.hypot(*way) * math.hypot(*along):
                 return False
     return True
 

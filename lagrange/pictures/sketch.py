@@ -23,6 +23,8 @@ from lagrange.document.scene import FAINT, Box, Dot, Label, PagePoint, Polyline,
 PARTICLE = 0.085
 HINGE = 0.06
 """Radii of dots, in centimetres."""
+COIL = 0.16
+"""Length of one stroke of a spring, along it."""
 HATCH = 0.14
 """Distance between the strokes behind a line that does not move."""
 # Centimetres of type at 11 pt, rather too large: a label must not touch its neighbours in any font.
@@ -244,11 +246,11 @@ class Sketch:
     # Shapes made of lines
 
     def spring(self, a: PagePoint, b: PagePoint) -> None:
-        """A zigzag."""
+        """A zigzag between two straight ends, as steep in a long spring as in a short one."""
         way, length = toward(a, b), apart(a, b)
         side = left_of(way)
-        lead = min(0.25, length / 5)
-        turns = max(4, min(12, round((length - 2 * lead) / 0.16)))
+        lead = max(min(0.25, length / 5), 0.18 * length)
+        turns = max(4, round((length - 2 * lead) / COIL))
         step = (length - 2 * lead) / turns
         points = [a, beyond(a, way, lead)]
         for n in range(turns):

@@ -7,12 +7,11 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from contextlib import suppress
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
@@ -24,12 +23,15 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.pictures.arrows import ARROW, Arrows
+from lagrange.pictures.blocks import Blocks
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
+from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
-from lagrange.pictures.limits import LONGEST_ROD_LABEL
-from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
+from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
+from lagrange.pictures.loads import as_words, constraint_curve
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
 from lagrange.pictures.sketch import (
@@ -47,12 +49,11 @@ from lagrange.pictures.sketch import (
     toward,
 )
 from lagrange.pictures.solids import Solids
-from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends, with_other_values
-from lagrange.problem.model import AppliedForce, BodyShape, Drawn, Keeper, Outline
+from lagrange.pictures.space import InSpace, constraints_in_space
+from lagrange.pictures.systems import SystemPicture, ends_of, is_string, rod_ends
+from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
-ARROW = 1.15
-"""Length of the arrows of unit vectors and loads, in centimetres."""
 ELLIPSOID = (0.75, 0.55, 0.4)
 """Semi-axes of a body of which nothing is known, in centimetres."""
 
@@ -61,7 +62,9 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
     """The picture, with applied forces if `with_loads`; None if it cannot be drawn sensibly."""
     for inferred in (True, False):  # what is inferred may leave no room for a label
         try:
-            drawing = _Drawing(system)
+            implied = with_implied_shapes(system)
+            in_space = constraints_in_space(implied)
+            drawing = _Drawing(replace(implied, around=in_space.places) if inferred else implied, in_space)
             drawing.all(with_loads, inferred)
         except NoValueError:
             return None
@@ -74,7 +77,8 @@ def configuration_scene(system: SystemPicture, notation: Notation, with_loads: b
 class _Drawing:
     """One picture."""
 
-    def __init__(self, system: SystemPicture) -> None:
+    def __init__(self, system: SystemPicture, in_space: InSpace) -> None:
+        self.in_space = in_space
         self.system = system
         self.pose = system.pose
         self.page = system.page
@@ -83,6 +87,7 @@ class _Drawing:
         self.origin = self.page((0.0, 0.0, 0.0))
         self.hinges: list[PagePoint] = []
         self.mounts: list[PagePoint] = []
+        self.spring_ends: list[tuple[PagePoint, PagePoint]] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
@@ -95,23 +100,29 @@ class _Drawing:
         for pivot in inferred.pivots:
             self.hinge(pivot)
             self.mounts.append(pivot)
-        self.links()
-        self.supports_of_rods()
+        blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
+        if with_inferred:
+            blocks.all()
         self.bodies()
+        self.links(blocks.half)
+        self.supports_of_rods()
         if "constraints" not in self.hidden:
             self.curves()
+            if with_inferred:
+                self.in_space.draw(self.system, self.sketch)
         declared.points()
         self.particles()
+        arrows = Arrows(self.system, self.sketch, self.places)
         if with_loads and "loads" not in self.hidden:
-            self.loads()
-        self.impulses()
+            arrows.loads()
+        arrows.impulses()
         declared.marks()
         coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
         coordinates.all()
         if "axes" not in self.hidden:
             self.axes(coordinates.feet)
         if "gravity" not in self.hidden:
-            self.gravity()
+            arrows.gravity()
         if "origin" not in self.hidden:
             self.name_origin()
 
@@ -189,7 +200,10 @@ class _Drawing:
         for at in self.mounts:
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
             x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
-            if math.hypot(*down) > 1e-6:
+            pulled = [link for link in self.spring_ends if apart(at, link[0]) < SAME_ON_PAGE]
+            if pulled and len(ways) == len(pulled) and abs(x) > 2 * abs(y):
+                inward = (math.copysign(1.0, x), 0.0)
+            elif math.hypot(*down) > 1e-6:
                 along = toward((0.0, 0.0), down)
                 inward = along if x * along[0] + y * along[1] >= -1e-6 else scaled(along, -1.0)
             elif math.hypot(x, y) < 1e-6:
@@ -205,10 +219,17 @@ class _Drawing:
             self.hinges.append(at)
             self.sketch.dot(at, HINGE, open_=True)
 
-    def links(self) -> None:
-        """Springs and dampers; those between the same points are side by side."""
+    @property
+    def downward(self) -> PagePoint:
+        """The direction of gravity on the page; to the bottom of the page where none is given."""
+        field = self.system.problem.gravity
+        down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
+        return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
+
+    def links(self, half: Mapping[str, float]) -> None:
+        """Springs and dampers; those between the same points are side by side. They end at the sides of blocks."""
         configuration = self.system.configuration
-        ends = [self.ends(link) for link in configuration.links]
+        ends = [self.ends(link, half) for link in configuration.links]
         rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
         for n, link in enumerate(configuration.links):
             a, b = ends[n]
@@ -238,9 +259,12 @@ class _Drawing:
         on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
         return not free or not (on_rod or self.system.is_on_body(place))
 
-    def ends(self, link: StretchedSpring | DamperForce) -> tuple[PagePoint, PagePoint]:
-        first, second = ends_of(link, self.system.configuration, self.pose)
-        return self.flat(first), self.flat(second)
+    def ends(self, link: StretchedSpring | DamperForce, half: Mapping[str, float]) -> tuple[PagePoint, PagePoint]:
+        first, second = (self.flat(place) for place in ends_of(link, self.system.configuration, self.pose))
+        inset = [half.get(e, 0.0) if isinstance(e, str) else 0.0 for e in link.ends]
+        if apart(first, second) < sum(inset) + 0.6:
+            return first, second
+        return beyond(first, toward(first, second), inset[0]), beyond(second, toward(second, first), inset[1])
 
     def bypass(self, a: PagePoint, b: PagePoint, shift: float) -> tuple[PagePoint, PagePoint]:
         """Two ends shifted to one side of the given ones, and joined to them."""
@@ -262,6 +286,7 @@ class _Drawing:
         else:
             self.hinge(at)
             self.mounts.append(at)
+            self.spring_ends.append((at, other))
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
@@ -298,12 +323,23 @@ class _Drawing:
             self.sketch.line([self.flat(centre), beyond(self.flat(centre), e1, radius)], StrokeKind.REFERENCE)
         if rotation is not None and self.system.view.planar and "constraints" not in self.hidden:
             self.supports(p, rotation)
+        if rotation is not None and self.system.view.planar and self.system.is_bare:
+            self.joints(p)
         if rotation is not None and self.system.view.planar and self.system.is_bare and self.is_fixed(p.position):
             self.pivot(self.flat(centre), round_)
         self.sketch.dot(self.flat(centre), 0.05)
 
         if rotation is None and shape.kind is Outline.BOX and self.system.is_bare:
             self.rail(p, self.system.number(shape.lengths[0]), self.system.number(shape.lengths[1]))
+
+    def joints(self, p: MassPoint) -> None:
+        """The hinges of a plane body; those that do not move are held by the ground."""
+        for joint in self.system.joints.get(p.name, ()):
+            at = self.flat(joint)
+            self.hinge(at)
+            fixed = any(math.dist(joint, pivot) < SAME_ON_PAGE for pivot in self.system.pivots)
+            if fixed and all(apart(at, m) > SAME_ON_PAGE for m in self.mounts):
+                self.mounts.append(at)
 
     def rail(self, p: MassPoint, width: float, height: float) -> None:
         """The ground under a box whose coordinates leave it on one level."""
@@ -325,17 +361,18 @@ class _Drawing:
         if any(apart(at, h) < 1e-3 for h in self.hinges) or math.hypot(*down) < 1e-6:
             return
         self.hinge(at)
-        if not is_wheel:
+        if is_wheel:
+            self.mounts.append(at)
+        else:
             fulcrum(self.sketch, at, toward((0.0, 0.0), down))
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])
         known = self.system.shapes[p.name]
         held = [self.flat(plus(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
-        joints = [self.flat(j) for j in self.system.joints.get(p.name, ())]
-        held += [*joints, *(self.flat(m) for m in self.system.marked.get(p.name, ()))]
-        for j in joints:
-            self.hinge(j)
+        self.joints(p)
+        more = (self.system.joints, self.system.marked, self.system.fastened)
+        held += [self.flat(place) for places in more for place in places.get(p.name, ())]
         if known.radius:
             radius = known.radius * self.page.scale
             self.sketch.ellipse(centre, (radius, 0.0), (0.0, radius))
@@ -374,6 +411,9 @@ class _Drawing:
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))
+            if is_string(reaction) and rolls:
+                self.unwinding(at, way if inner(way, self.downward) < 0 else scaled(way, -1.0))
+                continue
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
             ends = [beyond(at, way, -half), beyond(at, way, half)]
@@ -381,6 +421,14 @@ class _Drawing:
             if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
                 ends.reverse()
             self.sketch.ground(ends)
+
+    def unwinding(self, at: PagePoint, way: PagePoint) -> None:
+        """The string that leaves a wheel, up to the level where it is fastened."""
+        reach = max(1.6, inner((self.origin[0] - at[0], self.origin[1] - at[1]), way))
+        end = beyond(at, way, reach)
+        self.sketch.line([at, end], StrokeKind.STRING)
+        self.busy.append((at, end))
+        self.sketch.wall(end, scaled(way, -1.0), 0.45)
 
     def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
         """Whether a point of a body is fixed in space."""
@@ -464,7 +512,7 @@ class _Drawing:
         for reaction in self.system.newton.reactions:
             if reaction.name in self.hidden:
                 continue
-            if reaction.rod is not None or reaction.directions is None or len(reaction.directions) != 1:
+            if self.system.is_rod(reaction) or reaction.directions is None or len(reaction.directions) != 1:
                 continue
             [name] = reaction.directions
             p = next(x for x in self.system.configuration.points if x.name == name)
@@ -507,57 +555,6 @@ class _Drawing:
         here = min(range(len(curve) - 1), key=lambda n: apart(curve[n], at))
         left = left_of(toward(curve[here], curve[here + 1]))
         return 1 if left[0] * push[0] + left[1] * push[1] > 0 else -1
-
-    def loads(self) -> None:
-        for name in self.places:
-            for acting in given_loads(self.system, name):
-                self.load(acting)
-
-    def load(self, acting: Acting) -> None:
-        if acting.is_moment:
-            return
-        start = self.flat(plus(self.places[acting.on], acting.offset))
-        way = toward((0.0, 0.0), self.page.way(acting.vector))
-        end = beyond(start, way, ARROW)
-        self.sketch.arrow(start, end, StrokeKind.FORCE)
-        self.sketch.label(acting.label, end, way)
-
-    def impulses(self) -> None:
-        """The blows of an impact, each as an arrow that ends where it strikes."""
-        impact = self.system.problem.impact
-        drawn = {str(m.label) for m in self.system.marks}
-        for blow in impact.impulses if impact is not None else ():
-            if not isinstance(blow, AppliedForce):
-                continue
-            with suppress(NoValueError):
-                size = sp.sqrt(textbook_form(blow.vector.dot(blow.vector)))
-                if str(size) in drawn:
-                    continue
-                pose = with_other_values(self.pose, blow.vector.fixed().components)
-                way = toward((0.0, 0.0), self.page.way(pose.at(blow.vector)))
-                at = self.places[blow.on] if blow.at is None else self.system.at(blow.at)
-                start = beyond(self.flat(at), way, -ARROW)
-                self.sketch.arrow(start, self.flat(at), StrokeKind.FORCE)
-                self.sketch.label(size if size.is_Symbol else as_words(blow.name), start, scaled(way, -1.0))
-
-    def gravity(self) -> None:
-        """An arrow in the direction of gravity, to the right of the picture."""
-        field = self.system.problem.gravity
-        if field is None or field.is_zero:
-            return
-        way = self.page.way(self.pose.at(field))
-        size = sp.sqrt(textbook_form(field.dot(field)))
-        if math.hypot(*way) < 1e-9 or not size.is_Symbol:
-            return
-        way = toward((0, 0), way)
-        corners = [p for line in self.sketch.lines for p in line.points] + [d.at for d in self.sketch.dots]
-        corners += [p for _, face in self.sketch.filled for p in face.points]
-        box = Box.around(corners)
-        x = box.right + 0.75
-        start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
-        end = beyond(start, way, 0.9)
-        self.sketch.arrow(start, end, StrokeKind.AXIS)
-        self.sketch.label_beside(size, start, end)
 
     def name_origin(self) -> None:
         units = [u for n, u in enumerate(self.system.view.units) if n in self.system.view.shown]

@@ -34,10 +34,13 @@ from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_P
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
-from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
+from lagrange.problem.model import Drawn, Figure, FigureMark, Keeper, Outline, Problem
 
-ROD = re.compile(r"pendulum|\brods?\b|\barms?\b|\blinks?\b|\bbars?\b", re.IGNORECASE)
+ROD = re.compile(
+    r"pendulum|linkage|\b(rod|arm|link|bar|crank|rocker|lever|beam|pole|stick|hinge)s?\b|\bhinged\b", re.IGNORECASE
+)
 """Words for what keeps a distance."""
+_ROPE = re.compile("string|rope|cord|cable|thread", re.IGNORECASE)
 _HOOP = re.compile(r"hoop|\bring\b|circular|bowl|track|loop|dome|sphere|wire\b|bead|tube", re.IGNORECASE)
 
 
@@ -47,6 +50,7 @@ class SystemPicture:
 
     newton    the free bodies and reactions
     contacts  those with friction at rest
+    around    further places that have to fit on the page
     """
 
     problem: Problem
@@ -55,6 +59,7 @@ class SystemPicture:
     pose: Pose
     view: View
     contacts: tuple[RoughContact, ...] = ()
+    around: tuple[FloatVector, ...] = ()
 
     def at(self, vector: Vector, more: FloatValues | None = None) -> FloatVector:
         """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
@@ -116,7 +121,16 @@ class SystemPicture:
     @property
     def rods(self) -> tuple[tuple[Reaction, Rod], ...]:
         """The reactions that keep a distance, with their rods."""
-        return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None)
+        return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None and self.is_rod(r))
+
+    def is_rod(self, reaction: Reaction) -> bool:
+        """Whether what keeps a distance is a rod or string, and not a bowl or a hoop, as far as is said."""
+        if reaction.rod is None or reaction.rod.ends[1]:
+            return reaction.rod is not None
+        by = reaction.constraint.by
+        if by in (Keeper.SURFACE, Keeper.WIRE) or by in (Keeper.ROD, Keeper.STRING):
+            return by in (Keeper.ROD, Keeper.STRING)
+        return not _HOOP.search(reaction.name)
 
     def reactions_on(self, body: str) -> tuple[Reaction, ...]:
         """The reactions on a body whose directions are known."""
@@ -169,6 +183,26 @@ class SystemPicture:
             for p in points
             if plane_rotation(self.configuration, p.name) is not None
         }
+
+    @cached_property
+    def fastened(self) -> dict[str, list[FloatVector]]:
+        """The ends of springs and dampers that move with a plane body, by body."""
+        ends = {e for link in self.configuration.links for e in link.ends if isinstance(e, Vector)}
+        return {
+            p.name: [self.pose.at(e) for e in ends if _holds(self, p, lambda pose, e=e: pose.at(e))]  # type: ignore[misc]
+            for p in self.configuration.points
+            if ends and plane_rotation(self.configuration, p.name) is not None
+        }
+
+    @cached_property
+    def pivots(self) -> tuple[FloatVector, ...]:
+        """The joints of plane bodies that are fixed in space."""
+        turning = [(p, plane_rotation(self.configuration, p.name)) for p in self.configuration.points]
+        centres = [
+            c for p, r in turning if r is not None for c in _circle_centres(self.pose, p, r) if _holds(self, p, c)
+        ]
+        places = [c(self.pose) for c in centres if _same_everywhere(self.pose, c)]
+        return tuple(place for place in places if place is not None)
 
     @cached_property
     def text(self) -> str:
@@ -239,7 +273,7 @@ class SystemPicture:
     def page(self) -> PaperMap:
         """The page, with a scale at which all points and bodies fit."""
         places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
-        flat = [self.view.flat(p) for p in (*places, *self._figure_corners(), (0.0, 0.0, 0.0))]
+        flat = [self.view.flat(p) for p in (*places, *self.around, *self._figure_corners(), (0.0, 0.0, 0.0))]
         for p in self.configuration.points:
             known = self.shapes.get(p.name)
             if known is None:
@@ -370,8 +404,9 @@ def _system(
         return None
     if not (configuration.points or figure.points or figure.lines or figure.curves):
         return None
+    configuration, own = beside(configuration, newton), beside(solution.own.configuration, newton)
     used = set()
-    for v in (*notable(solution.own.configuration), *_vectors(figure)):
+    for v in (*notable(own), *_vectors(figure)):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
     for r in solution.own.configuration.rotations:
         for axis in r.axes[:2]:
@@ -386,6 +421,40 @@ def _system(
             upright = pose.at(down) if down is not None else (0.0, 0.0, -1.0)
             seen = seen_from(pose.at(figure.seen_from), upright)
     return SystemPicture(solution.problem, configuration, newton, pose, seen, _rough_contacts(solution))
+
+
+def beside(configuration: Configuration, newton: Newton) -> Configuration:
+    """The two ends of a string that the file puts on one line, one above the other, drawn side by side.
+
+    The distance between them does not matter in mechanics, and a file may leave it out; on the page a pulley needs it.
+    """
+    for reaction in newton.reactions:
+        coordinates = configuration.slots.coordinates
+        if (
+            not is_string(reaction)
+            or len(reaction.row.coefficients) != len(coordinates)
+            or len(configuration.points) != 2
+        ):
+            continue
+        used = [q for q, a in zip(coordinates, reaction.row.coefficients, strict=True) if a != 0]
+        points = configuration.points
+        parts = [{n for n, c in enumerate(p.position.fixed().components) if c != 0} for p in points]
+        alone = len(used) == 2 and all(len(p.position.fixed().as_sum().free_symbols & {*used}) == 1 for p in points)
+        if not alone or parts[0] != parts[1] or len(parts[0]) != 1:
+            continue
+        [along] = parts[0]
+        way = Vector(tuple(sp.Integer(n == (1 if along == 0 else 0)) for n in range(3)))
+        moved = [
+            replace(p, position=p.position.fixed() + way * sp.Rational(2 * s, 5))
+            for p, s in zip(points, (-1, 1), strict=True)
+        ]
+        return replace(configuration, points=tuple(moved))
+    return configuration
+
+
+def is_string(reaction: Reaction) -> bool:
+    """Whether a string or rope keeps a constraint."""
+    return reaction.constraint.by is Keeper.STRING or bool(_ROPE.search(reaction.row.name))
 
 
 def _rough_contacts(solution: Solution) -> tuple[RoughContact, ...]:

@@ -35,6 +35,7 @@ from lagrange.document.derivation import (
     Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.document.scene import Scene, StrokeKind
 from lagrange.render.escape import html_text as escape
 from lagrange.render.escape import slug
 from lagrange.render.limits import LONG_DISPLAY
@@ -349,7 +350,9 @@ class _Article(Emitter[str]):
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
         replaced = self.moving_figure is not None and not self.placed
-        if replaced:
+        if replaced and scene is not None and _shows_more(scene, self.moving_figure):
+            replaced = False
+        elif replaced:
             yield from self.moving(block.alt)
         if scene is not None:
             yield '<figure class="still">' if replaced else "<figure>"
@@ -393,3 +396,18 @@ class _Article(Emitter[str]):
             mark = f'<span class="mark {kind}" aria-hidden="true">{sign}</span><span class="unseen">{outcome}: </span>'
             yield f"<li>{mark}{self.prose(check.name)}{how}</li>"
         yield "</ul>"
+
+
+_SOLID = frozenset({"capsule", "cone", "disc", "face", "oval", "round", "sphere", "surface", "tool"})
+"""Elements of a moving figure that are bodies or surfaces."""
+_LINKS = frozenset({"capsule", "line", "string"})
+"""Those that are rods or strings."""
+
+
+def _shows_more(scene: Scene, moving: MovingFigure | None) -> bool:
+    """Whether a drawing has bodies, surfaces, rods or strings that the moving figure has not: both are shown then."""
+    elements = [item["k"] for item in moving.data["items"]] if moving is not None else []
+    drawn = [line.kind for line in scene.lines]
+    links = sum(kind in (StrokeKind.ROD, StrokeKind.STRING) for kind in drawn)
+    solids = StrokeKind.BODY in drawn or StrokeKind.FACE in drawn
+    return links > sum(e in _LINKS for e in elements) or (solids and not _SOLID & {*elements})

@@ -8,10 +8,14 @@ from itertools import combinations
 
 import pytest
 
+import lagrange
 from lagrange.document.scene import FAINT, Box, PagePoint, Polyline, Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.sketch import Sketch
 from tests.support.drawings import figures
+from tests.support.figure_sheet import figures_of
 from tests.support.shared import SHIPPED
+from tests.support.unpictured import UNPICTURED
 
 WITHOUT = {"contact-form", "contact-form-with-fixed-slope", "form-in-two-variables", "form-in-three-variables"}
 WITHOUT |= {"oscillating-circuit", "relativistic-oscillator"}
@@ -58,6 +62,17 @@ def test_labels_are_on_nothing(name: str) -> None:
 def test_no_line_ends_in_mid_air(name: str) -> None:
     for scene in figures(name)[:1]:
         assert [end for end in _ends(scene) if not _is_held(end, scene)] == []
+
+
+@pytest.mark.parametrize("name", UNPICTURED)
+def test_a_problem_that_says_nothing_of_its_figure_has_a_true_one(name: str) -> None:
+    text, expected = UNPICTURED[name]
+    scene, *others = figures_of(kinematics_and_law(lagrange.loads(text)))
+    assert {kind: sum(line.kind is kind for line in scene.lines) for kind in expected} == expected
+    assert [end for end in _ends(scene) if not _is_held(end, scene)] == []
+    for drawn in (scene, *others):
+        assert not any(a.box.overlaps(b.box) for a, b in combinations(drawn.labels, 2))
+        assert drawn.box.width < 16
 
 
 def _ends(scene: Scene) -> Iterator[tuple[Polyline, PagePoint]]:

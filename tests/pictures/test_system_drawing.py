@@ -6,7 +6,7 @@ import pytest
 
 from lagrange.document.scene import StrokeKind
 from lagrange.render import latex
-from tests.support.drawings import figures, lines_of, scenes
+from tests.support.drawings import lines_of, scenes
 from tests.support.shared import reported
 
 LEFT_OUT = ("constraints/form-in-two-variables", "constraints/contact-form")
@@ -49,12 +49,3 @@ def test_a_one_sided_constraint_is_hatched_on_the_forbidden_side() -> None:
         assert len(on_it) > 20
         far = [sum(c * c for c in s.points[1]) ** 0.5 > radius for s in on_it]
         assert all(far) if outside else not any(far)
-
-
-def test_a_blow_ends_where_it_strikes_in_the_position_before_it() -> None:
-    """The rod hangs from its hinge, and J strikes it at right angles, from the left."""
-    scene = figures("centre-of-percussion")[0]
-    [blow] = [line for line in lines_of(scene, StrokeKind.FORCE) if abs(line.points[0][1] - line.points[1][1]) < 1e-6]
-    assert blow.points[1][0] == pytest.approx(0, abs=1e-6)  # on the rod, below the hinge
-    assert blow.points[0][0] < 0
-    assert blow.points[1][1] < 0

@@ -6,12 +6,14 @@ import re
 
 import pytest
 
+import lagrange
 from lagrange.animation.moving import moving_figure
 from lagrange.explain.report import report
 from lagrange.mechanics.dynamics.motion import Method
 from lagrange.render import html
 from tests.support.problem_texts import read
 from tests.support.shared import reported
+from tests.support.unpictured import UNPICTURED
 
 
 def page_of(name):
@@ -84,3 +86,12 @@ def test_the_energy_of_a_lagrangian_is_not_divided():
 def test_a_lagrangian_without_positions_has_no_empty_picture():
     assert 'class="picture stage empty"' in page_of("oscillating-circuit")
     assert "stage empty" not in page_of("ex11-ideal-pendulum")
+
+
+def test_the_drawing_stays_where_the_moving_figure_has_fewer_strings(page):
+    assert 'figure class="still"' in page  # the pendulum's rod moves: the drawing is for paper
+    text, _ = UNPICTURED["a movable pulley"]
+    found = report(lagrange.loads(text), complete=False)
+    both = html.render([(found.derivation, found.notation)], moving=[moving_figure(found.solution)])
+    assert both.index("<figure>") < both.index('figure class="moving"')
+    assert 'figure class="still"' not in both

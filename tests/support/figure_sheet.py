@@ -53,7 +53,7 @@ def cell(name: str) -> str:
     """The figures of one problem as HTML."""
     try:
         solution = solution_for_figures(name)
-        write = Writer(UNICODE, notation_of(solution)).plain
+        write = Writer(UNICODE, notation_of(solution), on_page=True).plain
         drawn = ["\n".join(figure(scene, name, write)) for scene in figures_of(solution)]
     except ProblemError as error:
         drawn = [f"<pre>{escape(error.show())}</pre>"]

@@ -1,0 +1,266 @@
+"""Blocks and carts as boxes, and the tables, planes, rails and walls on which the text says that something slides.
+
+A particle that one coordinate moves along a straight line may fall, or hang, or slide on something: the words tell. A
+line that is not vertical is ground if the text speaks of a table, plane or rail; a vertical one is a wall if it speaks
+of a wall. A particle that the text calls a block, a cart, a slider or the like is a box that stands on the ground.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import PagePoint, StrokeKind
+from lagrange.mechanics.constraints.kinematics import MassPoint
+from lagrange.pictures.floats import NoValueError, inner
+from lagrange.pictures.inferred import CORNER, rail
+from lagrange.pictures.limits import SAME_ON_PAGE
+from lagrange.pictures.poses import is_distance
+from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, scaled, toward
+from lagrange.pictures.systems import SystemPicture
+from lagrange.problem.model import Outline
+
+_BLOCK = r"block|cart|car|carriage|trolley|slider|piston|crate|box|wagon|truck|sledge|collar|sleeve|carrier"
+_WORD = re.compile(rf"\b({_BLOCK})\b", re.IGNORECASE)
+_SEVERAL = re.compile(rf"\b({_BLOCK}|boxe)s\b", re.IGNORECASE)
+_GROUND = re.compile(
+    r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
+    re.IGNORECASE,
+)
+_IN_PLANE = re.compile(r"\b(in|of) (a|the|its|one) (\w+ )?plane\b", re.IGNORECASE)
+_HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
+_WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
+WIDE, HIGH = 0.62, 0.42
+"""Width and height of a block, in centimetres."""
+
+
+@record
+class Way:
+    """The straight line on which a particle moves, on the page.
+
+    along  its direction
+    up     the direction away from what carries it
+    """
+
+    at: PagePoint
+    along: PagePoint
+    up: PagePoint
+
+    @property
+    def is_upright(self) -> bool:
+        """Whether the line is vertical on the page."""
+        return abs(self.along[0]) < SAME_ON_PAGE
+
+
+class Blocks:
+    """Boxes, ground and walls.
+
+    corners  where strings bend around a pulley at the edge of something, with the centre of the pulley
+    half     half the width of each box along its way, by particle
+    on_wedge the face on which a particle slides, by particle; None for a wedge itself
+    """
+
+    def __init__(
+        self,
+        system: SystemPicture,
+        sketch: Sketch,
+        busy: Sequence[tuple[PagePoint, PagePoint]],
+        down: PagePoint,
+        corners: list[tuple[PagePoint, PagePoint]],
+    ) -> None:
+        self.system = system
+        self.sketch = sketch
+        self.busy = busy
+        self.down = down
+        self.corners = corners
+        self.half: dict[str, float] = {}
+        self.on_wedge: dict[str, Way | None] = {}
+
+    def all(self) -> None:
+        """Draw them."""
+        if not (self.system.is_bare and self.system.view.planar):
+            return
+        self.wedges()
+        ways = {p.name: way for p in self._particles() if (way := self.way(p)) is not None}
+        carried = []
+        for p in self._particles():
+            way = ways.get(p.name)
+            if self.is_block(p):
+                self.block(p, way)
+            if way is not None and p.name not in self.on_wedge and self.is_carried(way):
+                carried.append((way, HIGH / 2 if p.name in self.half else 0.0))
+        self.grounds([*carried, *self.wheels()])
+
+    def wedges(self) -> None:
+        """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
+        pose, page = self.system.pose, self.system.page
+        side = left_of(self.down)
+        for wedge in [p for p in self._particles() if "wedge" in p.name]:
+            level = self.way(wedge)
+            for rider in [p for p in self._particles() if p.name != wedge.name and p.mass != 0]:
+                relative = rider.position.fixed() - wedge.position.fixed()
+                moving = [q for q in pose.coordinates if not relative.partial(q).is_zero]
+                with suppress(NoValueError):
+                    if level is None or len(moving) != 1 or not is_distance(pose, moving[0], relative):
+                        continue
+                    [q] = moving
+                    at, top = page(pose.at(rider.position)), page(pose.moved(q, -pose.values[q]).at(rider.position))
+                    along = toward(top, at)
+                    if inner(along, self.down) < 0:
+                        along, top = scaled(along, -1.0), beyond(at, along, 0.9)
+                    if not 0.1 < inner(along, self.down) < 0.95:
+                        continue
+                    toe = beyond(top, along, apart(top, at) + 1.2)
+                    up = left_of(along)
+                    up = up if inner(up, self.down) < 0 else scaled(up, -1.0)
+                    heel = beyond(top, self.down, inner((toe[0] - top[0], toe[1] - top[1]), self.down))
+                    self.sketch.face([top, toe, heel], 2, -2.0)
+                    foot = ((toe[0] + heel[0]) / 2, (toe[1] + heel[1]) / 2)
+                    rail(self.sketch, foot, self.down, abs(inner((toe[0] - heel[0], toe[1] - heel[1]), side)) / 2 + 0.7)
+                    self.on_wedge |= {wedge.name: None, rider.name: Way(at, along, up)}
+
+    def wheels(self) -> Iterator[tuple[Way, float]]:
+        """The ways of round bodies that roll, on no support that the reactions show, with their radii."""
+        for name, shape in self.system.problem.figure.shapes.items():
+            p = next((p for p in self.system.configuration.points if p.name == name), None)
+            if p is None or shape.kind not in (Outline.DISC, Outline.RING, Outline.SPHERE):
+                continue
+            way = self.way(p)
+            rolls = re.search(r"\brolls?|rolling", self.system.text) and not self.system.reactions_on(name)
+            if way is not None and not way.is_upright and rolls:
+                yield way, abs(self.system.number(shape.lengths[0])) * self.system.page.scale
+
+    def _particles(self) -> Iterator[MassPoint]:
+        bodies = {r.name for r in self.system.configuration.rotations} | {*self.system.problem.figure.shapes}
+        hidden = self.system.hidden
+        yield from (p for p in self.system.configuration.points if p.name not in bodies and p.name not in hidden)
+
+    def way(self, p: MassPoint) -> Way | None:
+        """The line on which a particle moves, if one coordinate alone moves it and nothing that is drawn keeps it."""
+        pose, page = self.system.pose, self.system.page
+        moving = [q for q in pose.coordinates if not p.position.fixed().partial(q).is_zero]
+        if len(moving) != 1:
+            return None
+        with suppress(NoValueError):
+            if is_distance(pose, moving[0], p.position):
+                at = page(pose.at(p.position))
+                along = toward(at, page(pose.moved(moving[0], 1.0).at(p.position)))
+                side = left_of(along)
+                return Way(at, along, side if inner(side, self.down) <= 0 else scaled(side, -1.0))
+        return None
+
+    def surface(self, p: MassPoint) -> Way | None:
+        """The line of a constraint on which a particle alone is kept, or the tangent of its curve."""
+        pose, page = self.system.pose, self.system.page
+        for reaction in self.system.newton.reactions:
+            if reaction.rod is not None or set(reaction.directions or ()) != {p.name}:
+                continue
+            force = reaction.per_unit(p.name)
+            if force is None:
+                continue
+            with suppress(NoValueError):
+                push = toward((0.0, 0.0), page.way(pose.at(force)))
+                up = push if inner(push, self.down) <= 0 else scaled(push, -1.0)
+                return Way(page(pose.at(p.position)), left_of(up), up)
+        return None
+
+    def is_block(self, p: MassPoint) -> bool:
+        """Whether the text calls a particle a block."""
+        name = p.name.replace("_", " ")
+        text = f"{self.system.problem.title} {self.system.problem.description}"
+        called = re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
+        others = [q for q in self._particles() if q.mass != 0]
+        return (
+            p.mass != 0
+            and "wedge" not in name
+            and bool(_WORD.search(name) or called or _SEVERAL.search(text) or (len(others) == 1 and _WORD.search(text)))
+        )
+
+    def is_carried(self, way: Way) -> bool:
+        """Whether the text says that something carries what moves on a line."""
+        if way.is_upright:
+            return bool(_WALL.search(self.system.text))
+        return bool(_GROUND.search(_IN_PLANE.sub("", self.system.text)))
+
+    def block(self, p: MassPoint, way: Way | None) -> None:
+        """A box: on the ground, on a plane that is drawn, or around its particle."""
+        kept = self.on_wedge.get(p.name) or self.surface(p)
+        on = kept or way
+        at = self.system.page(self.system.pose.at(p.position))
+        hangs = on is None or (kept is None and way is not None and way.is_upright)
+        up = scaled(self.down, -1.0) if hangs or on is None else on.up
+        side = left_of(up)
+        low, high = (0.0, HIGH) if kept is not None else (-HIGH / 2, HIGH / 2)
+        corners = ((WIDE / 2, low), (-WIDE / 2, low), (-WIDE / 2, high), (WIDE / 2, high))
+        self.sketch.face([beyond(beyond(at, side, x), up, y) for x, y in corners], 2, -1.0)
+        if kept is None:
+            self.half[p.name] = HIGH / 2 if hangs else WIDE / 2
+
+    def grounds(self, carried: Sequence[tuple[Way, float]]) -> None:
+        """One piece of ground for all that move on one line."""
+        done: list[Way] = []
+        for way, _ in carried:
+            if any(self.same(way, other) for other in done):
+                continue
+            done.append(way)
+            reach = [(other.at, h) for other, h in carried if self.same(way, other)]
+            places, here = [inner(at, way.along) for at, _ in reach], inner(way.at, way.along)
+            low = max(h for _, h in reach)
+            margin = max(WIDE / 2, low) + 0.7
+            start, end = min(places) - margin, max(places) + margin
+            down = scaled(way.up, -1.0)
+            foot = beyond(way.at, down, low)
+            for at, centre in self.stops(way):
+                stop = inner(at, way.along)
+                start, end = (start, stop) if stop > sum(places) / len(places) else (stop, end)
+                if centre is not None:
+                    back = 2.4 * CORNER if stop < sum(places) / len(places) else -2.4 * CORNER
+                    start, end, stop = (
+                        (start + back, end, stop + back) if back > 0 else (start, end + back, stop + back)
+                    )
+                    self.sketch.line([centre, beyond(foot, way.along, stop - here)], StrokeKind.LINK)
+                    self.corners.remove((at, centre))
+            middle, half = (start + end) / 2 - here, (end - start) / 2
+            if way.is_upright:
+                self.wall(way, beyond(way.at, way.along, middle), half)
+            else:
+                through = [line for line in self.busy if apart(*line) > 2 * HIGH]
+                rail(self.sketch, beyond(foot, way.along, middle), down, half, through)
+        for at, centre in self.corners:
+            inward = toward(at, centre)
+            held = beyond(centre, inward, 3 * CORNER)
+            self.sketch.line([centre, held], StrokeKind.LINK)
+            self.sketch.wall(held, (-inward[0], -inward[1]), 0.3)
+
+    def stops(self, way: Way) -> list[tuple[PagePoint, PagePoint | None]]:
+        """Where a ground ends: walls, and pulleys at its edge, each with the centre of the pulley."""
+        moving = {*self.system.pose.coordinates}
+        ends = {e for link in self.system.configuration.links for e in link.ends if isinstance(e, Vector)}
+        places = [
+            self.system.page(self.system.pose.at(e)) for e in ends if not e.fixed().as_sum().free_symbols & moving
+        ]
+        if _WALL.search(self.system.text):
+            places.append((0.0, 0.0))
+        found: list[tuple[PagePoint, PagePoint | None]] = [(e, None) for e in places if self.is_on(way, e)]
+        return [*found, *((at, centre) for at, centre in self.corners if self.is_on(way, at))]
+
+    def is_on(self, way: Way, at: PagePoint) -> bool:
+        """Whether a place is on a line."""
+        return self.same(way, Way(at, way.along, way.up))
+
+    def wall(self, way: Way, centre: PagePoint, long: float) -> None:
+        """A wall along which something slides, on the other side than the rest of the system."""
+        others = [self.system.page(self.system.pose.at(p.position)) for p in self.system.configuration.points]
+        mean = sum(x for x, _ in others) / len(others)
+        inward = (1.0, 0.0) if mean >= way.at[0] else (-1.0, 0.0)
+        self.sketch.wall(centre, inward, long)
+
+    @staticmethod
+    def same(a: Way, b: Way) -> bool:
+        """Whether two ways are on one line."""
+        across = left_of(a.along)
+        turned = abs(a.along[0] * b.along[1] - a.along[1] * b.along[0])
+        return turned < SAME_ON_PAGE and abs(inner(across, (b.at[0] - a.at[0], b.at[1] - a.at[1]))) < SAME_ON_PAGE

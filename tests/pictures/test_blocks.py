@@ -1,0 +1,60 @@
+"""Blocks, and what they slide on as far as the text says."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.document.scene import Scene, StrokeKind
+from tests.pictures.test_inferred import drawn, lines
+
+ONE = "parameters: [m, k, a, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+SPRING = ONE + "forces: {s: {spring: k, between: [[-a, 0], P], length: a}}\n"
+FALL = "parameters: [m, g]\ncoordinates: [y]\nparticles: {P: {mass: m, position: y*j}}\n"
+EDGE = (
+    "parameters: [m, M, L, g]\ncoordinates: [x, y]\nparticles:\n  A: {mass: m, position: -x*i}\n"
+    "  B: {mass: M, position: y*j}\nconstraints: {string: {equation: x + y = L, by: string}}\n"
+)
+LADDER = (
+    "parameters: [m, l, g]\ncoordinates: [x, y]\nparticles: {A: {mass: m, position: x*i}, B: {mass: m, position: -y*j}}\n"
+    "constraints: {ladder: {equation: x^2 + y^2 = l^2, by: rod}}\n"
+)
+
+
+def boxes(scene: Scene) -> list[tuple[float, float]]:
+    """The lower sides of filled rectangles: left end and height."""
+    found = [line.points for line in scene.lines if line.closed and len(line.points) == 4]
+    return [(min(x for x, _ in p), min(y for _, y in p)) for p in found]
+
+
+@pytest.mark.parametrize(
+    ("title", "text", "block", "grounds"),
+    [
+        ("A block on a table", ONE, 1, 1),
+        ("A particle on a table", ONE, 0, 1),
+        ("A particle in one plane", ONE, 0, 0),
+        ("A block falls to the ground", FALL, 1, 0),
+        ("A ladder against a wall", LADDER, 0, 2),
+    ],
+)
+def test_the_words_tell_what_is_drawn(title: str, text: str, block: int, grounds: int) -> None:
+    scene = drawn(title, text)
+    assert (len(boxes(scene)), lines(scene, StrokeKind.GROUND)) == (block, grounds)
+
+
+def test_a_block_stands_on_its_ground_and_its_spring_ends_at_its_side() -> None:
+    scene = drawn("A cart on a rail", SPRING)
+    [(left, low)] = boxes(scene)
+    [spring] = [line for line in scene.lines if line.kind is StrokeKind.SPRING]
+    assert abs(max(x for x, _ in spring.points) - left) < 1e-9
+    assert any(abs(y - low) < 1e-9 for line in scene.lines if line.kind is StrokeKind.GROUND for _, y in line.points)
+
+
+def test_a_pulley_at_the_edge_is_held_by_the_table() -> None:
+    scene = drawn("Block on a table, pulley", EDGE)
+    [ground] = [line for line in scene.lines if line.kind is StrokeKind.GROUND]
+    [bracket] = [line for line in scene.lines if line.kind is StrokeKind.LINK]
+    assert lines(scene, StrokeKind.STRING) == 2
+    assert (
+        bracket.points[1] in ground.points
+        or min(abs(bracket.points[1][0] - x) + abs(bracket.points[1][1] - y) for x, y in ground.points) < 1e-6
+    )
