@@ -14,11 +14,7 @@ from lagrange.algebra.fourier.polynomials import (
     factorization,
     lowest,
     pack,
-<<<<<<< HEAD
-=======
     part_at,
-    place,
->>>>>>> speed24c
     shared,
     unpack,
     value_at_place,

@@ -32,7 +32,6 @@ def test_what_is_never_infinite_needs_no_parameter() -> None:
     assert free_displacements(own.elimination, own.configuration.slots, set()) is None
 
 
-<<<<<<< HEAD
 def test_the_heading_is_free_rather_than_a_wheel() -> None:
     own = solved("two-wheels-on-an-axle").own
     slots = own.configuration.slots
@@ -43,7 +42,8 @@ def test_the_heading_is_free_rather_than_a_wheel() -> None:
     for row in own.configuration.rows:
         total = sp.Add(*(c * step for c, step in zip(row.coefficients, steps, strict=True)))
         assert sp.simplify(total) == 0
-=======
+
+
 def test_long_denominators_are_not_multiplied_out() -> None:
     own = solved("ex05-ice-skate").own
     nested, below = sp.Symbol("x", real=True), sp.S.One
@@ -53,4 +53,3 @@ def test_long_denominators_are_not_multiplied_out() -> None:
     long = replace(own.elimination, solution=((1 / below,),))
     with allowed(1_000):
         assert free_displacements(long, own.configuration.slots, set()) is None
->>>>>>> speed24c
