@@ -36,6 +36,7 @@ class Purpose(Enum):
     MULTIPLIERS = auto()  # With multipliers instead, nothing is eliminated.
     NOT_SUBSTITUTED = auto()  # The constraint restricts velocities and is not substituted into T before ...
     MAY_PUSH = auto()  # A rod may also push
+    CONTACT = auto()  # The floor can only push: it stays in contact as long as N ≥ 0, that is,
     ONLY_PUSHES = auto()  # A support that can only push requires N > 0
     WAVES = auto()  # There are solutions proportional to cos(ω t), with a constant amplitude, where
     RESONANCE = auto()  # The denominator vanishes at a frequency of free oscillations

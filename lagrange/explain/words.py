@@ -149,7 +149,7 @@ def sign_conditions(conditions: Iterable[SignCondition], last: str = " and ") ->
 
 def branch_conditions(b: Branch) -> tuple[Part, ...]:
     """`where b ≤ a`; whether the equilibria of the branch are special or left open."""
-    words: list[Part] = ["where ", *sign_conditions(b.conditions)] if b.conditions else []
+    words: list[Part] = [Phrase("where ", Purpose.WHERE), *sign_conditions(b.conditions)] if b.conditions else []
     if b.special:
         words.append("; every such position is then an equilibrium" if words else "in any position")
     if b.left:

@@ -74,7 +74,10 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
         state = "stays taut" if is_cord else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
         blocks.append(
-            prose(*first, words, math(_force(r), sp.S.Zero, relation="≥"), Phrase(", that is,", Purpose.THAT_IS))
+            prose(
+                *(*first, words, math(_force(r), sp.S.Zero, relation="≥"), Phrase(", that is,", Purpose.THAT_IS)),
+                purpose=Purpose.CONTACT,
+            )
         )
         blocks.append(display(Equation((value, sp.S.Zero), relation="≥", condition=_presumed(r)), detail=Detail.STEPS))
     if trivial:

@@ -35,7 +35,6 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -76,6 +75,13 @@ from lagrange.mechanics.equilibrium.linearization import (
 from lagrange.mechanics.equilibrium.relative_equilibrium import branches_at_rest, is_time
 from lagrange.mechanics.equilibrium.sampled_checks import HOW, Samples, determinant_in_numbers, exists
 from lagrange.mechanics.equilibrium.stability import on_branch
+from lagrange.mechanics.momenta.constant_rates import (
+    condition_for_rate,
+    determines,
+    have_several,
+    rate_at_any_position,
+    rate_at_position,
+)
 from lagrange.mechanics.momenta.reduced_form import independent_first, only, rates_of_dependent, reduced_form
 
 ZERO = sp.S.Zero
@@ -168,23 +174,23 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     complete = branches_at_rest(general)[1]
     rates = [slots.velocities[k] for k in cyclic]
     conditions = [c.expression for c in general.conditions]
-    condition, solved = _condition_for_rate(conditions, rates, complete)
+    condition, solved = condition_for_rate(conditions, rates, complete)
     if solved is not None and len(conditions) > 1 and any(b.left for b in resting(solved).branches):
         solved = None
-    if solved is None or (complete and not _has_several(conditions, rates)):
-        alone = [rate for b in general.branches if (rate := _rate_at_any_position(b, rates))]
-        with_position = _only(general, lambda b: _rate_at_any_position(b, rates) is None)
+    if solved is None or (complete and not have_several(conditions, rates)):
+        alone = [rate for b in general.branches if (rate := rate_at_any_position(b, rates))]
+        with_position = _only(general, lambda b: rate_at_any_position(b, rates) is None)
         families: tuple[Family, ...] = (
             *([family({}, with_position)] if with_position.branches or not alone else []),
             *(family(rate, resting(rate)) for rate in alone),
         )
-        by_position = _rate_at_position(conditions, rates, general) if len(families) == 1 else None
+        by_position = rate_at_position(conditions, rates, general) if len(families) == 1 else None
         if by_position is not None:
             other = family(by_position, resting(by_position))
             families = (other,) if 2 * _length(other) < _length(families[0]) else families
     else:
         [(rate, value)] = solved.items()
-        complete = complete or _determines(condition, rate, general)
+        complete = complete or determines(condition, rate, general)
         denominator = sp.fraction(sp.together(value))[1]
         whatever = _at_any_rate(general, partial(condition, rate))
         excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
@@ -264,64 +270,9 @@ def _signs_in_ranges(configuration: Configuration, expressions: Sequence[sp.Expr
     return known
 
 
-def _condition_for_rate(
-    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], complete: bool
-) -> tuple[sp.Expr, dict[sp.Symbol, sp.Expr] | None]:
-    """A condition that a constant rate is found from, and this rate; None where there is none.
-
-    complete  whether the conditions are solved for the coordinates; otherwise the rate may be given by its square, and
-              by one of several conditions if no other one contains it: the orbit of a satellite, φ'² = F(r, θ), where
-              sin θ cos θ = 0 says how it points
-    """
-    if len(conditions) == 1:
-        return conditions[0], _rate_from(conditions[0], rates, 1 if complete else 2)
-    for n, condition in enumerate(() if complete else conditions):
-        others = {s for m, e in enumerate(conditions) if m != n for s in e.free_symbols}
-        solved = _rate_from(condition, [v for v in rates if v not in others], 2)
-        if solved is not None:
-            return condition, solved
-    return ZERO, None
-
-
-def _rate_from(condition: sp.Expr, rates: Sequence[sp.Symbol], degree: int) -> dict[sp.Symbol, sp.Expr] | None:
-    """A constant rate from a condition that is linear in it, or, of degree 2, in its square."""
-    for rate in rates:
-        slope = partial(condition, rate)
-        if slope != 0 and rate not in slope.free_symbols:
-            return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
-    for rate in rates if degree == 2 else ():
-        of_square = sp.cancel(partial(condition, rate) / (2 * rate))
-        if of_square != 0 and rate not in of_square.free_symbols:
-            return {rate: sp.sqrt(textbook_form(-condition.xreplace({rate: ZERO}) / of_square))}
-    return None
-
-
-def _rate_at_position(
-    conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol], general: Equilibrium
-) -> dict[sp.Symbol, sp.Expr] | None:
-    """The rate at which a coordinate keeps a value, φ'² = F(r), where the value is r = G(φ'²) and no angle."""
-    if len(conditions) != 1 or len(rates) != 1 or any(b.left for b in general.branches):
-        return None
-    placed = [r for b in general.branches for r in b.relations]
-    if not all(r.lhs.is_Symbol and sp.fraction(sp.together(r.rhs))[1].has(*rates) for r in placed):
-        return None
-    [condition] = conditions
-    solved = _rate_from(condition, rates, 2) if placed else None
-    return solved if solved is not None and _determines(condition, rates[0], general) else None
-
-
 def _length(family: Family) -> int:
     """How long the linear equations about the motions of a family are."""
     return sum(count_operations(e) for s in family.about.originals for e in s.equations) or sys.maxsize
-
-
-def _determines(condition: sp.Expr, rate: sp.Symbol, general: Equilibrium) -> bool:
-    """Whether a condition a φ'² = b has no other solutions than φ'² = b/a, because a and b nowhere vanish together."""
-    slope = sp.cancel(partial(condition, rate) / (2 * rate))
-    if rate in slope.free_symbols:
-        return False
-    both = solutions([slope, condition.xreplace({rate: ZERO})], general.configuration.slots.coordinates)
-    return both.solved and not both.branches
 
 
 def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]]:
@@ -336,23 +287,6 @@ def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]
         yield sign * f, _conditions(conditions.configuration, side)
 
 
-def _rate_at_any_position(b: Branch, rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
-    """A constant rate that a branch in which no coordinate occurs determines: a φ'² = g or m φ' = −q B."""
-    if not b.special or b.left or len(b.relations) != 1:
-        return None
-    [relation] = b.relations
-    balance = relation.lhs - relation.rhs
-    for rate in rates:
-        if not balance.is_polynomial(rate):
-            continue
-        match sp.Poly(balance, rate).all_coeffs():
-            case [slope, rest]:
-                return {rate: textbook_form(-rest / slope)}
-            case [slope, middle, rest] if middle == 0 and (square := textbook_form(-rest / slope)).is_positive:
-                return {rate: sp.sqrt(square)}
-    return None
-
-
 def _rates_on(b: Branch, rates: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
     """The given rates where a branch places some coordinates: φ'(r, θ) at θ = 0."""
     placed: dict[sp.Basic, sp.Basic] = {r.lhs: r.rhs for r in b.relations if r.lhs.is_Symbol}
@@ -364,11 +298,6 @@ def _without_root(v: sp.Symbol, value: sp.Expr) -> Relation:
     """φ'² = g/a for φ' = √(g/a), whose other sign turns the motion around."""
     is_root = any(p.exp == sp.S.Half for p in value.atoms(sp.Pow))
     return Relation(v**2, value**2) if is_root else Relation(v, value)
-
-
-def _has_several(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> bool:
-    """Whether conditions contain several constant rates: they are shorter for a rate than for a coordinate."""
-    return len({v for e in conditions for v in e.free_symbols} & {*rates}) > 1
 
 
 def _conditions(remaining: Configuration, forces: Sequence[sp.Expr]) -> Equilibrium:

@@ -13,8 +13,9 @@ import sympy as sp
 
 from lagrange.core.symbols import CONSTANT
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, has_purpose, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Mathematics, Part, Prose, Rule, Step
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import plural
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.held_together import HeldTogether, held_together
@@ -24,7 +25,6 @@ _BEFORE = (
     Rule.DEGREES_OF_FREEDOM, Rule.QUESTION, Rule.CHECKS,
 )  # fmt: skip
 """The steps that stay in general, and those that have their own values."""
-_WHERE = "where "
 
 
 def with_values_put_in(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
@@ -66,8 +66,7 @@ def _forces(held: HeldTogether, step: Step) -> Iterator[Block]:
     shown = [Equation((name, value), label=labels.get(name) or f"force-{name}") for name, value in held.forces.items()]
     yield display(*shown, boxed=True, detail=Detail.STEPS)
     for b in step.body:
-        first = b.parts[0] if isinstance(b, Prose) and b.parts else ""
-        if isinstance(first, str) and "can only push" in first:
+        if has_purpose(b, Purpose.ONLY_PUSHES) or has_purpose(b, Purpose.CONTACT):
             yield b
 
 
@@ -86,7 +85,7 @@ def _line(rule: Mapping[sp.Symbol, sp.Expr], e: Equation) -> Equation:
     sides = _sides(rule, e.sides)
     if (e.label or "").startswith("energy-rate") and isinstance(sides[0], sp.Expr):
         sides = (_without_constants_below(sides[0]), *sides[1:])
-    return replace(e, sides=sides, condition=() if condition in ((_WHERE,), ("",)) else condition)
+    return replace(e, sides=sides, condition=condition if any(map(_says_something, condition)) else ())
 
 
 def _sides(rule: Mapping[sp.Symbol, sp.Expr], sides: Iterable[Mathematics]) -> tuple[Mathematics, ...]:
@@ -120,14 +119,18 @@ def _part(rule: Mapping[sp.Symbol, sp.Expr], part: Part) -> Part:
     return replace(part, sides=_sides(rule, part.sides)) if isinstance(part, Math) else part
 
 
+def _says_something(part: Part) -> bool:
+    return bool(part) and not (isinstance(part, Phrase) and part.purpose is Purpose.WHERE)
+
+
 def _without_trivial(parts: Sequence[Part]) -> tuple[Part, ...]:
     """A sentence without `where 1 ≠ 0`."""
     kept: list[Part] = []
     dropped = False
     for p in parts:
         if isinstance(p, Math) and p.relation == "≠" and all(s.is_number for s in p.sides if isinstance(s, sp.Expr)):
-            if kept and isinstance(kept[-1], str):
-                kept[-1] = kept[-1].removesuffix(_WHERE).rstrip(", ")
+            if kept and isinstance(kept[-1], Phrase) and kept[-1].purpose is Purpose.WHERE:
+                kept.pop()
             dropped = True
         elif dropped and isinstance(p, str):
             kept.append(p.removeprefix(","))
