@@ -12,7 +12,7 @@ from lagrange.core.symbols import Slots, variation
 from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
-from lagrange.document.purposes import Purpose
+from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.displacements import conditions, of_points, solved_displacements
 from lagrange.explain.limits import LONGEST_DISPLACEMENT, LONGEST_SUM
 from lagrange.explain.motion import accelerations_of
@@ -116,7 +116,7 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
     if any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values()):
         return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
     pivots = conditions(motion.elimination)
-    where: tuple[Part, ...] = (" where ", *pivots) if pivots else ()
+    where: tuple[Part, ...] = (Phrase(" where ", Purpose.WHERE), *pivots) if pivots else ()
     by = ("By ", *listed(Ref(f"virtual-{r.name}") for r in rows))
     follows = step.body[1] if len(step.body) > 1 else None
     is_whole = isinstance(follows, Display) and (follows.equations[0].label or "").startswith("reduced")
@@ -166,7 +166,7 @@ def _conditional(block: Block, excluded: Sequence[sp.Expr], motion: EquationsOfM
         at.setdefault(owners[0] if len(owners) == 1 else places[-1], []).append(e)
     equations = list(block.equations)
     for n, those in at.items():
-        where = ("where ", *listed(math(e, sp.S.Zero, relation="≠") for e in those))
+        where = (Phrase("where ", Purpose.WHERE), *listed(math(e, sp.S.Zero, relation="≠") for e in those))
         equations[n] = replace(equations[n], condition=where)
     return replace(block, equations=tuple(equations))
 

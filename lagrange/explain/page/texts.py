@@ -100,9 +100,9 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
     units: dict[str, sp.Expr] = {name: unit for name, unit in UNITS.items() if name not in symbols}
     units |= {name: UnitVector(name) for name in problem.scope.vectors if _NUMBERED.fullmatch(name)}
     if len(problem.bodies) == 1:  # n1 of the only body
-        own = [n for n in problem.scope.vectors if n.endswith(f"_{problem.bodies[0].name}")]
-        short = {n.removesuffix(f"_{problem.bodies[0].name}"): UnitVector(n) for n in own}
-        units = {n: unit for n, unit in short.items() if _NUMBERED.fullmatch(n) and n not in symbols} | units
+        end_of = f"_{problem.bodies[0].name}"
+        short = {n.removesuffix(end_of) for n in problem.scope.vectors if n.endswith(end_of)} - {*symbols}
+        units = {n: UnitVector(n) for n in short if _NUMBERED.fullmatch(n)} | units
     end = 0
     for match in _SYMBOL.finditer(text):
         name = match[1].rstrip("'")

@@ -16,7 +16,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, has_purpose, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Mathematics, Part, Prose, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.words import plural
+from lagrange.explain.words import capital, constraints_called, plural
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.held_together import HeldTogether, held_together
 
@@ -39,7 +39,7 @@ def with_values_put_in(solution: Solution, steps: Sequence[Step]) -> Iterator[St
         if n == last:
             yield replace(step, body=(*step.body, _announced(held)))
         elif step.rule is Rule.SOLVED_REACTIONS and not step.folded:
-            yield replace(step, body=tuple(_forces(held, step)))
+            yield replace(step, body=tuple(_forces(held, step, solution)))
         else:
             yield put_in(held, step)
 
@@ -58,16 +58,26 @@ def _announced(held: HeldTogether) -> Prose:
     return prose("Together the constraints keep ", *listed(map(math, held.values)), words, *values, ".")
 
 
-def _forces(held: HeldTogether, step: Step) -> Iterator[Block]:
+def _forces(held: HeldTogether, step: Step, solution: Solution) -> Iterator[Block]:
     """The forces, and what is said of contact after them."""
     yield prose("With these values, Newton's law and the law of angular momentum give")
     lines = [e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations]
     labels = {e.sides[0]: e.label for e in lines}
     shown = [Equation((name, value), label=labels.get(name) or f"force-{name}") for name, value in held.forces.items()]
     yield display(*shown, boxed=True, detail=Detail.STEPS)
-    for b in step.body:
-        if has_purpose(b, Purpose.ONLY_PUSHES) or has_purpose(b, Purpose.CONTACT):
-            yield b
+    said = [b for b in step.body if has_purpose(b, Purpose.ONLY_PUSHES) or has_purpose(b, Purpose.CONTACT)]
+    yield from said or _contacts(held, solution)
+
+
+def _contacts(held: HeldTogether, solution: Solution) -> Iterator[Prose]:
+    """How long one-sided constraints act whose forces may change sign."""
+    reactions = solution.law.newton.reactions if solution.law is not None else ()
+    for r in reactions:
+        value = held.forces.get(r.force)
+        if r.constraint.side is not None and value is not None and not value.is_positive:
+            called = capital(constraints_called([r.name]))
+            force = math(r.force, sp.S.Zero, relation="≥")
+            yield prose(f"{called} can only push: it stays in contact as long as ", force, ".", purpose=Purpose.CONTACT)
 
 
 def _block(rule: Mapping[sp.Symbol, sp.Expr], block: Block) -> Iterator[Block]:
