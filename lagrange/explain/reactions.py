@@ -22,6 +22,7 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import SURFACES
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.mechanics.nearby.long_reactions import LongReactions
+from lagrange.mechanics.rewriting.constraint_forms import is_drive
 from lagrange.problem.model import Keeper
 from lagrange.values.quantities import rounded_in
 
@@ -201,7 +202,8 @@ def explain_bounds(newton: Newton, pressed: Collection[str] = ()) -> list[Block]
             )  # fmt: skip
     other = (Keeper.WIRE, Keeper.STRING, Keeper.ROD)
     threaded = {p for r in newton.reactions if r.constraint.by in other or _holds(r) for p in r.acts_on}
-    normal = [r for r in open_ if r.is_normal and r.name not in pressed and threaded.isdisjoint(r.acts_on)]
+    supports = [r for r in open_ if r.is_normal and r.name not in pressed and not is_drive(r)]
+    normal = [r for r in supports if threaded.isdisjoint(r.acts_on)]
     blocks += [pushed_side(r) for r in normal]
     return blocks
 

@@ -61,8 +61,7 @@ class Arrivals:
                 kept.append(replace(b, conditions=()))
                 continue
             if b.states and self._is_terminal(b.states[0]):
-                kept.append(replace(b, limit=True))
-                continue
+                return [replace(b, limit=True)]  # and gets to no other
             reach = Reach(Reached.OPEN)
             for n, state in enumerate(b.states):
                 reach = self._reach_of(state, b)

@@ -24,6 +24,7 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.limits import LONGEST_CANCELLED, MOST_EXPANDED_TERMS
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Constraint, Problem
@@ -181,3 +182,12 @@ def only_coordinate(solution: Solution) -> OnlyCoordinate | None:
     size, moving = factor.as_independent(t, as_Add=False)
     value = rest + constant / moving if size.free_symbols else rest + constant / factor
     return OnlyCoordinate(q, constant, sp.powsimp(value))
+
+
+def is_drive(reaction: Reaction) -> bool:
+    """Whether a constraint gives one angle as a function of time, φ = Ω t: its reaction is the moment of a motor."""
+    moving = [c for c in reaction.row.coefficients if c != 0]
+    if len(moving) != 1 or reaction.row.drift == 0:
+        return False
+    directions = [d.fixed() for d in (reaction.directions or {}).values()]
+    return any(textbook_form(d.dot(d)).free_symbols for d in directions)

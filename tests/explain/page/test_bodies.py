@@ -12,7 +12,7 @@ from tests.support.derivation_text import said_in
     ("name", "rule", "said"),
     [
         ("three-struck-rods", Rule.STATEMENT, "The bodies are rigid: "),
-        ("furuta-pendulum", Rule.STATEMENT, "The applied moments about the mass centres are"),
+        ("furuta-pendulum", Rule.STATEMENT, "The applied moments are"),
     ],
 )
 def test_bodies_are_introduced_together(name: str, rule: Rule, said: str) -> None:

@@ -322,7 +322,8 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
                 # λ ∂f/∂r is N times the direction that belongs to N: otherwise the size of N is another one.
                 by_multiplier = after.on(body)
                 scaled = None if by_multiplier is None else by_multiplier * after.per_force
-                if not after.per_force.atoms(Sign):  # r² = l(t)²: σ is the sign of r, at every point another one
+                opposite = body == reaction.single.opposite  # of a body that is held, λ has only the part that works
+                if not opposite and not after.per_force.atoms(Sign):  # r² = l(t)²: σ is the sign of r, and varies
                     assert same(scaled, after.per_unit(body), configuration), (c.name, body)
                 for one, two in (
                     (reaction.per_unit(body), after.per_unit(body)),

@@ -11,6 +11,7 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.rewriting.constraint_forms import (
     common_number,
     frobenius_on_surface,
+    is_drive,
     only_coordinate,
     vanishing_components,
     with_short_forms,
@@ -75,3 +76,17 @@ def test_one_constraint_determines_the_only_coordinate() -> None:
     assert sp.expand(only.value.diff(t) + kappa * only.value - v * t) == 0
     assert only.constant in only.value.free_symbols
     assert only_coordinate(solved("ex11-ideal-pendulum")) is None
+
+
+def test_a_drive_is_no_support() -> None:
+    """An arm that turns at Ω holds its bead by a moment; a floor that goes up and down is one coordinate, too."""
+    text = (
+        "title: Driven\nparameters: {{m: positive, a: positive, Omega: positive}}\ncoordinates: {coordinates}\n"
+        "particles: {{P: {{mass: m, position: {position}}}}}\nconstraints: {{c: {constraint}}}\n"
+    )
+    arm = text.format(coordinates="[r, phi]", position="r*cos(phi)*i + r*sin(phi)*j", constraint="phi = Omega*t")
+    floor = text.format(coordinates="[x, y]", position="x*i + y*j", constraint="y = a*cos(Omega*t)")
+    for given, drives in ((arm, True), (floor, False)):
+        law = solve(read_problem(Source("driven", given))).law
+        assert law is not None
+        assert [is_drive(r) for r in law.newton.reactions] == [drives]
