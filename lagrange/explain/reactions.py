@@ -237,13 +237,19 @@ def explain_reactions_at_rest(
     suffix = suffix_of(name)
     several = len(static.at) > 1
     body: list[Block] = list(_beginning(static, newton, own))
+    groups: dict[object, list[int]] = {}
     for n, there in enumerate(static.at, start=1):
-        place: tuple[Part, ...] = ("At ", Ref(f"equilibrium{suffix}-{n}")) if _labelled(static) else ()
+        same = () if there is None else tuple(e.sides for e in _lines(there, newton, suffix))
+        groups.setdefault(same or n, []).append(n)
+    for numbers in groups.values():
+        first, there = numbers[0], static.at[numbers[0] - 1]
+        refs = listed(Ref(f"equilibrium{suffix}-{n}") for n in numbers)
+        place: tuple[Part, ...] = ("At ", *refs) if _labelled(static) else ()
         if there is None:
             words = "the reactions are" if place else "The reactions are"
             body.append(prose(*place, " " if place else "", f"{words} not found in a form that can be written out."))
             continue
-        lines = _lines(there, newton, f"{suffix}-{n}" if several else suffix)
+        lines = _lines(there, newton, f"{suffix}-{first}" if several else suffix)
         if lines:
             if place and several:
                 body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))

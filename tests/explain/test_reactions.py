@@ -114,3 +114,23 @@ constraints: {c: {equation: norm(r_P) + y = 2*c, reaction: T, by: string}}
     )
     assert "A string can only pull, and stays taut as long as T ≥ 0." in words
     assert "can only push" not in words
+
+
+def test_reactions_that_are_the_same_at_several_equilibria_are_listed_once(problem: Read) -> None:
+    """A beam on two supports, upright or turned over: N_A + N_B = W at both, and at the head."""
+    read = problem(
+        """title: Beam on two supports
+parameters: {W: positive, l: positive}
+coordinates: [x, y, theta]
+bodies: {beam: {mass: 0, inertia: 0, position: x*i + y*j, angle: theta}}
+forces: {weight: {on: beam, vector: -W*j}}
+constraints:
+  left: {equation: "dot(r_beam - l*e1_beam, j) = 0", reaction: N_A}
+  right: {equation: "dot(r_beam + l*e1_beam, j) = 0", reaction: N_B}
+  side: x = 0
+find: equilibrium
+"""
+    )
+    words = page(read)
+    assert words.count("N_A = W/2") + words.count("N_A = ½ W") == 2
+    assert any(f"At ({n}) and ({n + 1}) they are" in words for n in range(10, 40))
