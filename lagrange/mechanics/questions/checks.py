@@ -74,6 +74,7 @@ class _SecondRoute:
         )
         problem = own.law.problem
         self.parameters = (*(p.symbol for p in problem.parameters), *problem.unknowns)
+        self.values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
         self.meanings = dict(own.law.newton.single_forces)
         self.energies = {KINETIC_ENERGY: kinetic_energy(configuration)}
 
@@ -88,7 +89,8 @@ class _SecondRoute:
                 continue
             for state in b.states[:MOST_SAMPLED_STATES]:
                 value = b.values[0] if len(b.values) == 1 else question.quantity
-                for numbers in _samples(b, self.parameters if question.by is None else (*self.parameters, question.by)):
+                symbols = self.parameters if question.by is None else (*self.parameters, question.by)
+                for numbers in _samples(b, symbols, self.values):
                     agreed = self._agrees(asked, configuration, state, value, numbers)
                     if agreed is not None:
                         yield agreed
@@ -109,6 +111,10 @@ class _SecondRoute:
             if number is None:
                 return None
             at[question.quantity] = number
+        for v, sense in asked.senses.items():  # the equations of motion hold for this sense of the slip alone
+            speed = _number(state[v], at) if v in state else None
+            if speed is not None and speed * sense < 0:
+                return None
         verdicts = {self._holds_at(asked, configuration, state, value, at, sp.Rational(filled, 7)) for filled in (3, 5)}
         return verdicts.pop() if len(verdicts) == 1 else None
 
@@ -177,11 +183,11 @@ def _solved(rows: list[list[sp.Expr]]) -> list[sp.Expr] | None:
     return [row[-1] for row in rows]
 
 
-def _samples(b: AnswerBranch, symbols: Sequence[sp.Symbol]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
-    """Numbers for the symbols with which the conditions of a branch hold."""
+def _samples(b: AnswerBranch, symbols: Sequence[sp.Symbol], values: Numbers) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """Numbers for the symbols with which the conditions of a branch hold, those of the file first."""
     taken = 0
     for trial in range(SAMPLES_TRIED):
-        numbers = {s: _sample(s, trial) for s in symbols}
+        numbers = {s: _sample(s, trial) for s in symbols} | (dict(values) if trial == 0 else {})
         if all(_holds(c.lhs - c.rhs, c.relation, numbers) for c in b.conditions):
             yield numbers
             taken += 1
