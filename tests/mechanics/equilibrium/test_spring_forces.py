@@ -69,7 +69,7 @@ def test_the_post_leans_on_its_spring() -> None:
 def test_what_is_written(problem: Read) -> None:
     found = report(problem(HUNG))
     written = in_json.as_object(found)
-    assert written["spring_forces"][:2] == [{"tie": "k*(h - b + l)"}, {"tie": "k*(abs(h - l) - b)"}]
+    assert written["spring_forces"][:2] == [{"tie": "k*(h + l - b)"}, {"tie": "k*(abs(h - l) - b)"}]
     assert found.solution.own.equilibrium is not None
     values = [v for b in found.solution.own.equilibrium.branches for p in (b.common, *b.points) for v in p.values()]
     assert any(v.has(sp.Abs) for v in values)
