@@ -21,10 +21,8 @@ from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import SURFACES
 from lagrange.mechanics.dynamics.reactions import Reactions
-from lagrange.mechanics.nearby.long_reactions import LongReactions
 from lagrange.mechanics.rewriting.constraint_forms import is_drive
 from lagrange.problem.model import Keeper
-from lagrange.values.quantities import rounded_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
@@ -70,8 +68,6 @@ def explain_reactions(
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost and first and lost_ones is not None:
-        from lagrange.explain.reactions import explain_long_reactions
-
         body += explain_long_reactions(lost_ones)
     elif lost:
         reactions_of = plural(len(lost), "The reaction of", "The reactions of")
@@ -384,6 +380,8 @@ def explain_long_reactions(reactions: LongReactions) -> Iterator[Block]:
     else:
         yield prose(words)
     if reactions.at is not None:
+        from lagrange.values.quantities import rounded_in
+
         state: tuple[Part, ...] = ("At the start, ", math(t, ZERO), ", they are, in SI units,")
         if not reactions.from_initial:
             shown = [math(s, rounded_in(e)) for s, e in reactions.at.state.items()]

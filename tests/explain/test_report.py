@@ -80,7 +80,7 @@ def test_little_detail_is_half_a_screen() -> None:
 
 def test_what_a_format_does_not_show_is_not_made(monkeypatch: pytest.MonkeyPatch) -> None:
     made: list[str] = []
-    for name in ("page", "illustrated"):
+    for name in ("steps_of_page", "illustrated"):
         _note_calls(monkeypatch, name, made)
     found = report(load(str(SHIPPED["ex11-ideal-pendulum"])))
     json.render([found])
@@ -88,11 +88,11 @@ def test_what_a_format_does_not_show_is_not_made(monkeypatch: pytest.MonkeyPatch
     assert made == ["illustrated"]
     terminal.text(found.derivation, found.notation, 80)
     html.render([(found.derivation, found.notation)])
-    assert made == ["illustrated", "page", "illustrated"]
+    assert made == ["illustrated", "steps_of_page", "illustrated"]
     made.clear()
     found = report(load(str(SHIPPED["ex11-ideal-pendulum"])), complete=False)
     terminal.text(found.derivation, found.notation, 80)
-    assert made == ["page", "illustrated"]
+    assert made == ["steps_of_page", "illustrated"]
 
 
 def test_a_right_answer_loads_nothing_for_wrong_ones() -> None:

@@ -214,7 +214,8 @@ def _all_and_each(
         name = name_of(f)
         yield Variation(clause.format(name), place.format(name), m.scaled([f], factor))
     if len(forces) > 1:
-        name = ", ".join(map(name_of, forces))
+        *others, last = map(name_of, forces)
+        name = f"{', '.join(others)} and {last}"
         yield Variation(clause.format(name), place.format(name), m.scaled(forces, factor))
 
 
