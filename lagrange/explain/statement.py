@@ -238,7 +238,7 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
         if not loads:
             continue
         names = [
-            friction_called(f.name, rough) if f.name in rough else _force_called(f.name, len(loads) == 1) for f in loads
+            friction_called(f.name, rough) if f.name in rough else force_called(f.name, len(loads) == 1) for f in loads
         ]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
@@ -306,7 +306,7 @@ def given_force(coordinate: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(f"Q_{coordinate.name}", real=True)
 
 
-def _force_called(name: str, alone: bool) -> str:
+def force_called(name: str, alone: bool) -> str:
     """`its weight`, `the force push`; only `push` where it is the only force."""
     if _WEIGHT.fullmatch(name):
         return "its weight"
