@@ -167,15 +167,9 @@ def explain_constraints(classification: Classification, built_in: bool = False) 
     if timed:
         sentences.append(prose("Time appears in ", *listed(Ref(f"constraint-{c.row.name}") for c in timed), "."))
     else:
-        sentences.append(
-            prose(
-                plural(
-                    len(constraints),
-                    Phrase("Time does not appear in it.", Purpose.NO_TIME, "Time does not appear in it"),
-                    Phrase("Time appears in none of them.", Purpose.NO_TIME, "Time appears in none of them"),
-                )
-            )
-        )
+        several = "neither" if len(constraints) == 2 else "none of them"
+        words = plural(len(constraints), "Time does not appear in it", f"Time appears in {several}")
+        sentences.append(prose(Phrase(f"{words}.", Purpose.NO_TIME, words)))
     sentences += explain_in_contact(constraints)
     title = plural(len(constraints), "The constraint", "Constraints")
     return Step(Rule.CONSTRAINT, title, (*body, paragraph(*sentences)))

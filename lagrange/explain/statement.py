@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.core.symbols import VectorSymbol, t
+from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, t
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
@@ -41,6 +41,9 @@ from lagrange.problem.model import Assumption, Body, Coordinate, Friction, Param
 
 _ADJECTIVES = ("horizontal", "vertical")
 """Words for an axis that do not say which way it points."""
+
+_WEIGHT = re.compile(r"weight(?:_?\d+)?")
+"""Of several bodies the file may number them."""
 
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
@@ -235,7 +238,7 @@ def _forces(problem: Problem, configuration: Configuration, with_potential: bool
         if not loads:
             continue
         names = [
-            friction_called(f.name, rough) if f.name in rough else _force_called(f.name, len(loads) == 1) for f in loads
+            friction_called(f.name, rough) if f.name in rough else force_called(f.name, len(loads) == 1) for f in loads
         ]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
@@ -289,9 +292,12 @@ def _beside_energies(problem: Problem, configuration: Configuration) -> list[Blo
     blocks: list[Block] = []
     if X != 0:
         U = Equation((sp.Symbol("U", real=True), configuration.velocity_potential), label="velocity-potential")
-        blocks = [prose("A potential energy depends on velocities:"), display(U)]
-        also = ", with those that are given" if configuration.generalized else ""
-        words = prose("It gives each coordinate the generalized force d/dt ∂U/∂q′ − ∂U/∂q" + also + ":")
+        blocks = [prose("The forces that depend on velocities derive from the potential"), display(U)]
+        also = ", beside those that are given" if configuration.generalized else ""
+        q = configuration.slots.coordinates[0]
+        letter = U.sides[0]
+        force = sp.Add(TimeDerivative(Partial(letter, prime(q))), -Partial(letter, q), evaluate=False)
+        words = prose("It gives each coordinate a generalized force, ", math(force), " for ", math(q), also, ":")
     return [*blocks, words, display(*lines)]
 
 
@@ -300,9 +306,9 @@ def given_force(coordinate: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(f"Q_{coordinate.name}", real=True)
 
 
-def _force_called(name: str, alone: bool) -> str:
+def force_called(name: str, alone: bool) -> str:
     """`its weight`, `the force push`; only `push` where it is the only force."""
-    if name == "weight":
+    if _WEIGHT.fullmatch(name):
         return "its weight"
     if name == REACTIVE:
         return load_called(name)

@@ -51,7 +51,7 @@ if TYPE_CHECKING:
 class LimitingCase:
     """The equations of motion where a parameter vanishes, grows, or equals another; `to` is 0, oo or the other.
 
-    reactions  the values of the reactions there, by symbol; none for a growing parameter
+    reactions  the values of the reactions there that have the parameter, by symbol; none for a growing parameter
     """
 
     parameter: sp.Symbol
@@ -197,7 +197,11 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
             continue  # of what the problem is about nothing is left
         if to == sp.oo and _only_stops(limit, equations, view):
             continue  # what is very heavy is not accelerated: trivial
-        values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
+        values = (
+            {}
+            if to == sp.oo
+            else {s: _at(e, parameter, to) for s, e in reactions.items() if parameter in e.free_symbols}
+        )
         if any(s in pushing and e is not None and e.is_nonpositive for s, e in values.items()):
             continue  # contact is lost
         shown = {s: e for s, e in values.items() if e is not None and count_operations(e) <= LONGEST_LIMIT}
@@ -344,7 +348,8 @@ def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, s
     first, *others = sorted(
         terms, key=lambda e: (not e.free_symbols & {*view.configuration.slots.accelerations}, str(e))
     )
-    return (first, others[-1], unit_of_dimension(one)) if one is not None and one != NO_DIMENSION else None
+    first, other = (-e if e.could_extract_minus_sign() else e for e in (first, others[-1]))
+    return (first, other, unit_of_dimension(one)) if one is not None and one != NO_DIMENSION else None
 
 
 def _is_angle(q: sp.Symbol, terms: Sequence[sp.Expr]) -> bool:

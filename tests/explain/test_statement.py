@@ -9,6 +9,7 @@ import pytest
 from lagrange.document.derivation import Display, Rule
 from lagrange.document.math_writer import unicode
 from lagrange.explain.report import report
+from lagrange.explain.statement import force_called
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from tests.support.derivation_text import words
@@ -62,3 +63,8 @@ find: [equilibrium]
     assert "The potential energy is U = ½ k" in found
     assert "have a potential U, and an equilibrium is stable if U has a strict minimum" in found
     assert "with the force c V at (9) and −c V at (10)" in found  # and not k [(c V + k l)/k − l]
+
+
+def test_weights_that_the_file_numbers_are_weights() -> None:
+    assert [force_called(n, False) for n in ("weight_1", "weight2", "weights")] == [
+        "its weight", "its weight", "the force weights"]  # fmt: skip

@@ -1,7 +1,8 @@
 """Texts of the problem file as they are printed: what is mathematics in them is set as mathematics.
 
-That is `l*sin(theta)` between backquotes, $l \\sin\\theta$ between dollars, and a declared symbol as it stands: alpha,
-l1, m. The letters a and I are words. What cannot be read stays as it was written.
+That is `l*sin(theta)` between backquotes, $l \\sin\\theta$ between dollars, an equation or a power in declared names
+without any marks, z = c (x^2 + y^2), and a declared symbol as it stands: alpha, l1, m. The letters a and I are words.
+What cannot be read stays as it was written.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
 from lagrange.document.derivation import Math, Part
 from lagrange.explain.limits import MOST_FORMULAS
+from lagrange.expressions.formulas_in_text import formulas_in
 from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.problem.model import Problem
 
@@ -37,10 +39,35 @@ def set_text(text: str, problem: Problem) -> tuple[Part, ...]:
     for n, match in enumerate(_MARKED.finditer(text)):
         if n == MOST_FORMULAS:
             break
-        parts += _with_symbols(text[end : match.start()], problem)
+        parts += _unmarked(text[end : match.start()], problem)
         parts += _formula(match[1] or match[2], problem)
         end = match.end()
-    return tuple(_joined([*parts, *_with_symbols(text[end:], problem)]))
+    return tuple(_joined([*parts, *_unmarked(text[end:], problem)]))
+
+
+def _unmarked(text: str, problem: Problem) -> Iterator[Part]:
+    """A text without marks: what reads as a formula in declared names is one."""
+    end = 0
+    for n, (start, stop) in enumerate(formulas_in(text, {*problem.scope.names()})):
+        if n == MOST_FORMULAS:
+            break
+        formula = _chain(text[start:stop], problem)
+        if formula is not None:
+            yield from _with_symbols(text[end:start], problem)
+            yield formula
+            end = stop
+    yield from _with_symbols(text[end:], problem)
+
+
+def _chain(text: str, problem: Problem) -> Math | None:
+    """An expression, an equation, or several equal sides; None if it cannot be read."""
+    *sides, last = text.split("=")
+    quantity = _with_unit(last, problem)
+    try:
+        values = [_value(s, problem.scope) for s in (sides if quantity is not None else [*sides, last])]
+    except ProblemError:
+        return None
+    return math(*values, *([] if quantity is None else [quantity]))
 
 
 def _formula(text: str, problem: Problem) -> tuple[Part, ...]:

@@ -39,6 +39,9 @@ def written(text: str) -> str:
         ("a rod of $2 m$", "a rod of ‹2m›"),  # m is a mass here
         ("shaken as $u = a \\cos \\Omega t$", "shaken as ‹u=a cos Ωt›"),  # letters of the description alone
         ("`sin(` cannot be read, $5 neither", "sin( cannot be read, $5 neither"),
+        ("on x = l (r_1^2 + 1/2), smooth", "on ‹x=l (r₁² + 1/2)›, smooth"),
+        ("m = 3 kg and l = l1 = 2*a", "‹m=3 kg› and ‹l=l₁=2a›"),
+        ("of x^l^l^l^(1/0) or v = m x", "of ‹x›^‹l›^‹l›^‹l›^(1/0) or v = ‹m› ‹x›"),  # no value; v is none either
         ("formal is no m, lm neither", "formal is no ‹m›, lm neither"),
     ],
 )

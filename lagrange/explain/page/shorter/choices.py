@@ -139,7 +139,8 @@ def _kinematics_at_once(body: list[Block], before: Mapping[object, str]) -> list
         like = "formed like the angular velocity with δ for d/dt"
         are = plural(len(shown[-1].equations), "is", "are")
         begins = f"{moved} and, {like}, {turned} are" if len(shown) == 3 else f"{turned}, {like}, {are}"
-        given = prose(f"{capital(first)} {verb} given by ", *refs, f". {capital(begins)}")
+        both = " and ".join(first.rsplit(", ", 1))
+        given = prose(f"{capital(both)} {verb} given by ", *refs, f". {capital(begins)}")
         rest = [e for b in shown[1:] for e in b.equations]
         return [*body[: places[0] - 1], given, display(*rest), *body[places[-1] + 1 :]]
     what = f"{', '.join(whats[:-1])} and, formed like the angular velocity with δ for d/dt, {whats[-1]}"
