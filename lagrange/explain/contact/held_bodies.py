@@ -16,11 +16,18 @@ from lagrange.mechanics.rewriting.factors import has_one_sign, with_common_facto
 
 def explain_held_bodies(newton: Newton, at_rest: bool = False) -> Iterator[Block]:
     """What else acts on the bodies, along which line, and why it is in no equation."""
-    for held in held_bodies(newton, at_rest):
-        yield from _held(held)
+    bodies = [*held_bodies(newton, at_rest)]
+    last = max((n for n, held in enumerate(bodies) if _may_change_sign(held)), default=None)
+    for n, held in enumerate(bodies):
+        yield from _held(held, says_contact=n == last)
 
 
-def _held(held: HeldBody) -> Iterator[Block]:
+def _may_change_sign(held: HeldBody) -> bool:
+    shown = held.along is not None and held.value is not None and count_operations(held.value) <= LONGEST_REACTION
+    return shown and not has_one_sign(with_common_factor(held.value))
+
+
+def _held(held: HeldBody, says_contact: bool) -> Iterator[Block]:
     body, value = the(held.body), held.value
     if held.along is None:
         yield prose(f"The forces that keep {body} on its path are normal to it: they do no virtual work and are not "
@@ -36,9 +43,8 @@ def _held(held: HeldBody) -> Iterator[Block]:
         return
     value = with_common_factor(value)
     idle = "; it does no virtual work and is in none of the equations above."
-    pushes = (
-        () if has_one_sign(value) else (" If it is that of a surface, contact lasts as long as the surface pushes.",)
-    )
+    contact = " If it is that of a surface, contact lasts as long as the surface pushes."
+    pushes = (contact,) if says_contact else ()
     if count_operations(value) <= LONGEST_IN_TEXT:
         yield prose(*begin, "prevents it is ", math(value), " in this direction", idle, *pushes)
         return

@@ -30,3 +30,9 @@ def test_words(name: str) -> None:
 @pytest.mark.parametrize("name", ["slide-off-a-dome", "turning-parabola"])
 def test_what_presses_or_holds_from_both_sides_is_no_support_that_only_pushes(name: str) -> None:
     assert "can only push" not in page(name)
+
+
+def test_what_a_surface_needs_is_said_once() -> None:
+    found = shared.reported("slider-crank", complete=False)
+    words = " ".join(terminal.text(found.derivation, found.notation, 200).split())
+    assert words.count("contact lasts as long as the surface pushes") == 1
