@@ -95,6 +95,7 @@ def _explained(
     """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
     several cases has to hold."""
     from lagrange.answers.results import conditions
+    from lagrange.answers.results.belts import belt_meanings
 
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
@@ -112,7 +113,7 @@ def _explained(
         parts = [conditions.StatedCondition(s.text, s.slack, s.equation) for s in wrong]
         if reason := conditions.explained_conditions(parts, missing, laws):
             return reason
-        for meaning in conditions.belt_meanings(missing, laws) if any(s.rounded is not None for s in wrong) else ():
+        for meaning in belt_meanings(missing, laws) if any(s.rounded is not None for s in wrong) else ():
             changed = [_Stated("", m.xreplace(dict(meaning.rule)), False) for m in missing]
             if all(any(_rounds_to(s, c) for c in changed) for s in wrong):
                 return f"this is the condition {meaning.clause}"

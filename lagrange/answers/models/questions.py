@@ -107,9 +107,6 @@ def _of_the_force(setting: _Setting, claim: sp.Expr, quantity: sp.Expr) -> str:
     force = -sp.diff(setting.change, q)
     if end is None or q not in force.free_symbols:
         return ""
-    turns = quantity == q and setting.start == 0 and setting.zeros in ((setting.velocity,), (-setting.velocity,))
-    if turns and _same(force.xreplace({q: claim}), sp.S.Zero):
-        return f"the forces balance there, and it arrives with a velocity: {q}' is zero further on"
     first, last = (force.xreplace({q: place}) for place in (start, end))
     whole = "is taken for the whole way, and it changes"
     ways = [

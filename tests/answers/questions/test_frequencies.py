@@ -106,8 +106,8 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
         (
             TWO_SPRINGS,
             '["2*sqrt(k/m)"]',
-            "not right at any equilibrium with known linear equations, but not all equilibria have these; "
-            "there is a factor sqrt(2) too many",
+            "not right at any equilibrium with known linear equations, but not all equilibria have these; these are the "
+            "frequencies for the spring `left`, the spring `right` twice as large, as from an energy without its 1/2",
         ),
         (
             DAMPED,

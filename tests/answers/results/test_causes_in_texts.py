@@ -38,7 +38,6 @@ CAUSES = [
     ("hawser-on-a-bollard", "mu >= log(50)/720", "in degrees"),
     ("chain-off-a-table", "speed = sqrt(2*g*(l - a))", "the force at the end is taken for the whole way"),
     ("chain-off-a-table", "speed = sqrt(g*(l - a)^2/l)", "the way from the start stands where x belongs"),
-    ("weight-let-go-on-a-spring", "lowest = m*g/k", "the forces balance there"),
 ]
 
 
