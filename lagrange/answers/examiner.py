@@ -386,7 +386,7 @@ class Examiner:
 
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_UNEXPLAINED = ("it does not hold at any equilibrium",)
+_UNEXPLAINED = ("it does not hold at any equilibrium", "the conditions of equilibrium do not require it")
 """Diagnoses of equilibria that say no more than that they are wrong."""
 
 

@@ -251,11 +251,15 @@ class StatedReactionsAtRest:
         if stated is None or stated.verdict is not Verdict.WRONG:
             return stated
         claims = _claims(fragment, reaction, self.reference)
-        try:
-            why = next(filter(None, (self._explained(zero) for zero, _ in claims)), "")
-        except (DivisionByZeroError, NotAlgebraicError, NoPointError, UnsupportedError):
-            why = ""
+        why = self._why([zero for zero, _ in claims])
         return replace(stated, diagnosis=why, cause=why) if why else stated
+
+    def _why(self, zeros: Sequence[sp.Expr]) -> str:
+        """The first explanation of wrong values; empty if there is none."""
+        try:
+            return next(filter(None, map(self._explained, zeros)), "")
+        except (DivisionByZeroError, NotAlgebraicError, NoPointError, UnsupportedError):
+            return ""
 
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
@@ -301,7 +305,9 @@ class StatedReactionsAtRest:
             Verdict.UNREADABLE: f"{DIVIDES_BY_ZERO}, or mixes coordinates of several choices",
             Verdict.TRIVIAL: "it is an identity",
         }
-        return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""), best.remarks if best else ())
+        why = self._why(reading.components[:1]) if verdict is Verdict.WRONG and len(reading.components) == 1 else ""
+        said = "; ".join(filter(None, [diagnosis.get(verdict, ""), why]))
+        return EquationVerdict(reading.text, verdict, said, best.remarks if best else (), cause=why)
 
     def _judged(
         self,

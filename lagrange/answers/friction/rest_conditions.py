@@ -95,6 +95,7 @@ def _explained(
     """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
     several cases has to hold."""
     from lagrange.answers.results import conditions
+    from lagrange.answers.results.belts import belt_meanings
 
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
@@ -112,6 +113,10 @@ def _explained(
         parts = [conditions.StatedCondition(s.text, s.slack, s.equation) for s in wrong]
         if reason := conditions.explained_conditions(parts, missing, laws):
             return reason
+        for meaning in belt_meanings(missing, laws) if any(s.rounded is not None for s in wrong) else ():
+            changed = [_Stated("", m.xreplace(dict(meaning.rule)), False) for m in missing]
+            if all(any(_rounds_to(s, c) for c in changed) for s in wrong):
+                return f"this is the condition {meaning.clause}"
         from lagrange.answers.results.contacts import explained_by_contacts
 
         return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
@@ -172,6 +177,7 @@ _EXTREMUM = re.compile(
     r"(?P<name>\\?[^\W\d_]+?(?:_?[0-9])?)(?:_?\s*\{?\s*\\?(?:text|mathrm|rm)?\s*\{?\s*(?P<which>min|max)[a-z]{0,4}\s*\}?\s*\}?)?"
 )
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
+_A_NUMBER = re.compile(r"[\s\d.]+[\s$]*")
 _AND = re.compile(
     r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
 )
@@ -187,6 +193,8 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
         signs = [*_RELATION.finditer(part.text)]
         bounds = [0, *(m.end() for m in signs), len(part.text)]
         for n in range(max(1, len(signs))):
+            if n and signs[n][0] == "=" and _A_NUMBER.fullmatch(part.text[signs[n].end() : bounds[n + 2]]):
+                continue  # mu >= log(50)/(4 pi) = 0.311: the number says again what stands before it
             start, end = bounds[n], signs[n + 1].start() if n + 1 < len(signs) else len(part.text)
             piece = cut(part, start, end)
             yield from _without_extremes(piece)

@@ -91,10 +91,41 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None, be
                 return said
         if before is not None and setting.gives(_Change("", start=before), claim, quantity):
             return "the kinetic energy is taken to be conserved in the impact, and some of it is lost there"
+        if why := _of_the_force(setting, claim, quantity):
+            return why
         if not setting.is_place(quantity) and (place := setting.other_place(claim, quantity)) is not None:
             return f"this is the value where {base(setting.velocity)} = {_written(place)}"
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         pass
+    return ""
+
+
+def _of_the_force(setting: _Setting, claim: sp.Expr, quantity: sp.Expr) -> str:
+    """Whether the work of a force that changes is that of a constant one, or begins at zero; a sentence, or empty."""
+    q = base(setting.velocity)
+    start, end = setting.origin, setting.place.get(q, claim if quantity == q else None)
+    force = -sp.diff(setting.change, q)
+    if end is None or q not in force.free_symbols:
+        return ""
+    first, last = (force.xreplace({q: place}) for place in (start, end))
+    whole = "is taken for the whole way, and it changes"
+    ways = [
+        (-last * (q - start), f"the force at the end {whole}"),
+        (-first * (q - start), f"the force at the start {whole}"),
+        (-last / 2 * (q - start), "half of the force at the end is taken as its mean, and it is not zero at the start"),
+        (
+            setting.change.xreplace({q: q - start}) - setting.change.xreplace({q: sp.S.Zero}),
+            f"the way from the start stands where {q} belongs in the potential energy",
+        ),
+    ]
+    for change, said in ways:
+        usual = said.startswith("half") and first == 0  # the mean of a linear force from zero
+        if (
+            not usual
+            and change != setting.change
+            and replace(setting, change=change).gives(_Change(""), claim, quantity)
+        ):
+            return said
     return ""
 
 
@@ -109,6 +140,7 @@ class _Setting:
     reaction  N, and what it is; None if the question has none
     zeros     `when`: each is zero
     place     the coordinates that `when` fixes
+    origin    q at the start
     """
 
     velocity: sp.Symbol
@@ -119,6 +151,7 @@ class _Setting:
     force: sp.Expr
     zeros: tuple[sp.Expr, ...]
     place: Mapping[sp.Basic, sp.Basic]
+    origin: sp.Expr = sp.S.Zero
 
     @classmethod
     def of(cls, asked: Asked) -> _Setting | None:
@@ -147,7 +180,7 @@ class _Setting:
         ]
         place: Substitution = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
         force = reactions[0].value if reactions else sp.S.Zero
-        return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place)
+        return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place, initial[base(v)])
 
     def is_place(self, quantity: sp.Expr) -> bool:
         """Whether a quantity depends on the position alone, or on parameters."""
@@ -263,6 +296,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
     yield from _of_one_term(claim, right)
+    yield from _of_sums(claim, right)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
     if not all(map(_is_plain, sp.Mul.make_args(ratio))):
         ratio = sp.factor(sp.cancel(sp.together(claim / right)))
@@ -306,6 +340,21 @@ def _tends_to(value: sp.Expr, p: sp.Symbol, claim: sp.Expr) -> bool:
         if not difference.is_number or not bool(abs(difference) <= size * sp.Float(10) ** (-VANISHING_DIGITS // 4)):
             return False
     return True
+
+
+def _of_sums(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
+    """One of two masses or lengths for both together, or their sum or difference for one of them."""
+    for stated, derived, said in (
+        (claim, right, "this is the answer with {part} in place of {whole}"),
+        (right, claim, "this is the answer with {whole} in place of {part}"),
+    ):
+        for form in dict.fromkeys((derived, sp.Add(*map(sp.factor, sp.Add.make_args(derived))))):
+            for whole in sorted(form.atoms(sp.Add), key=str):
+                parts = [a.as_coeff_Mul()[1] for a in whole.args]
+                if len(parts) == 2 and all(p.is_Symbol for p in parts):
+                    for part in parts:
+                        if _same(stated, form.xreplace({whole: part})):
+                            yield said.format(part=part, whole=_written(whole))
 
 
 def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:

@@ -18,6 +18,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import CLOSE_LIMIT, LIMIT_SAMPLES, MOST_CONDITION_TERMS
 from lagrange.answers.results.approximate import approximate, root_near
+from lagrange.answers.results.belts import belt_meanings, in_logarithms
 from lagrange.answers.results.meanings import LetterMeaning, other_meanings, with_waves_exchanged
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -44,6 +45,14 @@ def explained_conditions(
     """
     if not stated or not derived:
         return ""
+    try:
+        for meaning in belt_meanings(derived, coefficients):
+            slacks = [d.xreplace(dict(meaning.rule)) for d in derived]
+            changed = [_Limit(e) for slack in slacks for e in dict.fromkeys((slack, in_logarithms(slack)))]
+            if all(any(limit.is_of(s.slack) for limit in changed) for s in stated):
+                return f"this is the condition {meaning.clause}"
+    except _unknown:
+        pass
     try:
         if (together := _of_all(stated, derived, coefficients)) is not None:
             return together

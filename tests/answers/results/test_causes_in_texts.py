@@ -32,6 +32,12 @@ CAUSES = [
     ("charge-in-crossed-fields", "y = m E/(q B^2)", "the middle of the oscillation"),
     ("coupled-pendulums", "omega_1 = sqrt(g/l), omega_2 = sqrt(g/l + c/m)", "the other coordinates held fast"),
     ("rotating-unbalance", "|y| = m e w² / (c − (M+m) w²)", "under the root is missing"),
+    ("balanced-lamp", "W = c*h/2", "twice as large, or acting at twice the distance"),
+    ("balanced-lamp", "W = c*l", "with l in place of h"),
+    ("hawser-on-a-bollard", "mu >= 0.135", "logarithm to base ten"),
+    ("hawser-on-a-bollard", "mu >= log(50)/720", "in degrees"),
+    ("chain-off-a-table", "speed = sqrt(2*g*(l - a))", "the force at the end is taken for the whole way"),
+    ("chain-off-a-table", "speed = sqrt(g*(l - a)^2/l)", "the way from the start stands where x belongs"),
 ]
 
 
