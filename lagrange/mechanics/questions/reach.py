@@ -135,10 +135,11 @@ class Path:
         ahead = [c for (_, c), s in zip(zeros, signs, strict=True) if s == self.direction]
         if any(not c for c in ahead) or len(ahead) == 1:
             return Reach(Reached.YES, min(ahead, key=len))
-        if ahead:
-            return Reach(Reached.YES, min(ahead, key=len)) if self._is_periodic else Reach(Reached.OPEN)
+        if ahead:  # of several families of turning points one may exist without the others
+            is_one = self._is_periodic and len({frozenset(c) for c in ahead}) == 1
+            return Reach(Reached.YES, ahead[0]) if is_one else Reach(Reached.OPEN)
         if self._is_periodic and not zeros:
-            return Reach(Reached.YES)  # it goes on round
+            return Reach(Reached.NEVER)  # it goes on round
         if len(zeros) == 1 and signs == [None]:
             [(p, existing)] = zeros
             lies_ahead = more_than_zero(factored_quotient(self.direction * (p - self.start)))
@@ -211,7 +212,20 @@ class Path:
         """All zeros in closed form, those of a periodic function over some periods; None where they are not found."""
         zeros = _zeros_of(e, self.q)
         turns: Sequence[int] = range(-2, 3) if self._is_periodic else range(1)
-        return None if zeros is None else [(p + 2 * sp.pi * n, c) for p, c in zeros for n in turns]
+        if zeros is None:
+            return None
+        return [(p + 2 * sp.pi * n, c) for p, c in zeros if self._may_exist(p, c) for n in turns]
+
+    def _may_exist(self, place: sp.Expr, conditions: Sequence[SignCondition]) -> bool:
+        """Whether a zero is real, and its conditions hold, with the values of the parameters; True where they lack."""
+        if not place.free_symbols <= self.values.keys():
+            return True
+        way = {">": 1, "≥": 1, "<": -1, "≤": -1}
+        margins = [self._number(way[c.relation] * (c.lhs - c.rhs)) for c in conditions if c.relation in way]
+        if any(m is not None and m < -SMALLEST_DIFFERENCE for m in margins):
+            return False
+        height = sp.im(sp.N(place.xreplace(dict(self.values)), 20))
+        return not (height.is_number and abs(height) > SMALLEST_DIFFERENCE)
 
     def _at(self, place: sp.Expr) -> sp.Expr:
         return self._value(self.square, place)

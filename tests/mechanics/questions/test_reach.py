@@ -18,7 +18,7 @@ def holds(path: Path, end: sp.Expr, numbers: dict[sp.Symbol, float]) -> bool:
     """Whether the place is reached with these numbers."""
     reach = path.to(end)
     assert reach.verdict is Reached.YES
-    relations = {">": lambda e: e > 0, "≥": lambda e: e >= 0, "≠": lambda e: e != 0}
+    relations = {">": lambda e: e > 0, "≥": lambda e: e >= 0, "≠": lambda e: e != 0, "≤": lambda e: e <= 0}
     return all(relations[c.relation](float((c.lhs - c.rhs).subs(numbers))) for c in reach.conditions)
 
 
@@ -84,3 +84,22 @@ def test_values_decide_what_letters_leave_open() -> None:
         path = Path(x, square, sp.S.Zero, 1, values={s: sp.Float(n) for s, n in numbers.items()})
         reached = path.to(sp.S.One).verdict is Reached.YES
         assert reached == in_steps(square, x, 0, 1, numbers)
+
+
+def test_of_two_families_of_turning_points_values_say_which_exists() -> None:
+    """A bead on a hoop that turns, sent up from 40°: it turns at 41.7°, and passes the lowest place on its way back."""
+    speed, begin = sp.Symbol("Omega", positive=True), 2 * sp.pi / 9
+    square = v**2 + speed**2 * (sp.sin(theta) ** 2 - sp.sin(begin) ** 2) + 2 * g * (sp.cos(theta) - sp.cos(begin)) / R
+    numbers = {R: 0.5, g: 9.81, speed: 3.0, v: 0.7}
+    path = Path(theta, square, begin, 1, values={s: sp.Float(n) for s, n in numbers.items()})
+    assert holds(path, sp.S.Zero, numbers)
+    assert in_steps(square, theta, float(begin), 0, numbers)
+    f = sp.lambdify(theta, square.subs(numbers), "math")
+    assert f(0.726) > 0 > f(0.731)  # the turning point ahead
+
+
+def test_what_goes_on_round_does_not_come_back_the_same_way() -> None:
+    numbers = {g: 9.8, l: 1.0, v: 9.0}
+    square = (v**2 - 2 * g * l * (1 - sp.cos(theta))) / l**2
+    path = Path(theta, square, sp.pi / 4, 1, values={s: sp.Float(n) for s, n in numbers.items()})
+    assert path.to(sp.S.Zero).verdict is Reached.NEVER
