@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Rule
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
 from tests.support.derivation_text import said_in
 
 
@@ -26,3 +30,25 @@ from tests.support.derivation_text import said_in
 )
 def test_what_is_said_of_friction_at_rest(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule)
+
+
+IN_A_CORNER = """title: Cylinder in a corner turned by a couple
+parameters: {W: positive, r: positive, mu: positive}
+unknowns: [M]
+coordinates: [x, y, theta]
+bodies: {cylinder: {position: x*i + y*j, angle: theta}}
+constraints: {floor: {equation: y >= r, reaction: N_A}, wall: {equation: x >= r, reaction: N_B}}
+forces:
+  weight: {on: cylinder, vector: -W*j}
+  couple: {on: cylinder, moment: M*k}
+  fA: {friction: mu, static: mu, constraint: floor, on: cylinder, at: r_cylinder - r*j, slip: i}
+  fB: {friction: mu, static: mu, constraint: wall, on: cylinder, at: r_cylinder - r*i, slip: -j}
+find: equilibrium
+"""
+
+
+def test_a_limit_of_one_case_alone_is_not_claimed() -> None:
+    """For μ > 1 the corner holds any couple; at μ = 1 no finite forces do for M < 0, and the page does not say so."""
+    found = report(read_problem(Source("corner", IN_A_CORNER)))
+    page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
+    assert "Whether it can be at rest exactly at a limit of one case alone, μ = 1 for instance, is not examined" in page
