@@ -297,8 +297,10 @@ class Examiner:
         explanations = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
         why = next(filter(None, explanations), "")
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
-        if not why or others:
-            return verdict
+        occurring = {s.name for e in equilibria for c in e.conditions for s in c.expression.free_symbols}
+        letters = (_letters(e.text) for e in verdict.equations if e.diagnosis == _NOT_REQUIRED)
+        if not why or others or not all(those & occurring for those in letters):
+            return verdict  # no changed problem gives W = 7 l where neither letter occurs
         equations = tuple(
             replace(
                 e,
@@ -386,8 +388,14 @@ class Examiner:
 
 
 _WORD = re.compile(r"[^\W\d]\w*")
-_UNEXPLAINED = ("it does not hold at any equilibrium", "the conditions of equilibrium do not require it")
+_NOT_REQUIRED = "the conditions of equilibrium do not require it"
+_UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED)
 """Diagnoses of equilibria that say no more than that they are wrong."""
+
+
+def _letters(text: str) -> set[str]:
+    """The words of a text that are no commands of LaTeX."""
+    return {*_WORD.findall(re.sub(r"\\[A-Za-z]+", " ", text))}
 
 
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> Judgement:

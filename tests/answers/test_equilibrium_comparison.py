@@ -35,7 +35,15 @@ from tests.support.statics_texts import (
             ["it does not hold at any equilibrium", "the conditions of equilibrium do not require it"],
         ),
         (TORSION, ["theta = pi"], ["it also holds where theta = pi, which is not an equilibrium"]),
-        (ATWOOD, ["x = L", "W = 2*M"], ["", "the conditions of equilibrium do not require it"]),
+        (
+            ATWOOD,
+            ["x = L", "W = 2*M"],
+            [
+                "",
+                "the conditions of equilibrium do not require it; these are the equilibria for the force `v` twice as "
+                "large, or acting at twice the distance",
+            ],
+        ),
         (BEAD, ["theta = 0", "theta = pi"], ["", ""]),
     ],
 )
