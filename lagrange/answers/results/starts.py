@@ -6,6 +6,8 @@ are linear in them. A stated value is put beside the equations of each changed p
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import (
@@ -39,21 +41,26 @@ def explained_at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandida
         models = Models(candidate.system, {**candidate.values, **start}, candidate.parts)
         if models.mechanics is None:
             return ""
-        states = models.states([equation])
-        rows = [at.row(equation) for at in states]
-        work = MAX_MODEL_WORK
-        for number, (_, variation) in enumerate(models.variations):
-            work -= len(models.system.equations) * (len(states[0].unknowns) + 1)
-            if work < 0:
-                return ""
-            if variation.mechanics is None or variation.is_reduced:
-                continue
-            space = models.space(number, variation)
-            if space is None or rows[0] is None or rows[0] not in space:
-                continue
-            others = [changed_space(variation, at) for at in states[1:]]
-            if all(s is not None and r is not None and r in s for s, r in zip(others, rows[1:], strict=True)):
-                return f"this is the answer {variation.clause}"
+        return next(of_changed_problems(equation, models), "")
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
         pass
     return ""
+
+
+def of_changed_problems(equation: sp.Expr, models: Models) -> Iterator[str]:
+    """The changed problems whose equations an equation follows from at several states, within the work allowed."""
+    states = models.states([equation])
+    rows = [at.row(equation) for at in states]
+    work = MAX_MODEL_WORK
+    for number, (_, variation) in enumerate(models.variations):
+        work -= len(models.system.equations) * (len(states[0].unknowns) + 1)
+        if work < 0 or None in rows:
+            return
+        if variation.mechanics is None or variation.is_reduced:
+            continue
+        space = models.space(number, variation)
+        if space is None or rows[0] is None or rows[0] not in space:
+            continue
+        later = [changed_space(variation, at) for at in states[1:]]
+        if all(s is not None and r is not None and r in s for s, r in zip(later, rows[1:], strict=True)):
+            yield f"this is the answer {variation.clause}"

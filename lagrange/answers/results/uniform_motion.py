@@ -22,9 +22,8 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
     is_zero,
 )
-from lagrange.answers.limits import MAX_MODEL_WORK
-from lagrange.answers.models.search import changed_space
 from lagrange.answers.references import ReferenceCandidate
+from lagrange.answers.results.starts import of_changed_problems
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.questions.results import Asked
@@ -117,19 +116,4 @@ def _of_models(stated: sp.Expr, q: sp.Symbol, candidate: ReferenceCandidate) -> 
     models = candidate.models
     if models.mechanics is None:
         return
-    equation = prime(q, 2) - stated
-    states = models.states([equation])
-    rows = [at.row(equation) for at in states]
-    work = MAX_MODEL_WORK
-    for number, (_, variation) in enumerate(models.variations):
-        work -= len(models.system.equations) * (len(states[0].unknowns) + 1)
-        if work < 0 or None in rows:
-            return
-        if variation.mechanics is None or variation.is_reduced:
-            continue
-        space = models.space(number, variation)
-        if space is None or rows[0] is None or rows[0] not in space:
-            continue
-        later = [changed_space(variation, at) for at in states[1:]]
-        if all(s is not None and r is not None and r in s for s, r in zip(later, rows[1:], strict=True)):
-            yield f"this is the answer {variation.clause}"
+    yield from of_changed_problems(prime(q, 2) - stated, models)
