@@ -13,12 +13,13 @@ import signal
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 
-from lagrange.core.effort import GivenUpError, allowed_for
-from lagsolve.limits import SHARE_FOR_EXPLAINING
+from lagrange.core.diagnostics import ProblemError
+from lagrange.core.effort import GivenUpError, allowed_for, spare_memory
+from lagsolve.limits import LARGEST_CALL, SHARE_FOR_EXPLAINING, SPARE_MEMORY
 
 try:
     import resource
@@ -66,6 +67,8 @@ def _memory(megabytes: int | None) -> Iterator[None]:
     if megabytes is None or resource is None:
         yield
         return
+    _grow_stack()
+    spare_memory.append(bytearray(SPARE_MEMORY))
     before = resource.getrlimit(resource.RLIMIT_AS)
     limit = _address_space() + (megabytes << 20)
     hard = before[1]
@@ -79,11 +82,38 @@ def _memory(megabytes: int | None) -> Iterator[None]:
     sys.unraisablehook = unless_of_memory
     try:
         yield
-    except SystemError:  # `error return without exception set`: Python has lost a MemoryError of its own
-        raise MemoryError from None
+    except Exception as error:
+        if not isinstance(error, ProblemError) and _is_of_memory(error):
+            raise MemoryError from None
+        raise
     finally:
+        spare_memory.clear()
         resource.setrlimit(resource.RLIMIT_AS, before)
         sys.unraisablehook = report
+
+
+def _is_of_memory(error: BaseException | None) -> bool:
+    """Whether a lack of memory is the cause; Python may lose its MemoryError (`error return without exception set`)."""
+    while error is not None:
+        if isinstance(error, MemoryError | SystemError):
+            return True
+        error = error.__context__
+    return False
+
+
+def _grow_stack() -> None:
+    """Takes the stack that the deepest calls may need: the system kills a process whose stack cannot grow later."""
+
+    def deeper(_: object) -> object:
+        return min((None,), key=deeper)  # type: ignore[arg-type]  # by way of C, since calls of Python's own need none
+
+    depth = sys.getrecursionlimit()
+    sys.setrecursionlimit(LARGEST_CALL * depth)
+    try:
+        with suppress(RecursionError):
+            deeper(None)
+    finally:
+        sys.setrecursionlimit(depth)
 
 
 def _address_space() -> int:

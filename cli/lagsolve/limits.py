@@ -22,6 +22,12 @@ WATCH_SECONDS = 0.25
 SHARE_FOR_EXPLAINING = 0.25
 """Of --timeout, added for explaining and printing what is known when it is over."""
 
+LARGEST_CALL = 4
+"""Stack of a call by way of C, in those of `min` with a key, 200 bytes: taken before --memory, as deep as calls go."""
+
+SPARE_MEMORY = 4 << 20
+"""Bytes beyond --memory, for what has to be done when nothing is left of it."""
+
 CHECK_SECONDS, CHECK_MEGABYTES = 60.0, 1024
 """For `check`, as for one submission of `grade`."""
 

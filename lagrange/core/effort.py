@@ -52,16 +52,25 @@ _lifted: ContextVar[bool] = ContextVar("lifted", default=False)
 _counting = False
 
 
-@contextmanager
-def allowed(units: float) -> Iterator[Allowance]:
+class allowed:  # noqa: N801, used as a function is
     """The allowance for what is done within the block; one that is within another has units of its own."""
-    _count_arithmetic()
-    allowance = Allowance(float("inf") if _lifted.get() else units)
-    token = _current.set(allowance)
-    try:
-        yield allowance
-    finally:
-        _current.reset(token)
+
+    def __init__(self, units: float) -> None:
+        _count_arithmetic()
+        self.allowance = Allowance(float("inf") if _lifted.get() else units)
+
+    def __enter__(self) -> Allowance:
+        self.token = _current.set(self.allowance)
+        return self.allowance
+
+    def __exit__(self, error: type[BaseException] | None, *_: object) -> None:
+        if error is MemoryError:
+            spare_memory.clear()
+        _current.reset(self.token)
+
+
+spare_memory: list[bytearray] = []
+"""Freed when memory runs out: without any, Python 3.11 cannot even raise a MemoryError again (it ends the process)."""
 
 
 @contextmanager

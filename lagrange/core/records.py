@@ -29,7 +29,7 @@ def record(cls: type[Made]) -> type[Made]:
     made.__dataclass_fields__ = _WhenFirstAsked(cls)
 
     def first(self: Any, /, *values: Any, **named: Any) -> None:
-        fields(made)
+        made.__init__ = _initializer(made)
         made.__init__(self, *values, **named)
 
     made.__init__ = first
@@ -46,16 +46,9 @@ class _WhenFirstAsked:
     def __get__(self, _: object, __: type) -> dict[str, Any]:
         made: Any = self.cls
         with _ONE_AT_A_TIME:
-            if vars(made)["__dataclass_fields__"] is self:
-                first = made.__init__
-                del made.__init__, made.__dataclass_fields__
-                try:
-                    made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
-                    dataclass(eq=False, repr=False, init=False)(made)
-                    made.__init__ = _initializer(made)
-                except BaseException:  # no memory left, or no time: the next one asks again
-                    made.__init__, made.__dataclass_fields__ = first, self
-                    raise
+            if vars(made)["__dataclass_fields__"] is self:  # still, if no memory or time was left the last time
+                made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
+                dataclass(eq=False, repr=False, init=False)(made)
         fields: dict[str, Any] = made.__dataclass_fields__
         return fields
 
