@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.forms.integrability import PartialsComparison
+from lagrange.algebra.forms.frobenius import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table

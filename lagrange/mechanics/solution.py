@@ -452,7 +452,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.searched.places import with_search
-    from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
+    from lagrange.mechanics.equilibrium.springs_at_rest import with_spring_forces
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
     problem, own = solution.problem, solution.own

@@ -60,7 +60,7 @@ AGREEMENT_REAL_POINTS = 2
 # (3/4)^48 = 10^-6. With 16 a verdict for r > 0 passed for all r once in a hundred runs (commit da054b1).
 REAL_POINTS_WHERE_SIGNS_DIFFER = 48
 
-# The derived flag and Frobenius' condition (`forms.integrability`), at points whose ranks must agree.
+# Frobenius' condition and the derived flag (`forms.charts.agreed_on_surface`), at points whose ranks must agree.
 FLAG_POINTS = 2
 # All on one of two components of the surface with the probability 2^-7.
 FLAG_POINTS_AFTER_ROOTS = 8

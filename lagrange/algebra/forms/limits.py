@@ -4,7 +4,7 @@ Whatever is found is proved afterwards, so that a limit can only leave a relatio
 largest value met in the 129 shipped problems, read off when the limits were gathered.
 """
 
-# Derived flag (`integrability`). Taylor order d, which is the number of bracket levels; a car with four trailers stays
+# Derived flag (`derived_flag`). Taylor order d, which is the number of bracket levels; a car with four trailers stays
 # below it. The work grows as C(2n + d, d) in n coordinates.
 HIGHEST_FLAG_ORDER = 10
 # Products of coefficients, at all points together: some seconds.

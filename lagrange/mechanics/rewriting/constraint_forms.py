@@ -15,7 +15,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.integrability import WedgeComponent, frobenius_form
+from lagrange.algebra.forms.frobenius import WedgeComponent, frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record

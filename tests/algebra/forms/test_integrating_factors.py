@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.algebra.forms.integrability import is_integrable
+from lagrange.algebra.forms.frobenius import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.core.symbols import Slots, Unspecified, prime, t
 from lagrange.explain.report import report
