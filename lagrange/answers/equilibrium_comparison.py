@@ -43,7 +43,7 @@ from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
-from lagrange.mechanics.equilibrium.searched.covered import are_covered
+from lagrange.mechanics.equilibrium.searched.stated_in_numbers import are_covered
 from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"

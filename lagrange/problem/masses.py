@@ -23,11 +23,11 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.called import Called
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor, Three, moments_of_mass, principal_minors
 from lagrange.core.printable import is_hidden
 from lagrange.core.records import record
+from lagrange.core.spoken_name import SpokenName
 from lagrange.core.triads import axis_names, names_before_last
 from lagrange.core.vectors import Vector
 from lagrange.problem.declared_names import names_in
@@ -125,7 +125,7 @@ def keep_words(section: Section, name: str, context: LoadContext) -> str:
     node = section.get("name")
     if node is None:
         return name
-    called = context.diagnostics.attempt(lambda: Called(name, _words(node, name, context)))
+    called = context.diagnostics.attempt(lambda: SpokenName(name, _words(node, name, context)))
     if called is not None:
         context.called[name] = called
     return called or name

@@ -20,6 +20,7 @@ from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
+from lagrange.mechanics.circular_motion import Turning
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
 from lagrange.mechanics.rewriting.factors import in_factors
@@ -27,7 +28,6 @@ from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remain
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
-from lagrange.mechanics.turning import Turning
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:

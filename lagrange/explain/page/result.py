@@ -41,7 +41,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
-from lagrange.mechanics.valued import values_in
+from lagrange.mechanics.solution_values import values_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked

@@ -42,8 +42,8 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_STARTS,
     SPREADS,
 )
-from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
 
@@ -96,7 +96,7 @@ class _Search:
         random = Random(2)
         any_zero = False
         for spread in SPREADS:
-            numbers = [drawn(s, spread, random) for s in self.parameters]
+            numbers = [random_value(s, spread, random) for s in self.parameters]
             for tape, place in self._zeros(numbers, random):
                 any_zero = True
                 if not self._is_listed(place, numbers) and self._is_lost(tape, place, numbers):
@@ -116,7 +116,7 @@ class _Search:
                     return tape.values([*x, *numbers])
 
                 angles = self.e.solution.letters.angles
-                places = [drawn_place(u, self.coordinates, angles, random) for u in self.unknowns]
+                places = [random_start(u, self.coordinates, angles, random) for u in self.unknowns]
                 start = with_best(f, places, self.linear)
                 place = zero_near(f, start, FARTHEST)
                 spent += tape.carried_out - before

@@ -35,8 +35,8 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_OPERATIONS,
     STATED_SAMPLES,
 )
-from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, zero_near
+from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
 Number = Any
@@ -87,13 +87,13 @@ class StatedPlaces:
     def _numbers(self) -> list[float] | None:
         """Drawn parameters for which the conditions on them hold."""
         for n in range(MOST_STATED_DRAWS):
-            numbers = [drawn(s, 1 + n % 3, self.random) for s in self.parameters]
+            numbers = [random_value(s, 1 + n % 3, self.random) for s in self.parameters]
             if _hold(*self.before, numbers):
                 return numbers
         return None
 
     def _place(self, numbers: Sequence[float]) -> list[Number] | None:
-        start = [drawn_place(u, self.unknowns, self.turning, self.random) for u in self.unknowns]
+        start = [random_start(u, self.unknowns, self.turning, self.random) for u in self.unknowns]
         guess = zero_near(lambda x: self.equations.values([*x, *numbers]), start, FARTHEST)
         if guess is None:
             return None

@@ -8,12 +8,12 @@ in every other respect the name is the text that it was.
 from __future__ import annotations
 
 
-class Called(str):
+class SpokenName(str):
     """The name of a particle or body, with the words for it; a plain text is a name without any."""
 
     words: str
 
-    def __new__(cls, name: str, words: str = "") -> Called:
+    def __new__(cls, name: str, words: str = "") -> SpokenName:
         """The name with its words."""
         called = super().__new__(cls, name)
         called.words = words
