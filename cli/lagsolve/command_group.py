@@ -3,9 +3,9 @@
 Errors are shown as messages on standard error, without a traceback; the exit status follows from the kind of error, or
 of `check` from the verdict.
 
-A shell completes files itself if nothing else is offered: then it knows `~` and adds no blank after a folder. So where
-names of the library fit, problem files of the current folder are offered beside them, and where none fits the shell is
-told to complete a file.
+A shell completes files itself if nothing else is offered; it then knows `~` and adds no space after a folder. So where
+names of the library match, problem files of the current folder are offered with them, and where none matches the shell
+is asked to complete a file name.
 """
 
 from __future__ import annotations

@@ -165,9 +165,9 @@ def check(
 ) -> None:
     """Compare equations of motion with the derived ones.
 
-    Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); of a .tex
-    or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too, with the
-    keys of `answers` in a problem file. Without either, the answers in the problem file are compared.
+    Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); for a
+    .tex or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too,
+    with the keys of `answers` in a problem file. Without either, the answers in the problem file are compared.
 
     Exit status: 0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided; 130 interrupted by Ctrl-C.
     """

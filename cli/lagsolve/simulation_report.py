@@ -20,7 +20,7 @@ DIGITS = 5
 def report_text(simulation: Simulation, until: float, sampled: Collection[str] = (), *, by_default: bool) -> str:
     """The report, without an end of line; no line is wider than the terminal unless it has no blanks.
 
-    sampled  the names of functions that nobody has given
+    sampled  the names of functions that are not given
     """
     width = terminal_width()
     return "\n".join(wrapped(printable(line), width, "    ") for line in _lines(simulation, until, sampled, by_default))

@@ -1,4 +1,4 @@
-"""Somebody else's equations of motion: are they right?
+"""The equations of motion of an answer: are they right?
 
 An answer is read with the names of the problem only, and compared as a system, by its solutions and not by its form:
 at random states the row spaces of [A | b], affine in the accelerations and multipliers, must agree (`comparison`). It

@@ -390,7 +390,7 @@ class Examiner:
 _WORD = re.compile(r"[^\W\d]\w*")
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 _UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED)
-"""Diagnoses of equilibria that say no more than that they are wrong."""
+"""Diagnoses of equilibria that say only that they are wrong."""
 
 
 def _letters(text: str) -> set[str]:

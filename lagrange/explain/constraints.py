@@ -71,7 +71,7 @@ def _explain_restriction(restriction: Restriction) -> list[Block]:
 
 
 def _explain_multiplied(form: FiniteForm) -> list[Block]:
-    """The multiplied form and its pairs of mixed partial derivatives; pairs of zeros are left out."""
+    """The multiplied form and its pairs of mixed partial derivatives; pairs of zeros are omitted."""
     factor = form.found
     telling = [p for p in factor.exactness.comparisons if p.derivatives != (0, 0)]
     more = [prose(equal(p), detail=Detail.FULL) for p in telling[SHOWN_PAIRS:]]

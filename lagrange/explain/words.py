@@ -223,7 +223,7 @@ def at_start(state: Iterable[Substituted]) -> tuple[Part, ...]:
 
 
 def in_decimals(value: sp.Expr) -> sp.Expr:
-    """0.7 for 7/10, which nobody writes for the state at t = 0; 1/2 and 2/3 as they are."""
+    """0.7 for 7/10, as the state at t = 0 is usually written; 1/2 and 2/3 as they are."""
     if not isinstance(value, sp.Rational) or value.q % 5 or DECIMALS % value.q:
         return value
     from lagrange.values.quantities import rounded

@@ -1,7 +1,7 @@
 """The stages for a system whose virtual displacements are too long to be solved for, such as a bicycle.
 
 Nothing is eliminated in symbols then. The constraints are classified at random points; the equations of motion are
-those with multipliers, in abbreviations; about a motion that `initial` gives they are made linear in numbers.
+those with multipliers, in abbreviations; about a motion that `initial` gives they are linearized numerically.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Shapes of bodies whose file gives none, from what it does give: the moments of inertia about the mass centre.
 
 A uniform disc has m R²/2, a ring m R², a sphere 2/5 m R², a shell 2/3 m R², a rod of length 2a has m a²/3 and one of
-length l has m l²/12, across. So the number in front of m times a square tells the shape, and the square its size. A
-rod lies along the line from its mass centre to a point at which it is held. A body that is a top in words, and whose
-mass centre is on its axis of symmetry at a constant distance from O, is a cone that stands there.
+length l has m l²/12, across. So the number in front of m times a square tells the shape, and the square its size. A rod
+lies along the line from its mass centre to a point at which it is held. A body that the text calls a top, with its mass
+centre on its axis of symmetry at a constant distance from O, is a cone with its tip there.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Reading what acts: gravity, forces, moments, springs, dampers, potentials, friction.
+"""Reading the forces: gravity, applied forces, moments, springs, dampers, potentials, friction.
 
 The kind of a force is the one key it has of `vector`, `moment`, `spring`, `damper`, `potential`, `friction`, `belt`.
 Applied forces may depend on position, velocity and time, never on accelerations.

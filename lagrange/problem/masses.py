@@ -7,8 +7,8 @@ A body adds vectors to the language: its position, its angular velocity and its 
 is read apart from where it is, because its position may use its axes. A planar body has an angle about k; in space it
 has a sequence of three rotations about body axes, or the file gives the triad of the inertia and the angular velocity.
 
-Its inertia is one moment about k, three principal moments, or a symmetric matrix. What no distribution of mass can have
-is refused where the file's numbers, or the signs of its letters, decide that a kinetic energy would be negative. A
+Its inertia is one moment about k, three principal moments, or a symmetric matrix. An inertia that no distribution of
+mass can have is refused where the file's numbers, or the signs of its parameters, make a kinetic energy negative. A
 moment that exceeds the sum of the other two is a note: the equations hold all the same.
 """
 
@@ -514,7 +514,7 @@ def _uses(node: Node) -> frozenset[str]:
 
 
 def _in_order(entries: list[_Entry], context: LoadContext) -> list[_Entry]:
-    """Each entry after those whose names it uses; circular definitions are reported and left out."""
+    """Each entry after those whose names it uses; circular definitions are reported and omitted."""
     giver = {name: n for n, entry in enumerate(entries) for name in entry.defines}
     needs = [[giver[name] for name in sorted(entry.uses) if name in giver] for entry in entries]
     order: dict[int, None] = {}

@@ -5,7 +5,7 @@
       leaves: {quantity: theta, when: "N = 0"}
       force:  {quantity: N, by: theta}
 
-The state at t = 0 is given by expressions in parameters; a coordinate or velocity that is left out is free. A question
+The state at t = 0 is given by expressions in parameters; a coordinate or velocity that is omitted is free. A question
 asks for a quantity at the state in which its `when` holds, or as a function of one coordinate or of t (`by`). Both may
 contain coordinates of the file and of its choices, velocities, accelerations, t, parameters, the names of reactions,
 `T_kinetic` and `energy`.

@@ -36,7 +36,7 @@ class Prepared:
     """A problem, its equations of motion alone, and where the motion starts.
 
     problem  as the file has it, with the values and the initial state of the command line
-    sampled  what is taken for functions and prescribed motions that nobody has given, by name
+    sampled  what is taken for functions and prescribed motions that are not given, by name
     """
 
     problem: Problem
@@ -56,7 +56,7 @@ def prepared(
 ) -> Prepared:
     """The equations of a problem in a choice of coordinates, or in those in which they are best integrated.
 
-    complete  whether functions and motions that nobody has given are taken from samples, so that everything has numbers
+    complete  whether functions and motions that are not given are taken from samples, so that everything has numbers
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """

@@ -202,7 +202,7 @@ def _numbers(
 def _guess(
     states: StateEquations, values: FloatValues, drawn: Mapping[sp.Symbol, float], *, stated: bool
 ) -> list[float]:
-    """The state that nobody has given: the position of the figure, at rest where anything is `stated`."""
+    """The state where none is given: the position of the figure, at rest where anything is `stated`."""
     e = states.equations
     at: dict[sp.Symbol, float] = {**values, t: 0.0, **{q: drawn.get(q, 0.5) for q in e.slots.coordinates}}
     speeds = dict.fromkeys(e.speeds, 0.0)

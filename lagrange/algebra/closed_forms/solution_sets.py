@@ -52,7 +52,7 @@ class Branch:
 
     @property
     def may_be_empty(self) -> bool:
-        """Whether nothing is said of it unless its unsolved equations have a real solution, which is left open."""
+        """Whether it is asserted only if its unsolved equations have a real solution, which is left open."""
         return bool(self.left) and not self.occupied
 
     @property
@@ -87,7 +87,7 @@ class SolutionSet:
         return self.letters.write(self._with_roots(resolved(self.letters.read(e), point), point))
 
     def _with_roots(self, value: sp.Expr, point: Values) -> sp.Expr:
-        """A value with the letters of roots replaced; a root may stand under another one, √|x|."""
+        """A value with the letters of roots replaced; roots may be nested, √|x|."""
         for root in [r for r in self.letters.roots if r in value.free_symbols]:
             radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
             value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})

@@ -99,7 +99,7 @@ def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
 
 
 def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[WedgeComponent, ...]:
-    """The components of ω ∧ dω, in the order of the variables; those written as 0 are left out."""
+    """The components of ω ∧ dω, in the order of the variables; those written as 0 are omitted."""
     components = []
     write = component_writer(form)
     indices = range(len(form))

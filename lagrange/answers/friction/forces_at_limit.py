@@ -1,8 +1,8 @@
 """Equations of an answer about the forces of impending motion: N_B = μ N_A, N_A + ν N_B = W.
 
-With friction at its limit the reactions follow from the balance of forces. Put into an equation of an answer, they
-leave an identity, then it is right and says nothing of the position; or an equation that holds at every equilibrium,
-such as that of moments; or one that does not hold there, then it is wrong.
+With friction at its limit the reactions follow from the balance of forces. Substituted into an equation of an answer,
+they leave an identity (the equation is right, and says nothing about the position), an equation that holds at every
+equilibrium, such as that of moments (it is right), or one that does not (it is wrong).
 """
 
 from __future__ import annotations

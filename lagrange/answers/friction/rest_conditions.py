@@ -1,4 +1,4 @@
-"""Somebody else's conditions of rest: are they those that were derived?
+"""The conditions of rest of an answer: are they those that were derived?
 
 Two conditions a ≥ 0 and b ≥ 0 are the same if a/b has a positive sign where angles are acute. If the conditions are not
 the same one by one, both sets are tried at random numbers: a clear difference anywhere is an error. Sets that agree at

@@ -1,9 +1,9 @@
-"""Wrong frequencies of small oscillations: those of which changed problem?
+"""Wrong frequencies of small oscillations: which changed problem has them?
 
 At an equilibrium q_0 a changed problem has M_ij = Σ μ_a J_ia J_ja and K_kj = −∂Q_k/∂q_j, and its frequencies satisfy
 det(K − ω² M) = 0. The parts of M and K are numbers, at random values of the parameters, so that a changed problem costs
-a determinant. What the frequencies of an answer satisfy twice, at values that share nothing, they satisfy always, but
-for a chance that nobody has to fear.
+a determinant. What the frequencies of an answer satisfy twice, at values that share nothing, they satisfy always,
+except with a negligible probability.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
 
 
 def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[[sp.Expr], sp.Expr]) -> str:
-    """Of which changed problem these are the frequencies, in a sentence; empty if that is not found.
+    """The changed problem that has these frequencies, in a sentence; empty if none is found.
 
     at  an expression with the values that the coordinates have at the equilibrium
     """

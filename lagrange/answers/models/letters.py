@@ -39,7 +39,7 @@ def letter_variations(
     """Other meanings of the letters of an answer, and special cases of letters that only the right conditions have.
 
     known    letters that are no parameters: unknown forces, multipliers
-    lengths  letters of the geometry, which nobody takes as negative: tried after the others
+    lengths  letters of the geometry, which are rarely taken as negative: tried after the others
     """
     return list(_letters(answer, right, slots, {*known}, {*lengths}))[:MAX_LETTER_VARIATIONS]
 

@@ -145,7 +145,7 @@ class AskedClaim:
         return verdict, remark
 
     def _explained(self, claim: sp.Expr) -> str:
-        """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
+        """The changed problem that a wrong answer solves, or the factor by which it is off; empty if not found."""
         from lagrange.answers.models.letters import geometry_of, letter_variations
         from lagrange.answers.models.questions import (
             explained_answer,

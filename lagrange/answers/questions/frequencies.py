@@ -303,7 +303,7 @@ def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
 
 
 def _of_models(claims: Sequence[sp.Expr], places: Sequence[EquilibriumPoint], reference: Reference) -> str:
-    """Of which changed problem these are the frequencies at one of the equilibria, in a sentence."""
+    """The changed problem that has these frequencies at one of the equilibria, in a sentence."""
     from lagrange.answers.models.frequencies import explained_by_models
 
     for place in places:
@@ -416,7 +416,7 @@ class _Exponents:
     exact    in closed form; None where not all are
     own      what ω² would be without damping, as far as known
     numbers  with the values of the parameters; None where some have none
-    zero     whether zero is one of them: it may be stated, and left out
+    zero     whether zero is one of them: it may be stated, and omitted
     """
 
     exact: tuple[sp.Expr, ...] | None
@@ -470,7 +470,7 @@ def check_decay(
     return _of_exponents("decay", stated, lists, damped, linearizations)
 
 
-_ZERO = -2  # in place of an index
+_ZERO = -2  # instead of an index
 _UNDAMPED = "these are the frequencies without damping"
 _NO_DECAY = "no equilibrium with decay rates is known: nothing is damped there, or the exponents have no closed form"
 

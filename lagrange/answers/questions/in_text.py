@@ -1,7 +1,7 @@
 """Texts that answer other questions than for equations of motion: impacts, steady states, values, Hamilton's function.
 
-In a file of answers each question has its key. In a text it is recognised by what the problem asks for and by what
-stands in the lines. What is an equation of motion, a position of equilibrium or a constraint is judged as such.
+In a file of answers each question has its key. In a text it is recognised by what the problem asks for and by the
+contents of the lines. What is an equation of motion, a position of equilibrium or a constraint is judged as such.
 """
 
 from __future__ import annotations
@@ -307,7 +307,7 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
     answer = [without_place(f) for f in answer]
     valued = values_of(solution.problem) is not None
     numbered = [(f, stated_in_numbers(f) if valued else None) for f in answer]
-    if any(n for _, n in numbered):  # beside these a number alone is one whose unit was left out
+    if any(n for _, n in numbered):  # beside these a number alone is one whose unit was omitted
         numbered = [(f, n or ((f, None) if _NUMBER_ALONE.search(f.text) else None)) for f, n in numbered]
     numbers = [n[0] for _, n in numbered if n]
     lines = asked_in_text(numbers, solution) if numbers else None
@@ -329,7 +329,7 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
         others = _asked_in_formulas([f for f in formulas if f is not None], solution, judge)
     except ProblemError:
         return _only(_if_complete(verdict, lines.missing), solution)
-    if others.verdict is Verdict.INCOMPLETE and not lines.missing:  # what it leaves out is answered in numbers
+    if others.verdict is Verdict.INCOMPLETE and not lines.missing:  # what it omits is answered in numbers
         return _only(verdict, solution)
     return replace(others, others=(*others.others, verdict))
 

@@ -85,6 +85,6 @@ def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
     known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
     known |= dimensions_of_units(reference.units)
     values = [v for b in asked.branches for v in b.values if v.free_symbols]
-    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found in numbers
+    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found numerically
         values = [asked.question.quantity]
     return {d for v in values if (d := dimension(v, known)) is not None}

@@ -238,7 +238,7 @@ def explained_steady(
     """The verdict on conditions of steady motion, with what is missing, or what they are instead."""
     tried = [alternatives]
     if verdict.verdict is Verdict.WRONG and len(alternatives) == 1 and len(alternatives[0]) > 1:
-        scope = reference_of_solution(solution).scope  # an equation without a tension that nobody declared, by itself
+        scope = reference_of_solution(solution).scope  # an equation without an undeclared tension, by itself
         tried = [[(f,)] for f in alternatives[0] if read_answer(f, scope).error is None] or tried
     why = next(filter(None, (_about_equilibria(verdict, a, conditions, solution) for a in tried)), "")
     return replace(verdict, diagnosis=why.replace("equilibria", "steady motions"))

@@ -47,7 +47,7 @@ def explained_force(equation: sp.Expr, candidate: ReferenceCandidate) -> str:
 
 
 def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate) -> str:
-    """Of which small ratio to the stated force the right one is, in a sentence; empty if of none."""
+    """The simple ratio of the right force to the stated one, in a sentence; empty if there is none."""
     from lagrange.answers.models.letters import holds
     from lagrange.answers.models.variation import Variation
 

@@ -1,4 +1,4 @@
-"""Wrong positions of equilibrium, and wrong forces that hold a system: of which changed problem they are right.
+"""Wrong positions of equilibrium, and wrong forces that hold a system: the changed problem for which they are right.
 
 At rest the equations of a system are
 
@@ -184,7 +184,7 @@ class WrongEquilibria:
         return not resting.balanced(own, {}) and all(r is not None and resting.balanced(own, r) for r in rules)
 
     def of_changed_problem(self, problem: Problem) -> str:
-        """Of which changed problem they are the equilibria, as the end of a sentence; empty if not found."""
+        """The changed problem whose equilibria they are, as the end of a sentence; empty if not found."""
         for variation, forces in self.resting.changed(problem):
             if all(
                 r is not None and self.resting.balanced(forces, r) for r in self.rules

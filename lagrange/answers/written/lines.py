@@ -3,7 +3,7 @@ r"""Lines of an answer in plain text: which belong together, where equations beg
 A line continues the one before it if that one ends, or it begins, with a sign that needs something on its other side,
 and one of them has no `=`. Several equations on a line are separated by `;`, by arrows, and by commas or wide spaces
 after which another equation comes. Bullets, numbers and words before an equation, words and comments after it, and the
-braces of a list around equations are left out.
+braces of a list around equations are omitted.
 """
 
 from __future__ import annotations

@@ -235,7 +235,7 @@ def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
 
 
 def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[Block]:
-    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side.
+    """The conserved quantities; for an energy that is not, no balance with accelerations on its right side.
 
     always  no balance at all: Jacobi's integral is the one that counts
     """

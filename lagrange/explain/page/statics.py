@@ -1,7 +1,7 @@
 """Statics on the page: equilibrium, its reactions and its stability once, in the coordinates that are chosen.
 
-The principle of virtual work is stated in the file's coordinates. What follows from it there would follow a second time
-in the first choice, so it is left to that, unless equilibria might be lost.
+The principle of virtual work is stated in the file's coordinates. What follows from it would be repeated in the first
+choice, so it is given there only, unless equilibria might be lost.
 """
 
 from __future__ import annotations

@@ -280,7 +280,7 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
 
 
 def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
-    """The equilibria that are left out."""
+    """The equilibria that are omitted."""
     if equilibrium.outside:
         places = [listed(math(r.lhs, r.rhs) for r in b.equations) for b in equilibrium.outside]
         listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]

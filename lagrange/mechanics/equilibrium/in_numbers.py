@@ -1,9 +1,9 @@
 """Equilibria, their stability and their frequencies in numbers, where the parameters have values.
 
 A branch such as cos θ = g/(l ω²) is a set of points, and the values of all letters are known at each of them; so each
-point becomes a position by putting the values in, θ = ±1.047. One at which a coordinate is not real, or a condition of
-the branch fails, is absent with these values. What was concluded of stability for open signs is settled by their
-values; where a minor is too small to have a certain sign, nothing is said.
+point becomes a position when the values are substituted, θ = ±1.047. One at which a coordinate is not real, or a
+condition of the branch fails, is absent with these values. Conclusions on stability that depended on open signs are
+settled by the values; where a minor is too small to have a certain sign, no claim is made.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 Evaluate = Callable[[sp.Expr], sp.Expr]
-"""An expression at a point, with the values put in."""
+"""An expression at a point, with the values substituted."""
 
 CERTAIN = sp.Float(10) ** (10 - WORKING_DIGITS)
 """A number that is smaller than this part of the others has no certain sign."""

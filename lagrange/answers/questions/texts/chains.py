@@ -1,7 +1,7 @@
 """Chains of values, `v = sqrt(2 a d) = sqrt(2*3*4) = 4.9 m/s`: whether their sides agree.
 
-The sides that contain parameters alone are numbers once these have their values; without values they are expressions,
-which must be equal. A decimal stands for all numbers that round to it.
+Sides that contain only parameters are numbers once these have values; without values they are expressions, which must
+be equal. A decimal stands for all numbers that round to it.
 """
 
 from __future__ import annotations

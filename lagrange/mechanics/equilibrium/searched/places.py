@@ -1,7 +1,7 @@
-"""Places of rest found in numbers, against the list of equilibria in closed form.
+"""Places of rest found numerically, against the list of equilibria in closed form.
 
-What loses an equilibrium is a step of solving: a division by sin θ, a factor that is dropped, a pivot. So parameters
-are drawn, and the conditions as they were before any step,
+An equilibrium is lost in a step of solving: a division by sin θ, a factor that is dropped, a pivot. So parameters are
+drawn, and the conditions as they were before any such step,
 
     Q + Aᵀ λ = 0 ,     f = 0 ,
 
@@ -10,8 +10,8 @@ zero must satisfy the printed relations and conditions of a branch. One that sat
 to many digits and the constraints are regular there; then the conditions join the list as unsolved, so that it is
 stated to be incomplete wherever it is used.
 
-That nothing is found proves nothing: the search is short. What is only of the coordinates, a pole of a chart or a place
-outside of a range, is no equilibrium that is lost, and neither is one where a force has no value.
+Finding nothing proves nothing: the search is short. An artefact of the coordinates, a pole of a chart or a place
+outside of a range, is not a lost equilibrium, and neither is one where a force has no value.
 """
 
 from __future__ import annotations
