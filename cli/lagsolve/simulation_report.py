@@ -57,7 +57,7 @@ def _lines(simulation: Simulation, until: float, sampled: Collection[str], by_de
     yield from _table(f"State at t = 0 and at t = {last:.5g} s", state)
     if start.pushed:
         yield ""
-        yield "This state would stay as it is: the motion was started a little beside it."
+        yield "This state is an equilibrium: the motion was started slightly away from it."
     if start.orbits:
         yield ""
         yield "There is an attraction: the velocities assumed are those of a nearly circular orbit."

@@ -198,7 +198,7 @@ class _Entry:
         names = self.all_of(*(lambda i=i: self._declared(i, known, kind, kinds) for i in items))
         for n, name in enumerate(names):
             if name in names[:n]:
-                message = f"`{name}` stands twice in the `{key}` of {self.what}"
+                message = f"`{name}` occurs twice in the `{key}` of {self.what}"
                 raise ProblemError(Diagnostic("declared-twice", message, items[n].span, help="keep one of the two"))
         if not names:
             raise ProblemError(

@@ -210,12 +210,12 @@ def _part(fragment: Fragment, text: str, start: int) -> Fragment:
 
 
 def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
-    """The coordinate, or t, of which the quantity is wanted as a function."""
+    """The coordinate, or t, as a function of which the quantity is wanted."""
     symbol = context.read_quietly(read_scalar, scalar.fragment, scope, [])
     if symbol == t or (symbol.is_Symbol and base(symbol) == symbol and symbol in scope.slots.coordinates):
         return symbol
     message = f"`{scalar.text}` is neither a coordinate nor `t`"
-    help_ = "`by` names the coordinate of which the quantity is wanted as a function, or `t`"
+    help_ = "`by` names a coordinate, or `t`, as a function of which the quantity is wanted"
     raise ProblemError(Diagnostic("no-variable", message, scalar.span, help=help_))
 
 

@@ -3,7 +3,7 @@
 What the file or the user gives is taken: `value:`, `initial:`, `--set`. Initial values may be those of any coordinates,
 the file's or a choice's; the state is the one nearest to the position of the figure that has them and satisfies the
 constraints, with the smallest speeds that do. Whatever nobody gave is assumed (`defaults.py`), and reported as
-assumed. A system that would stay at rest in equilibrium is started a little beside it.
+assumed. A system that would stay at rest in equilibrium is started slightly away from it.
 """
 
 from __future__ import annotations

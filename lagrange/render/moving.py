@@ -261,7 +261,7 @@ class _Controls:
                 f"{u} = mean + amplitude · sin(frequency · time), with the numbers of the sliders."
             )
         if figure.pushed:
-            parts.append("It would stay at rest in this position, and begins a little beside it.")
+            parts.append("It would stay at rest in this position, so it begins slightly away from it.")
         if figure.orbits:
             parts.append("There is an attraction: it begins in a nearly circular orbit.")
         if figure.data["motion"]:

@@ -138,8 +138,8 @@ def _forces(supports: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
         plural(len(supports.rigid) - 1, "distance", "distances"),
     )
     yield prose(
-        f"The supports at {names} are smooth: they exert forces normal to themselves, ",
-        *listed(math(size) for size in sizes.values()), " in size,",
+        f"The supports at {names} are smooth: they exert normal forces of magnitude ",
+        *listed(math(size) for size in sizes.values()), ",",
     )  # fmt: skip
     yield display(
         *(Equation((VectorSymbol(f"R_{s.point}"), s.normal * sizes[s.point]), label=f"support-{s.point}")

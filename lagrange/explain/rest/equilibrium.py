@@ -298,7 +298,7 @@ def full_turns(equilibrium: Equilibrium) -> Iterator[Block]:
     """That an angle occurs outside of sines and cosines too, where the conditions hold at all its turns."""
     turned = list(dict.fromkeys(q for b in equilibrium.branches for q in equilibrium.turned(b)))
     if turned:
-        words = "The conditions hold full turns further as well; what is said below is meant for "
+        words = "The conditions also hold after any number of full turns; the statements below are about "
         yield prose(words, *listed(math(q) for q in turned), " as stated.", detail=Detail.BRIEF)
 
 

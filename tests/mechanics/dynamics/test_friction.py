@@ -241,7 +241,7 @@ forces: {{rub: {{friction: mu, {rest}}}}}
         ("constraint: wall, on: Q", "friction-place", "does not act on `Q`"),
         ("constraint: floor, on: P", "friction-undetermined", "not determined"),
         ("constraint: [wall, floor], on: P", "friction-undetermined", "not determined"),
-        ("constraint: [wall, wall], on: P", "declared-twice", "stands twice"),
+        ("constraint: [wall, wall], on: P", "declared-twice", "occurs twice"),
         ("constraint: [], on: P", "empty-value", "is empty"),
     ],
 )

@@ -53,8 +53,8 @@ def put_in(held: HeldTogether | None, step: Step) -> Step:
 
 def _announced(held: HeldTogether) -> Prose:
     values = listed(math(q, e) for q, e in held.values.items())
-    words = plural(len(held.values), " constant. From here on its value is put in: ",
-                   " constant. From here on their values are put in: ")  # fmt: skip
+    words = plural(len(held.values), " constant. From here on its value is substituted: ",
+                   " constant. From here on their values are substituted: ")  # fmt: skip
     return prose("Together the constraints keep ", *listed(map(math, held.values)), words, *values, ".")
 
 
