@@ -185,7 +185,7 @@ def _prepared(
     """
     gc.disable()
     from lagrange.problem.loader import read_problem
-    from lagrange.programs.prepared import in_numbers, prepared, require, require_masses, with_initial
+    from lagrange.programs.prepared import prepared, prepared_solution, require, require_masses, with_initial
     from lagrange.programs.starting import settings_of
     from lagsolve.inputs import problem_source, settings_read
     from lagsolve.solve_task import look_for_garbage_seldom
@@ -203,7 +203,7 @@ def _prepared(
     require_masses(problem)
     on_stage("solving")
     solved = _solved_for_page(with_initial(problem, given), choice)
-    return in_numbers(problem, solved.solution, choice, given, complete=complete), solved
+    return prepared_solution(problem, solved.solution, choice, given, complete=complete), solved
 
 
 def _write(result: Simulation, output: str, ending: str) -> None:

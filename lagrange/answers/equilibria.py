@@ -142,7 +142,7 @@ def check_equilibria(
     return replace(best, notes=notes)
 
 
-def check_steady(
+def check_steady_answers(
     alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict:
     """The verdict on steady motions.

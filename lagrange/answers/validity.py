@@ -118,7 +118,7 @@ class Factorizations:
         return multiplied(shared, {_signed(rest): 1})
 
 
-def conditions(
+def validity_conditions(
     equations: Sequence[sp.Expr], known: Factorizations, *, complete: bool = True
 ) -> list[tuple[NonzeroCondition, ...]]:
     """The conditions for each of several independent equations, each zero, that follow from a system.

@@ -106,7 +106,7 @@ def is_latex(fragment: Fragment) -> bool:
     return certain or "\\" in fragment.text or "$" in fragment.text
 
 
-def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
+def separated_latex(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text in LaTeX may have several."""
     return tuple(e for fragment in answer for e in equations(fragment))
 

@@ -143,9 +143,9 @@ def _stages(
     """The stages after the constraints, as the file asks for them. blank: the solution before them."""
     rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
-        from lagrange.mechanics.equilibrium.checks import check_statics
+        from lagrange.mechanics.equilibrium.checks import require_statics
 
-        check_statics(problem, blank.own.configuration)
+        require_statics(problem, blank.own.configuration)
     if Find.MOTION in problem.find:
         yield lambda s: _with_motion(s, complete, method, on_stage)
     if problem.speeds:

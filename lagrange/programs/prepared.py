@@ -65,7 +65,7 @@ def prepared(
         problem = after_impact(problem, choice, on_stage)
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
     solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
-    return in_numbers(problem, solution, choice, settings, complete=complete)
+    return prepared_solution(problem, solution, choice, settings, complete=complete)
 
 
 def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Problem:
@@ -87,7 +87,7 @@ def require_masses(problem: Problem) -> None:
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
 
 
-def in_numbers(
+def prepared_solution(
     problem: Problem,
     solution: Solution,
     choice: str | None = None,

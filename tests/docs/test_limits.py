@@ -49,10 +49,10 @@ NO_LIMITS = {
     "pictures/loads": {"NOWHERE", "_SOMEWHERE"},
     "pictures/poses": {"_ANGLES", "_STEPS"},
     "pictures/sketch": {
-        "COIL",
         *("CLEAR", "HATCH", "HEIGHT", "HINGE", "LETTER", "PARTICLE", "SMALL_LETTER", "SPACE", "_REACHES"),
     },
     "pictures/solids": {"LIGHT", "MEDIUM"},
+    "pictures/springs_dampers": {"COIL"},
     "pictures/surfaces": {"_HALF", "_PIECES", "_PLACE", "_SHIFT"},
     "pictures/space": {"_HALF", "_LONG", "_STEPS", "_TURNS"},
     "pictures/system_drawing": {"ELLIPSOID"},

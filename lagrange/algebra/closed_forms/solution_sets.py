@@ -245,7 +245,7 @@ def merged_branches(branches: Sequence[Branch]) -> list[Branch]:
     return list(groups.values())
 
 
-def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
+def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
     """The branch with known values substituted in its relations, in the order of the unknowns, without letters.
 
     Angles stay in them where they have several values: z = l sin θ beside tan θ = a.
@@ -327,7 +327,9 @@ def _with_angles(
         ]
         relations = [r for r in relations if r not in own] + list(root_at(angle, values).relations)
         common |= values
-    return as_stated(replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns)
+    return with_known_values(
+        replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns
+    )
 
 
 def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:

@@ -20,7 +20,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.limits import MOST_FRICTION_SIGNS
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
-from lagrange.answers.written.decimals import rounded
+from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -136,7 +136,7 @@ def _holds(residuals: Sequence[sp.Expr], motion: ImpendingMotion, reference: Ref
         for e in residuals:
             try:
                 value = comparison.solution.at(point, e)
-                close = decimals_in([value]) and rounded([value]) is not None
+                close = decimals_in([value]) and numbers_rounding_to([value]) is not None
                 verdicts.append(True if close else is_zero(value))
             except (NotAlgebraicError, DivisionByZeroError):
                 verdicts.append(None)

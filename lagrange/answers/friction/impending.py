@@ -25,7 +25,7 @@ from lagrange.mechanics.results import Solution
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 
 
-def check_impending(
+def check_impending_answers(
     alternatives: Sequence[Sequence[Fragment]],
     motions: Sequence[ImpendingMotion],
     reference: Reference,

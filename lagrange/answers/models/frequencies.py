@@ -140,7 +140,7 @@ class RandomMatrices:
         if any(abs(p) > _SMALL for p in pulls) and not self.is_linear(m):
             return False  # it is no equilibrium of the changed problem
         n = len(inertia)
-        whole = determinant(inertia)
+        whole = leibniz_determinant(inertia)
         if abs(whole) <= _size(inertia) * _SMALL:
             return False
         # As many as there are coordinates are all roots of a polynomial, which n + 1 values tell from another one.
@@ -148,7 +148,7 @@ class RandomMatrices:
         for value in tried:
             matrix = [[stiffness[i][j] - value * inertia[i][j] for j in range(n)] for i in range(n)]
             expected = whole * sp.prod([r - value for r in roots]) if len(roots) == n else sp.S.Zero
-            if abs(determinant(matrix) - expected) > (_size(matrix) + abs(expected)) * _SMALL:
+            if abs(leibniz_determinant(matrix) - expected) > (_size(matrix) + abs(expected)) * _SMALL:
                 return False
         return True
 
@@ -224,7 +224,7 @@ def _size(matrix: Matrix) -> sp.Expr:
     return sp.prod([sum(abs(x) for x in row) or 1 for row in matrix])
 
 
-def determinant(matrix: Matrix) -> sp.Expr:
+def leibniz_determinant(matrix: Matrix) -> sp.Expr:
     """Leibniz' formula: four rows at most."""
     total = sp.S.Zero
     for order in permutations(range(len(matrix))):

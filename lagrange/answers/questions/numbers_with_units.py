@@ -28,7 +28,7 @@ _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 _NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
 
 
-def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
+def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
     """A text whose last side is a number with a unit, with the number in SI; the text itself in all other cases.
 
     Second, whether the unit has the dimension of what is asked for, as far as that is known.

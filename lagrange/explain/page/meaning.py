@@ -68,7 +68,7 @@ def explain_meaning(
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
 
 
-def operations(stated: StatedEquations) -> int:
+def operations_of_equations(stated: StatedEquations) -> int:
     """How many operations it takes to write equations with everything on one side."""
     return sum(count_operations(left - right) for left, *_, right in stated)
 
@@ -86,7 +86,9 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
     if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
         return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
-    if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
+    if operations_of_equations(stated) < sum(
+        count_operations(e) for e in (*(e.expression for e in motion.final), *rates)
+    ):
         yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
@@ -350,7 +352,7 @@ def _rest(meaning: ResultMeaning) -> Iterator[Block]:
         if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
             return  # the places are not as simple as a line
         place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = verdict_on(at)
+        verdict = stability_word(at)
         if verdict is None:
             return
         places.append((place, f", {verdict}"))
@@ -379,7 +381,7 @@ def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
     return q
 
 
-def verdict_on(at: SmallOscillations) -> str | None:
+def stability_word(at: SmallOscillations) -> str | None:
     """`stable`, `unstable`; None where more has to be said."""
     from lagrange.mechanics.equilibrium.linear_stability import Ground
     from lagrange.mechanics.equilibrium.stability import StabilityVerdict

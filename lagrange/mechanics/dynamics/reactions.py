@@ -185,7 +185,7 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
     slots = configuration.slots
     multipliers = tuple(r.multiplier for r in used)
     unknowns = (*slots.accelerations, *multipliers)
-    rows, right = equations_with_multipliers(principle, used, unknowns)
+    rows, right = rows_with_multipliers(principle, used, unknowns)
     for r in used:
         row = without_root(r.row, slots)
         rate = slots.time_derivative(row.velocity_form(slots))
@@ -195,7 +195,7 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
     return ReactionSystem(tuple(rows), tuple(right), unknowns)
 
 
-def equations_with_multipliers(
+def rows_with_multipliers(
     principle: Balance, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
 ) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
     """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""

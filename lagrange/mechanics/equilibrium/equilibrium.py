@@ -45,7 +45,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_at_edge, is_only_of_chart, moves_nothing
-from lagrange.mechanics.equilibrium.loads import at_rest, loads
+from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters
 from lagrange.mechanics.equilibrium.within_ranges import within
 
 
@@ -411,7 +411,7 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     branches = tuple(b for b in restricted if b is not None)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
-    applied = loads(e.configuration)
+    applied = load_parameters(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
     branches = tuple(_with_stated_angles(b, solution) for b in branches)
     completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)

@@ -58,7 +58,7 @@ def stated_equilibria(e: Equilibrium) -> list[Tried]:
     return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
 
 
-def in_numbers(tried: Sequence[Tried]) -> bool:
+def rests_on_decimals(tried: Sequence[Tried]) -> bool:
     """Whether some of what was tried rests on numbers with finitely many digits."""
     return any(t.holds is not None and not t.exactly for t in tried)
 

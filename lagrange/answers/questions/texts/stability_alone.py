@@ -54,7 +54,9 @@ def is_about_stability(text_: str) -> bool:
     return said.WORD.search(text_) is not None and is_inequality(Fragment.of(text_))
 
 
-def check_stability(answer: Sequence[Fragment], solution: Solution, reference: Reference) -> AnswerVerdict | None:
+def check_stability_sentences(
+    answer: Sequence[Fragment], solution: Solution, reference: Reference
+) -> AnswerVerdict | None:
     """The verdict on such sentences; None if they are none, or cannot be understood."""
     places = [*_places(solution)]
     parts: list[EquationVerdict] = []

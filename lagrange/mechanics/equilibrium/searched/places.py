@@ -42,7 +42,7 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_STARTS,
     SPREADS,
 )
-from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.newton import confirmed, numerical_rank, with_best, zero_near
 from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
@@ -193,7 +193,7 @@ class _Search:
         ranks = []
         for x in (place, beside):
             flat = tape.values([*x, *numbers], DIGITS)
-            ranks.append(rank([flat[n : n + width] for n in range(0, len(flat), width)]))
+            ranks.append(numerical_rank([flat[n : n + width] for n in range(0, len(flat), width)]))
         return ranks[0] == ranks[1]
 
     def _is_outside(self, place: Sequence[Any], numbers: Sequence[float]) -> bool:
