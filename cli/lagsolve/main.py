@@ -14,14 +14,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve.command_group import (
-    CommandLine,
-    complete_files,
-    complete_problems,
-    status_of_verdict,
-    write_stderr,
-)
+from lagsolve.command_group import CommandLine, complete_files, complete_problems, write_stderr
 from lagsolve.course_commands import COURSE_COMMANDS, MEGABYTES, SECONDS
+from lagsolve.exit_statuses import status_of_verdict
 from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
 from lagsolve.program_commands import COMMANDS as PROGRAMS
@@ -173,8 +168,8 @@ def check(
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
-    from lagsolve.bounds import bounded
     from lagsolve.progress_line import stage_shown
+    from lagsolve.time_and_memory import bounded
 
     gc.disable()
     with stage_shown() as on_stage, bounded(timeout, memory):

@@ -31,7 +31,7 @@ NO_LIMITS = {
     "answers/reference_systems": {"_CONTRADICTION", "_NONE"},
     "render/escape": {"_LATIN"},
     "render/json": {"VERSION"},
-    "lagsolve/command_group": {"BROKEN_PIPE", "INTERRUPTED", "OK", "UNDECIDED", "UNREADABLE", "WRONG"},
+    "lagsolve/exit_statuses": {"BROKEN_PIPE", "INTERRUPTED", "OK", "UNDECIDED", "UNREADABLE", "WRONG"},
     # numbers at which something is evaluated
     "questions/checks": {"_PRIMES"},
     "rest/at_rest": {"_PRIMES"},

@@ -17,7 +17,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
-from lagsolve.command_group import status_of_error
+from lagsolve.exit_statuses import status_of_error
 
 Read = Callable[[str], Problem]
 

@@ -13,8 +13,8 @@ import pytest
 from click.testing import CliRunner
 
 from lagrange.core.diagnostics import GaveUpError
-from lagsolve.bounds import bounded
 from lagsolve.main import main
+from lagsolve.time_and_memory import bounded
 from tests.support.processes import PATIENCE
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarms")
