@@ -22,7 +22,6 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.arrows import ARROW, Arrows
 from lagrange.pictures.blocks import Blocks
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
@@ -30,7 +29,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
-from lagrange.pictures.loads import as_words, constraint_curve
+from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
 from lagrange.pictures.sketch import (

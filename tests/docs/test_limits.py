@@ -41,12 +41,11 @@ NO_LIMITS = {
     "special/samples": {"AMPLITUDE", "FREQUENCY"},
     # sizes of drawings and of letters
     "document/scene": {"MARGIN"},
-    "pictures/arrows": {"ARROW"},
     "pictures/blocks": {"HIGH", "WIDE"},
     "pictures/coordinate_drawings": {"ARC"},
     "pictures/free_bodies": {"LARGEST", "LARGEST_WHEEL", "LENGTH"},
     "pictures/inferred": {"CORNER", "GAP", "PULLEY"},
-    "pictures/loads": {"NOWHERE", "_SOMEWHERE"},
+    "pictures/loads": {"ARROW", "NOWHERE", "_SOMEWHERE"},
     "pictures/poses": {"_ANGLES", "_STEPS"},
     "pictures/sketch": {
         *("CLEAR", "HATCH", "HEIGHT", "HINGE", "LETTER", "PARTICLE", "SMALL_LETTER", "SPACE", "_REACHES"),
