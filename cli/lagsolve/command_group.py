@@ -1,11 +1,11 @@
-"""How the command line behaves as a whole: default command, help page, exit statuses, errors, shell completion.
+"""How the command line behaves as a whole: default command, help page, errors, shell completion.
 
-Errors are shown as messages on standard error, without a traceback; the exit status follows from the kind of error, or
-of `check` from the verdict.
+Errors are shown as messages on standard error, without a traceback; the exit status follows from the kind of error
+(`exit_statuses`).
 
-A shell completes files itself if nothing else is offered: then it knows `~` and adds no blank after a folder. So where
-names of the library fit, problem files of the current folder are offered beside them, and where none fits the shell is
-told to complete a file.
+A shell completes files itself if nothing else is offered; it then knows `~` and adds no space after a folder. So where
+names of the library match, problem files of the current folder are offered with them, and where none matches the shell
+is asked to complete a file name.
 """
 
 from __future__ import annotations
@@ -17,23 +17,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from lagsolve.exit_statuses import BROKEN_PIPE, INTERRUPTED, OK, UNDECIDED, status_of_error
+
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
-
-    from lagrange.answers.verdicts import Verdict
-
-OK, WRONG, UNREADABLE, UNDECIDED = 0, 1, 2, 3
-INTERRUPTED, BROKEN_PIPE = 130, 141
-"""128 plus the number of the signal, as a shell reports a program that SIGINT or SIGPIPE has ended."""
-
-_OF_VERDICTS = {
-    "equivalent": OK,
-    "wrong": WRONG,
-    "incomplete": WRONG,
-    "trivial": WRONG,
-    "unreadable": UNREADABLE,
-    "undecided": UNDECIDED,
-}
 
 
 def write_stderr(text: str) -> None:
@@ -47,20 +34,6 @@ def write_stderr(text: str) -> None:
 def abandon_stdout() -> None:
     """Discards what is left in the buffer, so that Python does not complain about it when it exits."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def status_of_verdict(verdict: Verdict) -> int:
-    """The exit status of `check` for a verdict on an answer."""
-    return _OF_VERDICTS[verdict.value]
-
-
-def status_of_error(error: Exception) -> int:
-    """The exit status of a command that an error has ended."""
-    from lagrange.core.diagnostics import NotCoveredError, ProblemError, UndecidedError
-
-    if isinstance(error, ProblemError) and not isinstance(error, UndecidedError | NotCoveredError):
-        return UNREADABLE
-    return UNDECIDED
 
 
 def report_error(error: Exception, heading: str = "") -> int:

@@ -7,15 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve.command_group import (
-    INTERRUPTED,
-    OK,
-    UNDECIDED,
-    complete_files,
-    complete_problem_first,
-    complete_problems,
-    write_stderr,
-)
+from lagsolve.command_group import complete_files, complete_problem_first, complete_problems, write_stderr
+from lagsolve.exit_statuses import INTERRUPTED, OK, UNDECIDED
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -3,7 +3,7 @@
     python -m lagsolve.gallery FOLDER [NAME ...]         # `make gallery`
 
 Any web server can serve the folder, or a browser open its `index.html` from the disk: nothing is loaded from elsewhere.
-The search is a script of the index that hides what does not contain the words; without scripts all problems are there.
+The search is a script of the index that hides problems without the words; without scripts all problems are listed.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A JSON Schema (draft 2020-12) of problem files, for editors, made from the declarations in `lagrange.problem.keys`.
 
-The reader is what decides; the schema is never stricter. A value is text to the reader, and what an editor's YAML takes
-for a number, a truth value or nothing (`null` may be a name) is allowed wherever it may be text. What an expression may
+The reader decides; the schema is never stricter. Every value is text to the reader, so whatever an editor's YAML takes
+for a number, a truth value or nothing (`null` may be a name) is allowed wherever text may be. What an expression may
 contain is left to lagsolve: an editor learns the keys, their values where these are words, and what is a list. Nothing
 beyond draft 7 is used, for editors that know no more.
 """
@@ -31,7 +31,7 @@ _WORDS_OF_YAML = ["boolean", "null"]
 _READ_AS: dict[str, Any] = {"true": True, "false": False}
 """What YAML may take a word for, beside integers."""
 _EXPLAINED = {"patternErrorMessage": "A name begins with a letter and has letters, digits and _."}
-"""Not a keyword of the standard: some editors show it in place of the pattern."""
+"""Not a keyword of the standard: some editors show it instead of the pattern."""
 
 _SHARED: dict[str, Schema] = {
     "text": {"type": ["string", "number", *_WORDS_OF_YAML]},

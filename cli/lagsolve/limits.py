@@ -46,7 +46,7 @@ FEWEST_NAMED = 2
 """Who must have made a mistake for it to be on the page about the class: of one person it would tell who."""
 
 MOST_MISTAKES_LISTED = 40
-"""On the page about the class: nobody goes through more of them."""
+"""On the page about the class: more would not be read."""
 
 LONGEST_REMARK = 300
 """Characters of a remark in the table: four lines of a terminal."""

@@ -14,14 +14,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve.command_group import (
-    CommandLine,
-    complete_files,
-    complete_problems,
-    status_of_verdict,
-    write_stderr,
-)
+from lagsolve.command_group import CommandLine, complete_files, complete_problems, write_stderr
 from lagsolve.course_commands import COURSE_COMMANDS, MEGABYTES, SECONDS
+from lagsolve.exit_statuses import status_of_verdict
 from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
 from lagsolve.program_commands import COMMANDS as PROGRAMS
@@ -165,16 +160,16 @@ def check(
 ) -> None:
     """Compare equations of motion with the derived ones.
 
-    Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); of a .tex
-    or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too, with the
-    keys of `answers` in a problem file. Without either, the answers in the problem file are compared.
+    Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); for a
+    .tex or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too,
+    with the keys of `answers` in a problem file. Without either, the answers in the problem file are compared.
 
     Exit status: 0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided; 130 interrupted by Ctrl-C.
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
-    from lagsolve.bounds import bounded
     from lagsolve.progress_line import stage_shown
+    from lagsolve.time_and_memory import bounded
 
     gc.disable()
     with stage_shown() as on_stage, bounded(timeout, memory):

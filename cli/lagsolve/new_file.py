@@ -1,9 +1,8 @@
 """`lagsolve new`: a problem file to start from, written where there is none.
 
 The template is a small problem that solves as it stands, with every key explained: the comment on a key is its meaning
-in `lagrange.problem.keys`, followed by what the example adds. A key that is not in use is commented out by a `#`
-without a blank; a sentence has the blank. Without its `#` every such line is accepted, alone and with the others: a
-test removes them.
+in `lagrange.problem.keys`, followed by what the example adds. An unused key is commented out by `#` without a space; a
+sentence has the space. A test removes the `#`: every such line is then accepted, alone and with the others.
 """
 
 from __future__ import annotations
@@ -164,7 +163,7 @@ def create(file: str, name: str | None) -> None:
             try:
                 target.write(content)
                 target.flush()
-            except BaseException:  # a full disk, or Ctrl-C: half a template helps nobody, and would be in the way
+            except BaseException:  # a full disk, or Ctrl-C: half a template is useless, and would be in the way
                 path.unlink()
                 raise
     except FileExistsError:

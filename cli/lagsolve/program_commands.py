@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve.command_group import OK, UNDECIDED, complete_files, complete_problems, write_stderr
+from lagsolve.command_group import complete_files, complete_problems, write_stderr
 from lagsolve.course_commands import SECONDS
+from lagsolve.exit_statuses import OK, UNDECIDED
 
 if TYPE_CHECKING:
     from lagrange.explain.report import Report
@@ -66,8 +67,8 @@ def simulate(
     if until is not None and not (until > 0 and math.isfinite(until)):
         raise click.UsageError(f"--until {until:g} is not a positive time")
     ending = _ending(problem, output, (".csv", *PLOTS, PAGE))
-    from lagsolve.bounds import bounded
     from lagsolve.progress_line import stage_shown
+    from lagsolve.time_and_memory import bounded
 
     with stage_shown() as on_stage, bounded(timeout, None):
         libraries = ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
@@ -185,7 +186,7 @@ def _prepared(
     """
     gc.disable()
     from lagrange.problem.loader import read_problem
-    from lagrange.programs.prepared import in_numbers, prepared, require, require_masses, with_initial
+    from lagrange.programs.prepared import prepared, prepared_solution, require, require_masses, with_initial
     from lagrange.programs.starting import settings_of
     from lagsolve.inputs import problem_source, settings_read
     from lagsolve.solve_task import look_for_garbage_seldom
@@ -203,7 +204,7 @@ def _prepared(
     require_masses(problem)
     on_stage("solving")
     solved = _solved_for_page(with_initial(problem, given), choice)
-    return in_numbers(problem, solved.solution, choice, given, complete=complete), solved
+    return prepared_solution(problem, solved.solution, choice, given, complete=complete), solved
 
 
 def _write(result: Simulation, output: str, ending: str) -> None:

@@ -1,8 +1,8 @@
 """The line on standard error that says which stage is running, where the work takes longer than two seconds.
 
 The work announces its stages (`on_stage` of `solve`, `report` and `Examiner`); a thread that wakes up after two seconds
-writes the latest of them until the work is done, and then takes the line away. Work that is done sooner costs a thread
-that sleeps; where standard error is no terminal there is not even that.
+writes the latest of them until the work is done, and then takes the line away. Work that ends sooner costs one sleeping
+thread, or nothing where standard error is not a terminal.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ DIGITS = 5
 def report_text(simulation: Simulation, until: float, sampled: Collection[str] = (), *, by_default: bool) -> str:
     """The report, without an end of line; no line is wider than the terminal unless it has no blanks.
 
-    sampled  the names of functions that nobody has given
+    sampled  the names of functions that are not given
     """
     width = terminal_width()
     return "\n".join(wrapped(printable(line), width, "    ") for line in _lines(simulation, until, sampled, by_default))
@@ -57,7 +57,7 @@ def _lines(simulation: Simulation, until: float, sampled: Collection[str], by_de
     yield from _table(f"State at t = 0 and at t = {last:.5g} s", state)
     if start.pushed:
         yield ""
-        yield "This state would stay as it is: the motion was started a little beside it."
+        yield "This state is an equilibrium: the motion was started slightly away from it."
     if start.orbits:
         yield ""
         yield "There is an attraction: the velocities assumed are those of a nearly circular orbit."

@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from lagrange.core.records import record
-from lagsolve.command_group import OK, UNDECIDED, report_error, write_stderr
+from lagsolve.command_group import report_error, write_stderr
+from lagsolve.exit_statuses import OK, UNDECIDED
 from lagsolve.limits import WATCH_SECONDS
 from lagsolve.output import Destination, styled, write_stdout
 from lagsolve.progress_line import stage_shown
@@ -73,8 +74,8 @@ class SolveTask:
             from lagrange.explain.report import report
             from lagrange.mechanics.dynamics.motion import Method
             from lagrange.problem.loader import read_problem
-            from lagsolve.bounds import bounded
             from lagsolve.inputs import problem_source, settings_read
+            from lagsolve.time_and_memory import bounded
 
             look_for_garbage_seldom()
             on_stage("reading the problem")

@@ -1,9 +1,9 @@
-"""Files that are written: in one step, so that nobody finds half of one, and the old one stays if anything goes wrong.
+"""Writing files in one step: no reader finds half of one, and the old one stays if anything goes wrong.
 
-The text goes into a draft in the same folder, which is renamed once it is complete; the permissions of an old file
-are kept. Where no draft can be made beside it, because the folder cannot be written or the file is mounted by itself,
-an old file is written in place: that is what its owner has allowed. What is no regular file (a pipe, `/dev/stdout`) is
-written to as it is.
+The text goes into a draft in the same folder, which is renamed once it is complete; the permissions of an old file are
+kept. Where no draft can be made next to it, because the folder is not writable or the file is a mount of its own, an
+old file is overwritten in place, as its permissions allow. Anything that is not a regular file (a pipe, `/dev/stdout`)
+is written to directly.
 """
 
 from __future__ import annotations

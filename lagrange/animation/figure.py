@@ -63,8 +63,8 @@ class MovingFigure:
     moves        whether there are equations of motion
     rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
-    pushed       whether it begins a little beside an equilibrium
-    orbits       whether it begins in a nearly circular orbit that nobody has asked for
+    pushed       whether it begins slightly away from an equilibrium
+    orbits       whether it begins in a nearly circular orbit, chosen by default
     assumed      what the page takes for functions that the file leaves open
     needed       generalized forces at rest that no position changes: there is no rest unless they vanish
     driven       prescribed motions that the file leaves open, which oscillate

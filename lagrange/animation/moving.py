@@ -83,7 +83,7 @@ def _after(solution: Solution, impact: ImpulsiveMotion) -> Solution:
 
 
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
-    """The coordinates of the motion; of a rest free ones without square roots, otherwise those of the file."""
+    """The coordinates of the motion; for a rest free ones without square roots, otherwise those of the file."""
     if states is not None:
         return next(v for v in solution.views if v.name == states.name)
     return min(solution.views, key=lambda v: (v.equilibrium is None, bool(v.signs), len(v.configuration.rows)))
@@ -336,7 +336,7 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square. Then the
+        """The speeds of slip, positive in the sense that the file states; for a slip in a plane its square. Then the
         rates at which mass joins or leaves, where the equations hold only as long as it does (their kind is 3), and
         masses that vary, which are positive (4).
         """

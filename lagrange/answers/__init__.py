@@ -1,1 +1,1 @@
-"""Somebody else's equations compared with the derived ones: verdict and diagnosis."""
+"""Answers compared with the derived results: verdict and diagnosis."""

@@ -1,6 +1,6 @@
 """Answers that are right for a coordinate measured in another way: θ from the upward vertical, x to the left.
 
-The answer is rewritten with q = −q*, q* + π, π − q*, q* ± π/2 or ±π/2 − q* in place of one coordinate q, and compared
+The answer is rewritten with q = −q*, q* + π, π − q*, q* ± π/2 or ±π/2 − q* for one coordinate q, and compared
 again. Only an angle, which occurs in sines and cosines, can be measured from another direction.
 """
 

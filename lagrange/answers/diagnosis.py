@@ -91,7 +91,7 @@ def diagnosed(
     """The diagnosis of an equation, linear in the accelerations, that does not follow; None: not found.
 
     beside    whether a model explains the equation already: then only short searches are made
-    residues  the states of the system that are kept for one answer after the other
+    residues  the states of the system, kept from one answer to the next
     """
     residues = residues or Residues(system)
     try:
@@ -393,7 +393,7 @@ class _Search:
                     # A factor that moves is one that other terms have: the whole equation was multiplied by it.
                     has_own = cost == 0 and not self._direct
                     if not self._is_divided and is_divided(factor * term):
-                        continue  # a term of equations that were solved for something; nobody has forgotten it
+                        continue  # a term of equations solved for something, which was not forgotten
                     is_fixed = factor.free_symbols.isdisjoint(self._moving)
                     if has_own or is_fixed or (None, factor * term) in self._direct:
                         yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)

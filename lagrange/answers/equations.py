@@ -1,4 +1,4 @@
-"""Somebody else's equations of motion: are they right?
+"""The equations of motion of an answer: are they right?
 
 An answer is read with the names of the problem only, and compared as a system, by its solutions and not by its form:
 at random states the row spaces of [A | b], affine in the accelerations and multipliers, must agree (`comparison`). It
@@ -29,7 +29,7 @@ from lagrange.answers.readings import (
 )
 from lagrange.answers.recognition import Recognised, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
-from lagrange.answers.validity import NonzeroCondition, conditions
+from lagrange.answers.validity import NonzeroCondition, validity_conditions
 from lagrange.answers.verdicts import (
     DIVIDES_BY_ZERO,
     DOES_NOT_FOLLOW,
@@ -45,7 +45,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Decimal, Slots, base, symbols_in
 from lagrange.core.vectors import Vector
-from lagrange.expressions.latex_layout import separated
+from lagrange.expressions.latex_layout import separated_latex
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class ComparedAnswer:
 
 def compared_answer(answer: Sequence[Fragment], reference: Reference) -> ComparedAnswer:
     """The comparison of equations of motion. Raises ProblemError if there are no equations, or too many."""
-    answer = separated(answer)
+    answer = separated_latex(answer)
     if not answer:
         raise ProblemError(
             Diagnostic("no-answer", "there is no equation to check", help="give equations with -e, or in a file")
@@ -102,7 +102,7 @@ def compared_answer(answer: Sequence[Fragment], reference: Reference) -> Compare
 
 def sides_of(answer: Sequence[Fragment], reference: Reference) -> list[tuple[sp.Expr | Vector, ...]]:
     """The sides of each equation as they are written; none of one that cannot be read."""
-    return [read_answer(f, reference.scope).sides for f in separated(answer)]
+    return [read_answer(f, reference.scope).sides for f in separated_latex(answer)]
 
 
 @record
@@ -430,7 +430,9 @@ def _with_reasons(
     # A wrong answer is asked about again, with a diagnosis.
     asked = following and (diagnosing or verdict.verdict is not Verdict.WRONG)
     known = attempt.candidate.factorizations
-    nonzero = conditions([e for _, e in following], known, complete=complete) if asked else [()] * len(following)
+    nonzero = (
+        validity_conditions([e for _, e in following], known, complete=complete) if asked else [()] * len(following)
+    )
     for (n, _), own in zip(following, nonzero, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))

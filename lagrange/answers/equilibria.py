@@ -1,4 +1,4 @@
-"""Somebody else's equilibria: are they right, and all of them?
+"""The equilibria of an answer: are they right, and complete?
 
 An answer is a system of equations, or several alternative ones: nested lists in a file, `theta = 0 or theta = pi` in
 one equation. It is compared with the equilibria in the file's coordinates and in every choice
@@ -142,7 +142,7 @@ def check_equilibria(
     return replace(best, notes=notes)
 
 
-def check_steady(
+def check_steady_answers(
     alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict:
     """The verdict on steady motions.
@@ -192,7 +192,7 @@ def _on_one_side(
 
 
 def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Expr], str]]:
-    """What changes a steady motion into one that a book does not state beside it, and the remark on that."""
+    """What changes a steady motion into one that a book leaves implicit, and the remark on that."""
     opposite = {v: -v for v in reference.scope.slots.velocities}
     yield opposite, "the same motion in the opposite sense is taken to be meant as well"
     for configuration in (c.system.configuration for c in reference.candidates):
@@ -273,7 +273,7 @@ def explained_equilibria(
     reference: Reference,
     problem: Problem | None = None,
 ) -> str:
-    """Of which changed problem the wrong alternatives give the equilibria, in a sentence; empty if not found."""
+    """The changed problem whose equilibria the wrong alternatives are, in a sentence; empty if not found."""
     try:
         with allowed(UNITS_OF_EXPLAINING):
             return _explained(alternatives, equilibria, reference, problem)
@@ -385,7 +385,7 @@ def _verdict_of(
 
 
 def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list[tuple[Reading, ...]]]]:
-    """One equation f(q) = a of one alternative with 1/a, or with a factor more or less, in place of a."""
+    """One equation f(q) = a of one alternative with 1/a, or with a factor more or less, instead of a."""
     if len(wrong) != 1 or len(wrong[0]) != 1 or len(wrong[0][0].components) != 1 or len(wrong[0][0].sides) != 2:
         return
     [reading] = wrong[0]
@@ -524,7 +524,7 @@ def _with_right_decimals(
     comparison: EquilibriumComparison,
     rewritten: Callable[[sp.Expr], list[sp.Expr]],
 ) -> tuple[list[list[tuple[sp.Expr, ...]]], list[str]]:
-    """The equations with the numbers at an equilibrium in place of the decimals that round them, and remarks."""
+    """The equations with the numbers at an equilibrium instead of the decimals that round them, and remarks."""
     meant: list[list[tuple[sp.Expr, ...]]] = []
     remarks = []
     for alternative, equations in zip(readings, systems, strict=True):

@@ -10,7 +10,7 @@ as a set of points with the equilibria of a configuration:
 Both sides are solved (`branching`) and substituted into the other, exactly: points are never matched one by one, since
 which of two solutions is which may depend on the signs of parameters. An equation holds at one of several points, or a
 point satisfies one of several alternatives, if the product of their residuals vanishes. Angles count modulo 2π: θ = π
-means (cos θ, sin θ) = (−1, 0); of an angle that also occurs outside sines and cosines the value itself is substituted.
+means (cos θ, sin θ) = (−1, 0); for an angle that also occurs outside sines and cosines the value itself is substituted.
 What has no closed form is compared by its factors, or on the surfaces that the equations define.
 """
 
@@ -43,7 +43,7 @@ from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
 from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
-from lagrange.mechanics.equilibrium.searched.covered import are_covered
+from lagrange.mechanics.equilibrium.searched.stated_in_numbers import are_covered
 from lagrange.mechanics.equilibrium.within_ranges import is_outside
 
 RESTATED = "it restates a constraint"
@@ -146,7 +146,7 @@ class EquilibriumComparison:
         return [(n, p) for n, p in self.points if not is_outside(p, ranges, self.solution)]
 
     def _is_pole(self, b: Branch) -> bool:
-        """Whether all points of a branch are among those that were left out as poles."""
+        """Whether all points of a branch are among those that were omitted as poles."""
         poles = [p for pole in self.equilibrium.poles for p in pole.points]
         return bool(b.points) and not b.left and all(any(self._is_at(p, q) for q in poles) for p in b.points)
 

@@ -117,10 +117,13 @@ class Examiner:
                 equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
                 return self.check_answers(words, equations)
             if only_words:
-                from lagrange.answers.questions.texts.stability_alone import check_stability, is_about_stability
+                from lagrange.answers.questions.texts.stability_alone import (
+                    check_stability_sentences,
+                    is_about_stability,
+                )
 
                 if all(is_about_stability(f.text) for f in answer):
-                    verdict = check_stability(answer, self.solution, self._statics_reference)
+                    verdict = check_stability_sentences(answer, self.solution, self._statics_reference)
                     if verdict is not None:
                         return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (verdict,))
                 answer = as_asked(answer, self.solution) or answer
@@ -129,9 +132,9 @@ class Examiner:
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         from lagrange.answers.questions.in_text import judged_in_text
-        from lagrange.answers.written.lines import separated
+        from lagrange.answers.written.lines import separated_lines
 
-        answer = separated(answer)
+        answer = separated_lines(answer)
         return (
             self._compared(answer) if self.solution is None else judged_in_text(answer, self.solution, self._compared)
         )
@@ -139,7 +142,7 @@ class Examiner:
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
         from lagrange.answers.questions.texts.at_release import is_about_release
-        from lagrange.answers.questions.virtual_work import with_conditions
+        from lagrange.answers.questions.virtual_work import with_stated_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
         from lagrange.answers.written.prose import without_prose
         from lagrange.answers.written.working import Working, understood
@@ -166,7 +169,7 @@ class Examiner:
                 raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
             working = Working(tuple(answer))
         if solution is not None and not moving:
-            working = with_conditions(working, solution)
+            working = with_stated_conditions(working, solution)
         at_rest = solution is not None and (
             solution.own.motion is None or not _moves(working.judged, self._statics_reference.scope)
         )
@@ -240,14 +243,14 @@ class Examiner:
 
     def _statics(self, working: Working, solution: Solution) -> Judgement:
         from lagrange.answers.questions.stability_in_text import with_stability
-        from lagrange.answers.questions.statics import check_statics
+        from lagrange.answers.questions.statics import check_statics_answers
         from lagrange.answers.written.judging import verdict_on
 
         kinds = (True, False)
 
         def check(equations: Sequence[Fragment], _: bool) -> AnswerVerdict:
             nonlocal kinds
-            verdict, *shown = check_statics(equations, solution)
+            verdict, *shown = check_statics_answers(equations, solution)
             kinds = (shown[0], shown[1])
             return verdict
 
@@ -321,18 +324,18 @@ class Examiner:
 
     def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> Judgement:
         """The verdict on answers to all questions; `more` are equations beside them. Raises ProblemError."""
-        from lagrange.answers.written.lines import separated
+        from lagrange.answers.written.lines import separated_lines
 
         solution, equations = self.solution, (*answers.equations, *more)
         listed: tuple[AnswerVerdict, ...] = ()
         if solution is not None and solution.own.motion is None and len(answers.equilibrium) == 1:
             [flat] = answers.equilibrium
-            stated = separated(with_all_values(flat, solution.problem.scope.names()))
+            stated = separated_lines(with_all_values(flat, solution.problem.scope.names()))
             if [f.text for f in stated] != [f.text for f in flat]:  # `theta = 0, theta = pi` is as in a text
                 listed = (replace(self._compared(stated).equations, name="equilibrium"),)
                 answers = replace(answers, equilibrium=())
         if len(answers.steady) == 1:  # `v^2 = g r, v = r phi'`
-            answers = replace(answers, steady=(tuple(e for f in answers.steady[0] for e in separated([f])),))
+            answers = replace(answers, steady=(tuple(e for f in answers.steady[0] for e in separated_lines([f])),))
         others = (
             tuple(_nothing_to_compare(answers))
             if solution is None
@@ -357,9 +360,9 @@ class Examiner:
         if not answers.equations and others:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         if solution.linear_motion is not None:
-            from lagrange.answers.questions.linear_motion import check_linear_motion
+            from lagrange.answers.questions.linear_motion import check_linear_motion_answers
 
-            return self._judgement(check_linear_motion(answers.equations, solution), others)
+            return self._judgement(check_linear_motion_answers(answers.equations, solution), others)
         return self._judgement(check_equations(answers.equations, self.reference), others)
 
     def revealed(self, judgement: Judgement) -> tuple[sp.Expr, ...]:
@@ -390,7 +393,7 @@ class Examiner:
 _WORD = re.compile(r"[^\W\d]\w*")
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 _UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED)
-"""Diagnoses of equilibria that say no more than that they are wrong."""
+"""Diagnoses of equilibria that say only that they are wrong."""
 
 
 def _letters(text: str) -> set[str]:

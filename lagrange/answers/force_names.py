@@ -32,7 +32,7 @@ class ForceMeaning:
     remark: str
 
 
-def meanings(reaction: Reaction) -> tuple[ForceMeaning, ...]:
+def meanings_of_force(reaction: Reaction) -> tuple[ForceMeaning, ...]:
     """What the name of one reaction may stand for, the meaning of the derivation first."""
     name, single = reaction.force.name, reaction.single
     same = ForceMeaning(sp.S.One, "")
@@ -75,7 +75,7 @@ def other_readings(newton: Newton | None, used: Collection[str]) -> Iterator[Nam
     First those in which all names have the same kind of meaning, then those in which fewer of them differ.
     """
     named = [r for r in newton.reactions if r.given is not None and r.force.name in used] if newton else []
-    kinds = [meanings(r) for r in named]
+    kinds = [meanings_of_force(r) for r in named]
     choices = sorted(product(*(range(len(k)) for k in kinds)), key=_order)
     for choice in islice((c for c in choices if any(c)), MOST_MEANINGS):
         taken = {r.force: k[n] for r, k, n in zip(named, kinds, choice, strict=True) if n}

@@ -4,10 +4,10 @@
     2  Look at a force term (without velocities and accelerations).
     3  This is the equation for gravity that acts the other way. One change makes it right: the sign of the term m*g.
 
-At most two things are said, the cause and then the place. The cause is the first that is known of: terms of different
+At most two things are said, the cause and then the place. The cause is the first that applies of: terms of different
 dimensions; a wrong model (the first of its table that makes these equations); another way of measuring a coordinate;
 what the equation is instead. If gravity or a force that acts the other way makes the same equations as a coordinate
-measured the other way, nobody can tell which was meant, and both are named. The place is the one term whose change
+measured the other way, there is no telling which was meant, and both are named. The place is the one term whose change
 makes the equation right, with the sign that it has on its side of the answer.
 """
 

@@ -1,7 +1,7 @@
 """Bounds and numbers of random states in checking answers, each with its evidence.
 
 "Shipped" refers to the 129 problems in `problems/`, 74 of them with equations of motion. Outside these bounds nothing
-is guessed: an answer is refused with a message, a diagnosis is left out, or a condition is given without its factor.
+is guessed: an answer is refused with a message, a diagnosis is omitted, or a condition is given without its factor.
 """
 
 # What an answer may be
@@ -35,7 +35,7 @@ BRANCHING_STATES = 12
 """States in a prime field if there are roots or absolute values, whose branches are random at each state (7 of 74).
 
 A change that is right on one branch only passes with probability 2^-12. With six states and two real ones, a verdict
-was wrong in one run of a hundred: |φ'| in place of φ' passed.
+was wrong in one run of a hundred: |φ'| instead of φ' passed.
 """
 
 REAL_STATES = 4

@@ -77,11 +77,11 @@ class Score:
     def lines(self) -> Iterator[str]:
         """The total, then each part, for a person."""
         undecided = "" if self.settled else ", and what is undecided"
-        yield f"points: {in_words(self.points)} of {in_words(self.possible)}{undecided}"
+        yield f"points: {points_in_words(self.points)} of {points_in_words(self.possible)}{undecided}"
         if len(self.parts) > 1:
             for p in self.parts:
                 name = p.part.replace("_", " ")
-                yield f"  {name}: {in_words(p.points)} of {in_words(p.possible)} ({p.verdict})"
+                yield f"  {name}: {points_in_words(p.points)} of {points_in_words(p.possible)} ({p.verdict})"
 
 
 def as_number(points: Fraction) -> int | float:
@@ -89,7 +89,7 @@ def as_number(points: Fraction) -> int | float:
     return int(points) if points.denominator == 1 else round(float(points), 2)
 
 
-def in_words(points: Fraction) -> str:
+def points_in_words(points: Fraction) -> str:
     """Points with at most two decimals: `7`, `2.5`, `3.33`."""
     return f"{as_number(points):g}"
 

@@ -16,13 +16,13 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.force_names import meanings, other_readings
+from lagrange.answers.force_names import meanings_of_force, other_readings
 from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.limits import LONGEST_COMPARED_REACTION
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, remark_on, rounded, rounded_in_motion
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to, remark_on, rounded_in_motion
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
 from lagrange.core.symbols import base
@@ -53,7 +53,9 @@ def check_reaction(
     claims = [zero for zero, _ in _claims(fragment, reaction, reference)]
     if "=" in fragment.text and reaction.given is not None:
         claims = [
-            zero.xreplace({reaction.force: m.ratio * reaction.force}) for zero in claims for m in meanings(reaction)
+            zero.xreplace({reaction.force: m.ratio * reaction.force})
+            for zero in claims
+            for m in meanings_of_force(reaction)
         ]
     for zero in claims:
         for candidate in reference.candidates:
@@ -153,7 +155,7 @@ def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
     multiplier, single = reaction.multiplier, reaction.single
     force = multiplier if single is None else single.factor * multiplier
     if reaction.given is not None:
-        yield from ((meaning.ratio * force, meaning.remark) for meaning in meanings(reaction))
+        yield from ((meaning.ratio * force, meaning.remark) for meaning in meanings_of_force(reaction))
         return
     is_tension = single is not None and single.kind is ForceKind.TENSION
     if not is_tension:
@@ -383,6 +385,6 @@ class StatedReactionsAtRest:
                 places = [*r.points.values_at(meant)]
             except NotAlgebraicError:
                 return False
-            if any(rounded([e.xreplace(values) for e in at], r.points.around) is None for at in places):
+            if any(numbers_rounding_to([e.xreplace(values) for e in at], r.points.around) is None for at in places):
                 return False
         return True

@@ -291,7 +291,7 @@ def _reference_of(same: Identical) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    values = values_of(problem)
+    values = parameter_values(problem)
     certain = _settled(solution)
     plain = [replace(c, values=values, certain=certain, starts=_start_of(c, solution)) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
@@ -525,7 +525,7 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
     return System(replace(configuration, constrained=constrained), equations, system.multipliers)
 
 
-def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+def parameter_values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
     """The numbers that a file gives to parameters."""
     return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 

@@ -33,7 +33,7 @@ from lagrange.answers.questions.texts.values_alone import is_expressions, with_s
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.in_words import stated_in_words
-from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
+from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined_lines
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.macros import macros_of, with_macros
 from lagrange.answers.written.notation.markup import (
@@ -271,7 +271,7 @@ def _of_block(
     labels: frozenset[int],
 ) -> Iterator[Fragment]:
     """The equations in lines between empty ones."""
-    for start, end in joined(lines):
+    for start, end in joined_lines(lines):
         line = fragment.text[start:end]
         if cells := cells_of_row(line):
             for a, b in cells:

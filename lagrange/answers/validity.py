@@ -61,7 +61,7 @@ class NonzeroCondition:
 
 
 class Factorizations:
-    """The factors of what occurs in the equations of one system, kept for one answer after the other.
+    """The factors of what occurs in the equations of one system, kept from one answer to the next.
 
     never  the factors by which the derived equations divide
     """
@@ -118,7 +118,7 @@ class Factorizations:
         return multiplied(shared, {_signed(rest): 1})
 
 
-def conditions(
+def validity_conditions(
     equations: Sequence[sp.Expr], known: Factorizations, *, complete: bool = True
 ) -> list[tuple[NonzeroCondition, ...]]:
     """The conditions for each of several independent equations, each zero, that follow from a system.
@@ -234,7 +234,7 @@ class _Validity:
     def _determinant(self, mixed: Sequence[int]) -> Factors:
         """The factors of det C for a complete answer; a multiple of one E_k counts as E_k, which leaves the mixed rows.
 
-        If the answer has eliminated the multipliers, their columns are left out, and det C is known up to factors of
+        If the answer has eliminated the multipliers, their columns are omitted, and det C is known up to factors of
         det A.
         """
         rows = [e if n in mixed else self.system.equations[self.combinations[n].parts[0]]

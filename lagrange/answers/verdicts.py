@@ -52,7 +52,7 @@ WORST_TO_BEST = (
     Verdict.INCOMPLETE,
     Verdict.EQUIVALENT,
 )
-"""Of the verdicts in several sets of coordinates, the best counts."""
+"""The best of the verdicts in several sets of coordinates."""
 
 NOT_JUDGED = "not judged, because another equation is unreadable"
 DIVIDES_BY_ZERO = "it divides by an expression that is exactly zero"

@@ -5,7 +5,7 @@
     grade.require()      # an AssertionError with the feedback, where it is not right: a test of Otter
     print(grade)         # the feedback
 
-Nothing about an answer is an exception: what cannot be read has no points, and the feedback says why. The feedback
+No answer raises an exception: what cannot be read earns no points, and the feedback says why. The feedback
 never contains the equations asked for; at hint level 1 it only says which equations are wrong.
 """
 

@@ -74,7 +74,7 @@ class SimulatedMotion:
 
     @property
     def assumed(self) -> Mapping[str, float]:
-        """The numbers that nobody has given."""
+        """The numbers that are not given."""
         return self.simulation.start.assumed
 
     @property

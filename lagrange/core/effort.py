@@ -7,9 +7,9 @@ What is counted is the same on every machine: a unit is one operand of a sum or 
 nodes of an expression evaluated at a random point, or two terms of a Fourier sum. Whatever expands, differentiates,
 solves or substitutes ends up in these; 10,000 to 20,000 units take a second. SymPy has no such count, so its
 `Add.flatten` and `Mul.flatten`, through which every sum and product passes, report here from the first allowance on;
-outside of one they report to nobody.
+outside of one their reports are ignored.
 
-GivenUpError is no `Exception`, so that nothing on its way takes it for one of its own; the stages of `solve` catch it,
+GivenUpError is not an `Exception`, so that no handler on the way catches it by mistake; the stages of `solve` catch it,
 and keep what is known by then. A limit of time (`--timeout`) raises the same.
 """
 

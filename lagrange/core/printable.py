@@ -1,11 +1,11 @@
-"""Text of a stranger, made safe to print: every text of a file that is shown goes through this module.
+"""Untrusted text made safe to print: every text from a file that is shown goes through this module.
 
 What a file says may contain characters that steer a terminal (escape sequences, also in their one-character C1 forms),
 reverse the order in which a line is read, hide between two letters, or cannot be written at all (half of a pair of
 surrogates). Nothing of the kind leaves the program:
 
     visible      messages: each such character is a box, so that columns and carets stay where they are
-    one_line     the same in one line, and not without end: a sentence of a message, a cell of a table
+    one_line     the same in one line, and of bounded length: a sentence of a message, a cell of a table
     printable    pages: one line; control and format characters are dropped, since titles come with soft hyphens
     json_text    JSON: written as `\\u001b`, so that nothing is lost
 """

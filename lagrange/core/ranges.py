@@ -1,7 +1,7 @@
 """Signs of functions of parameters that have a range: the sine and the cosine of an acute angle are positive.
 
 A sine, cosine or tangent of Σ c_i α_i + b keeps its sign between two neighbouring zeros, and Σ c_i α_i + b itself is
-looked at over the whole range. At an end that belongs to the range and where the function vanishes, nothing is said.
+considered over the whole range. At an end of the range where the function vanishes it has no sign.
 """
 
 from __future__ import annotations

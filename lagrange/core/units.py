@@ -185,14 +185,14 @@ def unit_of_dimension(dimension: Dimension) -> str:
 
 def unit_called(dimension: Dimension, is_angle: bool = False) -> str:
     """The unit of SI with a dimension, `N m` or `s^-1`; rad for an angle, and empty for a number."""
-    called = in_si(Unit(sp.S.One, dimension, is_angle))
+    called = si_unit(Unit(sp.S.One, dimension, is_angle))
     if called == "1":
         return ""
     inverse = re.fullmatch(r"1/(\w+)(?:\^(\d+))?", called)
     return f"{inverse[1]}^-{inverse[2] or 1}" if inverse else called
 
 
-def in_si(unit: Unit) -> str:
+def si_unit(unit: Unit) -> str:
     """The unit of SI with the dimension of a unit, as engineers write it: N for kN, rad for deg, rad/s for rpm."""
     plain = _named_dimensions().get(unit.dimension) or unit_of_dimension(unit.dimension)
     if not unit.is_angle:

@@ -3,7 +3,7 @@
 The name of a symbol is its text form and determines its spelling: theta_1'' is the letter theta with index 1 and two
 dots, d(x) the differential of x, delta(r_P) the variation of the vector r_P. A trailing number is an index too, so that
 theta1 and theta_1 look alike. Dots go on the letter, not on the index: θ̈₁. A name of several letters that is not Greek
-stays a word, with primes in place of dots: pos″.
+stays a word, with primes instead of dots: pos″.
 
 A `Piece` is the code of an expression with its precedence, from which the walker sees where brackets are needed. The
 code of a sum is marked: START, BREAK before each sign but the first, END. From the marks a layout finds where a long

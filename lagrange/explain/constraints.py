@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.forms.integrability import PartialsComparison
+from lagrange.algebra.forms.frobenius import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table
@@ -71,7 +71,7 @@ def _explain_restriction(restriction: Restriction) -> list[Block]:
 
 
 def _explain_multiplied(form: FiniteForm) -> list[Block]:
-    """The multiplied form and its pairs of mixed partial derivatives; pairs of zeros are left out."""
+    """The multiplied form and its pairs of mixed partial derivatives; pairs of zeros are omitted."""
     factor = form.found
     telling = [p for p in factor.exactness.comparisons if p.derivatives != (0, 0)]
     more = [prose(equal(p), detail=Detail.FULL) for p in telling[SHOWN_PAIRS:]]

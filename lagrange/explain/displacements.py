@@ -191,7 +191,7 @@ def solved_displacements(elimination: Elimination, configuration: Configuration)
     blocks: list[Block] = []
     if solved and not all(_is_evident(row) for row in configuration.rows):
         long = any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values())
-        pivots = conditions(elimination)
+        pivots = pivot_conditions(elimination)
         where: tuple[Part, ...] = (Phrase(", where ", Purpose.WHERE), *pivots, ",") if pivots else ()
         ending = plural(len(solved), " gives a long expression.", " gives long expressions.") if long else " gives"
         blocks.append(prose("Solving for ", *listed(math(d) for d in solved), *where, ending, purpose=Purpose.SOLVING))
@@ -209,7 +209,7 @@ def _is_evident(row: Row) -> bool:
     return len(nonzero) == 1 and nonzero[0].is_number
 
 
-def conditions(elimination: Elimination) -> tuple[Part, ...]:
+def pivot_conditions(elimination: Elimination) -> tuple[Part, ...]:
     """The pivots that must not vanish: `y ≠ 0 and x ≠ 0`."""
     return listed(math(p, sp.S.Zero, relation="≠") for p in elimination.pivots)
 

@@ -1,7 +1,7 @@
 """The pictures of a derivation and their places: the system, its free bodies, the coordinates of a choice.
 
 Nothing is drawn here: a picture is drawn when a renderer asks for it, and then once; one that takes too much work is
-left out. Each has a caption, and a description in words for readers who cannot see it.
+omitted. Each has a caption, and a description in words for readers who cannot see it.
 """
 
 from __future__ import annotations

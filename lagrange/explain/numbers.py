@@ -83,7 +83,7 @@ def _given(values: Values, digits: int) -> Iterator[Block]:
 
 
 def _at_positions_found(step: Step, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
-    """The reactions at rest where the equilibria were found in numbers, and the reactions depend on the position."""
+    """The reactions at rest where the equilibria were found numerically, and the reactions depend on the position."""
     in_numbers = solution.own.in_numbers
     if in_numbers is None or in_numbers.numerical is None or solution.own.dynamics is not None:
         return
@@ -212,7 +212,7 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
 
 
 def _frequency(equation: Equation, values: Values) -> tuple[sp.Expr, Quantity] | None:
-    """The ω of `ω² = ...`, if that is a frequency with a value that is not negative: nobody measures ω²."""
+    """The ω of `ω² = ...`, if that is a frequency with a value that is not negative: one measures ω, not ω²."""
     left, right = equation.sides[0], equation.sides[-1]
     if not isinstance(left, sp.Pow) or left.exp != 2 or not isinstance(right, sp.Expr):
         return None

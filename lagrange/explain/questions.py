@@ -304,7 +304,7 @@ def _angles(asked: Asked) -> Iterator[Math]:
 
 
 def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
-    """θ = 48.19° for cos θ = 2/3, with values put in; None where it gives no angle by its cosine or the like."""
+    """θ = 48.19° for cos θ = 2/3, with values substituted; None where it gives no angle by its cosine or the like."""
     from lagrange.values.quantities import NotRealError, is_exact, rounded, with_unit
 
     if not isinstance(b.lhs, sp.cos | sp.sin | sp.tan):

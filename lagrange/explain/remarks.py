@@ -1,4 +1,4 @@
-"""Notes on a problem that is solved as it stands, but may not be what was meant."""
+"""Notes on a problem that can be solved but may not be what was meant."""
 
 from __future__ import annotations
 

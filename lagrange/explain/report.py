@@ -60,7 +60,7 @@ from lagrange.mechanics.energy_symbols import (
 )
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
-from lagrange.mechanics.valued import values_in
+from lagrange.mechanics.solution_values import values_in
 from lagrange.problem.model import Problem
 from lagrange.problem.values import no_values
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.called import Called
+from lagrange.core.spoken_name import SpokenName
 from lagrange.core.units import NO_DIMENSION, split_number, unit_of
 from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Detail, Math, Part, Prose
@@ -40,7 +40,7 @@ def spoken(name: str) -> str:
 
 def the(name: str) -> str:
     """A particle or body as a noun: `P1`, but the ball, the left body, and the words that the file gives for it."""
-    if isinstance(name, Called) and name.words:
+    if isinstance(name, SpokenName) and name.words:
         return _with_article(name.words)
     words = spoken(name)
     if not words.islower() or len(words) == 1:
@@ -50,13 +50,13 @@ def the(name: str) -> str:
 
 def bare(name: str) -> str:
     """The same without an article, for a list: `upper particle`, `P1`."""
-    return name.words if isinstance(name, Called) and name.words else spoken(name)
+    return name.words if isinstance(name, SpokenName) and name.words else spoken(name)
 
 
 def introduced(name: str) -> str:
     """The same where it is first mentioned, with the letter of its symbols: the upper particle P1."""
     letter, called = spoken(name), the(name)
-    is_letter = isinstance(name, Called) and (len(letter) == 1 or not letter.islower())
+    is_letter = isinstance(name, SpokenName) and (len(letter) == 1 or not letter.islower())
     return f"{called} {letter}" if is_letter and called.startswith("the ") and letter not in called.split() else called
 
 
@@ -223,7 +223,7 @@ def at_start(state: Iterable[Substituted]) -> tuple[Part, ...]:
 
 
 def in_decimals(value: sp.Expr) -> sp.Expr:
-    """0.7 for 7/10, which nobody writes for the state at t = 0; 1/2 and 2/3 as they are."""
+    """0.7 for 7/10, as the state at t = 0 is usually written; 1/2 and 2/3 as they are."""
     if not isinstance(value, sp.Rational) or value.q % 5 or DECIMALS % value.q:
         return value
     from lagrange.values.quantities import rounded

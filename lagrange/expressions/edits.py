@@ -22,7 +22,7 @@ _OPENING, _CLOSING = "([{", ")]}"
 
 @record
 class Rewritten(OneEquation):
-    """A fragment in place of another, `outer`; its character n comes from position `places[n]` there.
+    """A fragment that replaces another, `outer`; its character n comes from position `places[n]` there.
 
     latex  whether it is in LaTeX even where it has neither a backslash nor a `$`
     """
@@ -47,7 +47,7 @@ class Draft:
         self._places: list[int] = list(range(len(fragment.text) + 1))
 
     def apply(self, edits: Iterable[Edit]) -> bool:
-        """Make edits; one that overlaps those before it is left out. Whether there was any."""
+        """Make edits; one that overlaps those before it is omitted. Whether there was any."""
         pieces: list[str] = []
         places: list[int] = []
         at = 0

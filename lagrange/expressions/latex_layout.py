@@ -2,7 +2,7 @@ r"""The equations in a piece of LaTeX: between `$`, in environments, in rows tha
 
 An equation is a range of characters of the text, delimited by marks and not rewritten, so that places in it remain
 places in the text. A row that begins with `=`, or with a sign and has no `=`, continues the row before it. Labels and
-numbers, punctuation and words next to an equation are left out. One pass over the text collects the marks; everything
+numbers, punctuation and words next to an equation are omitted. One pass over the text collects the marks; everything
 else works on them.
 """
 
@@ -106,7 +106,7 @@ def is_latex(fragment: Fragment) -> bool:
     return certain or "\\" in fragment.text or "$" in fragment.text
 
 
-def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
+def separated_latex(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text in LaTeX may have several."""
     return tuple(e for fragment in answer for e in equations(fragment))
 

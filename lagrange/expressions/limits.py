@@ -11,7 +11,7 @@ MAX_CHARACTERS = 10_000
 """Characters of an expression. Lexing and parsing are linear in them; largest in use: 97."""
 
 MAX_ANSWER_CHARACTERS = 2_000
-"""Characters of a student's equation: a batch has thousands of them, and nobody vouches for them. In use: 177."""
+"""Characters of a student's equation: a batch has thousands of them, from unknown authors. In use: 177."""
 
 MAX_NESTING = 60
 """Depth of brackets, exponents and functions. The LaTeX lexer recurses most, with seven or eight Python frames a level:

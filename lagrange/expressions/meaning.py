@@ -2,7 +2,7 @@
 
 Numbers are exact. x' and diff(e, t) are total time derivatives, diff(e, x) is a partial one, all carried out at once;
 the partial derivative of an undefined function with respect to its argument X stays as it is, ∂f/∂X. d(x) and delta(x)
-are the symbols dx and δx; of an abbreviation or a vector they are carried out, Σ (∂e/∂q) dq.
+are the symbols dx and δx; for an abbreviation or a vector they are carried out, Σ (∂e/∂q) dq.
 
 A vector is a linear combination of unit vectors, or a list of components. Where a vector is expected and a file
 declares `k` (or `i`, `j`) as a scalar, the name means the scalar inside component lists, arguments of scalar functions,
@@ -341,7 +341,7 @@ class TextMeaning:
         return None
 
     def _differential(self, call: Call) -> sp.Expr:
-        """d(x) and delta(x); of an abbreviation, Σ (∂e/∂q) dq."""
+        """d(x) and delta(x); for an abbreviation, Σ (∂e/∂q) dq."""
         self._check_count(call, 1, f"write `{call.name}(x)`")
         inner = call.arguments[0]
         given = self.quasi_variation(call)

@@ -192,7 +192,7 @@ class _Reading:
         return self.equation()
 
     def texts(self) -> list[str]:
-        """The texts of the tokens; hidden brackets are left out."""
+        """The texts of the tokens; hidden brackets are omitted."""
         return [w.text for w in self._tokens if w.kind is not TokenKind.END and not w.hidden]
 
     def _tree(self) -> Tree:

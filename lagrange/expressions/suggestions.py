@@ -97,7 +97,7 @@ def _alike(name: str, scope: Scope) -> str:
 
 
 def _rate(name: str, scope: Scope) -> str:
-    """x' for x_dot, xdot, x_ddot; of a coordinate also for xd and xdd."""
+    """x' for x_dot, xdot, x_ddot; for a coordinate also for xd and xdd."""
     for suffix, order in _RATES:
         stem = name.removesuffix(suffix).rstrip("_")
         known = scope.scalar(stem) is not None if "o" in suffix else scope.role(stem) is Role.COORDINATE

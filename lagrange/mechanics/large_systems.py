@@ -1,7 +1,7 @@
 """The stages for a system whose virtual displacements are too long to be solved for, such as a bicycle.
 
 Nothing is eliminated in symbols then. The constraints are classified at random points; the equations of motion are
-those with multipliers, in abbreviations; about a motion that `initial` gives they are made linear in numbers.
+those with multipliers, in abbreviations; about a motion that `initial` gives they are linearized numerically.
 """
 
 from __future__ import annotations
@@ -67,14 +67,14 @@ def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> 
 
 def _with_rest(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the position of equilibrium near the one that the file gives."""
-    from lagrange.mechanics.equilibrium.checks import check_statics
-    from lagrange.mechanics.nearby.rest_in_numbers import check_rest, rest_in_numbers
+    from lagrange.mechanics.equilibrium.checks import require_statics
+    from lagrange.mechanics.nearby.rest_in_numbers import check_rest_in_numbers, rest_in_numbers
 
     on_stage("equilibrium")
     problem, configuration = solution.problem, solution.own.configuration
-    check_statics(problem, configuration)
+    require_statics(problem, configuration)
     rest = rest_in_numbers(problem, configuration)
-    return replace(solution, rest_in_numbers=rest, checks=(*solution.checks, *check_rest(rest)))
+    return replace(solution, rest_in_numbers=rest, checks=(*solution.checks, *check_rest_in_numbers(rest)))
 
 
 def with_long_reactions(solution: Solution) -> Solution:

@@ -27,6 +27,7 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
 from lagrange.core.units import NO_DIMENSION, unit_of_dimension
+from lagrange.mechanics.circular_motion import Turning, turning
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates
 from lagrange.mechanics.limits import (
     LONGEST_LIMIT,
@@ -38,7 +39,6 @@ from lagrange.mechanics.limits import (
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import without_given_rates
-from lagrange.mechanics.turning import Turning, turning
 from lagrange.problem.model import Friction, Keeper
 from lagrange.values.dimensions import dimension, dimensions_of_units
 

@@ -143,9 +143,9 @@ def _stages(
     """The stages after the constraints, as the file asks for them. blank: the solution before them."""
     rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
-        from lagrange.mechanics.equilibrium.checks import check_statics
+        from lagrange.mechanics.equilibrium.checks import require_statics
 
-        check_statics(problem, blank.own.configuration)
+        require_statics(problem, blank.own.configuration)
     if Find.MOTION in problem.find:
         yield lambda s: _with_motion(s, complete, method, on_stage)
     if problem.speeds:
@@ -452,7 +452,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.searched.places import with_search
-    from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
+    from lagrange.mechanics.equilibrium.springs_at_rest import with_spring_forces
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
     problem, own = solution.problem, solution.own

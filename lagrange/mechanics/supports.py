@@ -7,8 +7,9 @@ two such points, in a plane,
 
     R_1 n_1 + R_2 n_2 + Σ F = 0
 
-determines both forces. The balance of moments, Σ r × F + R_1 r_1 × n_1 + R_2 r_2 × n_2 = 0, is then one equation more
-than unknowns: it must hold at every equilibrium that virtual work has found, and where it does not, nothing is said.
+determines both forces. The balance of moments, Σ r × F + R_1 r_1 × n_1 + R_2 r_2 × n_2 = 0, is then one more equation
+than there are unknowns: it must hold at every equilibrium that virtual work has found; where it does not, no force is
+stated.
 """
 
 from __future__ import annotations

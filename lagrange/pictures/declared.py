@@ -19,6 +19,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, ou
 from lagrange.pictures.limits import CURVE_STEPS, SAME_ON_PAGE, SURFACE_FACES
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, overlapping, toward
 from lagrange.pictures.solids import LIGHT, Solids
+from lagrange.pictures.springs_dampers import draw_damper, draw_spring
 from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View
 from lagrange.problem.model import Drawn, FigureCircle, FigureCurve, FigureLine, FigureMark
@@ -123,7 +124,7 @@ class DeclaredParts:
             else [self.page(self.system.at(p)) for p in line.places if not isinstance(p, str)]
         )
         if line.kind in (Drawn.SPRINGS, Drawn.DAMPERS):
-            (self.sketch.spring if line.kind is Drawn.SPRINGS else self.sketch.damper)(points[0], points[-1])
+            (draw_spring if line.kind is Drawn.SPRINGS else draw_damper)(self.sketch, points[0], points[-1])
         elif line.kind is Drawn.OUTLINES:
             self.sketch.face(points, LIGHT)
         elif line.kind is Drawn.GROUND:

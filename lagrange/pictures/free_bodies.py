@@ -1,4 +1,4 @@
-"""Free-body diagrams: each particle and body by itself, with an arrow for every force and moment on it.
+"""Free-body diagrams: each particle and body on its own, with an arrow for every force and moment on it.
 
 An applied force has its direction in the position drawn; an unknown reaction has the direction in which it is positive.
 All arrows have the same length: magnitudes are not drawn. Forces with nearly the same point and direction are shifted

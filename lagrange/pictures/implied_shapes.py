@@ -1,9 +1,9 @@
 """Shapes of bodies whose file gives none, from what it does give: the moments of inertia about the mass centre.
 
 A uniform disc has m R²/2, a ring m R², a sphere 2/5 m R², a shell 2/3 m R², a rod of length 2a has m a²/3 and one of
-length l has m l²/12, across. So the number in front of m times a square tells the shape, and the square its size. A
-rod lies along the line from its mass centre to a point at which it is held. A body that is a top in words, and whose
-mass centre is on its axis of symmetry at a constant distance from O, is a cone that stands there.
+length l has m l²/12, across. So the number in front of m times a square tells the shape, and the square its size. A rod
+lies along the line from its mass centre to a point at which it is held. A body that the text calls a top, with its mass
+centre on its axis of symmetry at a constant distance from O, is a cone with its tip there.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.pictures.floats import NoValueError, inner, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
-from lagrange.pictures.shapes import own_coordinates, plane_rotation
+from lagrange.pictures.shapes import coordinates_in_body, plane_rotation
 from lagrange.pictures.systems import SystemPicture, is_string
 from lagrange.problem.model import BodyShape, Outline
 
@@ -111,7 +111,7 @@ def _along(system: SystemPicture, p: MassPoint, rotation: Rotation) -> Vector | 
     """The unit vector along a rod: towards the points at which it is held, or else its first axis."""
     held = list(system.shapes[p.name].held)
     places = [*system.joints.get(p.name, ()), *system.marked.get(p.name, ()), *system.fastened.get(p.name, ())]
-    held += [own_coordinates(system.pose, rotation, p.position, place) for place in places]
+    held += [coordinates_in_body(system.pose, rotation, p.position, place) for place in places]
     held = [h for h in held if math.hypot(*h) > SAME_ON_PAGE]
     e1, e2 = rotation.axes[0].fixed(), rotation.axes[1].fixed()
     if not held:

@@ -2,9 +2,9 @@
 
 A bob at l sin θ i − l cos θ j has no constraint, and so no rod that `rods` could draw. But when θ changes alone it
 moves on a circle: about a fixed point or another particle, at a distance that no coordinate changes. What keeps it
-there is a rod or a string if the text speaks of such a thing; otherwise it may as well be a hoop, and nothing is drawn.
-A coordinate that is called the length of a rope is one. A string x + y = L runs from weight to weight over pulleys
-where x and y begin. A particle with one coordinate, which moves on no circle or line, stays on a curve.
+there is a rod or a string if the text mentions one; otherwise it may as well be a hoop, and nothing is drawn. A
+coordinate that is called the length of a rope is one. A string x + y = L runs from weight to weight over pulleys where
+x and y begin. A particle with one coordinate, which moves on no circle or line, stays on a curve.
 """
 
 from __future__ import annotations

@@ -53,5 +53,5 @@ SAME_SHAPE = 1e-6
 """The same for radii: looser than for positions, as errors grow in the quotient by R²."""
 
 SAME_ON_PAGE = 1e-6
-"""Centimetres by which two places on the page may differ that are one: nobody sees a micrometre, and the constraints
+"""Centimetres by which two places on the page that are one may differ: a micrometre is invisible, and the constraints
 hold to 1e-11."""

@@ -1,6 +1,7 @@
 """The forces and moments on one particle or body, as arrows with labels, and the curve on which a constraint keeps it.
 
-The arrows on a free body must add up to its applied force; if one would be missing, there is no picture.
+The arrows on a free body must add up to its applied force; if one would be missing, there is no picture. `Arrows` draws
+the applied forces, the blows of an impact and gravity into a picture of the system.
 
 The curve f(a, b) = 0 of a particle with the coordinates a, b has the direction (−∂f/∂b, ∂f/∂a). It is traced from the
 particle in small steps, each brought back onto the curve by Newton's iteration, until it leaves the picture or closes.
@@ -9,7 +10,8 @@ particle in small steps, each brought back onto the curve by Newton's iteration,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 
 import sympy as sp
 
@@ -23,12 +25,13 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Load
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.newton import FreeBody
-from lagrange.pictures.floats import FloatVector, NoValueError, minus, projected, unit, value
+from lagrange.pictures.floats import FloatVector, NoValueError, minus, plus, projected, unit, value
 from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE_STEPS
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, plane_rotation, reaction_point
+from lagrange.pictures.sketch import Sketch, beyond, scaled, toward
 from lagrange.pictures.systems import SystemPicture, ends_of, with_other_values
-from lagrange.problem.model import Friction
+from lagrange.problem.model import AppliedForce, Friction
 
 
 def constraint_curve(
@@ -281,3 +284,78 @@ def _times_size(unknown: sp.Symbol, direction: Vector | None) -> sp.Expr:
 def as_words(name: str) -> str:
     """A name from a problem file as it is written in a picture."""
     return name.replace("_", " ").replace(".", " ")
+
+
+# -- The arrows in a picture of a system: applied forces, the blows of an impact, and gravity beside it ----------------
+
+
+ARROW = 1.15
+"""Length of the arrows of unit vectors and loads, in centimetres."""
+
+
+class Arrows:
+    """Draws arrows into a sketch; `places` are those of particles and mass centres."""
+
+    def __init__(self, system: SystemPicture, sketch: Sketch, places: Mapping[str, FloatVector]) -> None:
+        self.system = system
+        self.sketch = sketch
+        self.places = places
+        self.pose = system.pose
+        self.page = system.page
+
+    def flat(self, place: FloatVector) -> PagePoint:
+        """A place on the page."""
+        return self.page(place)
+
+    def loads(self) -> None:
+        """The applied forces."""
+        for name in self.places:
+            for acting in given_loads(self.system, name):
+                self.load(acting)
+
+    def load(self, acting: Acting) -> None:
+        """One of them; moments are not drawn."""
+        if acting.is_moment:
+            return
+        start = self.flat(plus(self.places[acting.on], acting.offset))
+        way = toward((0.0, 0.0), self.page.way(acting.vector))
+        end = beyond(start, way, ARROW)
+        self.sketch.arrow(start, end, StrokeKind.FORCE)
+        self.sketch.label(acting.label, end, way)
+
+    def impulses(self) -> None:
+        """The blows of an impact, each as an arrow that ends where it strikes."""
+        impact = self.system.problem.impact
+        drawn = {str(m.label) for m in self.system.marks}
+        for blow in impact.impulses if impact is not None else ():
+            if not isinstance(blow, AppliedForce):
+                continue
+            with suppress(NoValueError):
+                size = sp.sqrt(textbook_form(blow.vector.dot(blow.vector)))
+                if str(size) in drawn:
+                    continue
+                pose = with_other_values(self.pose, blow.vector.fixed().components)
+                way = toward((0.0, 0.0), self.page.way(pose.at(blow.vector)))
+                at = self.places[blow.on] if blow.at is None else self.system.at(blow.at)
+                start = beyond(self.flat(at), way, -ARROW)
+                self.sketch.arrow(start, self.flat(at), StrokeKind.FORCE)
+                self.sketch.label(size if size.is_Symbol else as_words(blow.name), start, scaled(way, -1.0))
+
+    def gravity(self) -> None:
+        """An arrow in the direction of gravity, to the right of the picture."""
+        field = self.system.problem.gravity
+        if field is None or field.is_zero:
+            return
+        way = self.page.way(self.pose.at(field))
+        size = sp.sqrt(textbook_form(field.dot(field)))
+        if math.hypot(*way) < 1e-9 or not size.is_Symbol:
+            return
+        way = toward((0, 0), way)
+        corners = [p for line in self.sketch.lines for p in line.points] + [d.at for d in self.sketch.dots]
+        corners += [p for _, face in self.sketch.filled for p in face.points]
+        box = Box.around(corners)
+        x = box.right + 0.75
+        start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
+        end = beyond(start, way, 0.9)
+        self.sketch.arrow(start, end, StrokeKind.AXIS)
+        self.sketch.label_beside(size, start, end)

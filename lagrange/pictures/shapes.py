@@ -147,7 +147,7 @@ def in_space(pose: Pose, rotation: Rotation, point: tuple[float, float]) -> Floa
     return plus(plus((0.0, 0.0, 0.0), pose.at(rotation.axes[0]), x), pose.at(rotation.axes[1]), y)
 
 
-def own_coordinates(pose: Pose, rotation: Rotation, centre: Vector, point: FloatVector) -> tuple[float, float]:
+def coordinates_in_body(pose: Pose, rotation: Rotation, centre: Vector, point: FloatVector) -> tuple[float, float]:
     """A point of space along the axes of the body, from its mass centre."""
     way = minus(point, pose.at(centre))
     return inner(way, pose.at(rotation.axes[0])), inner(way, pose.at(rotation.axes[1]))

@@ -1,4 +1,4 @@
-"""A picture being drawn: lines, dots, and labels to be placed; springs, walls, arcs and arrows are made of lines.
+"""A picture being drawn: lines, dots, and labels to be placed; walls, arcs and arrows are made of lines.
 
 A label goes near its anchor and on top of nothing. Labels are placed last, one after another, when all lines and dots
 are known: for each distance from near to far, directions are tried in turn, the preferred one first, until the label
@@ -23,8 +23,6 @@ from lagrange.document.scene import FAINT, Box, Dot, Label, PagePoint, Polyline,
 PARTICLE = 0.085
 HINGE = 0.06
 """Radii of dots, in centimetres."""
-COIL = 0.16
-"""Length of one stroke of a spring, along it."""
 HATCH = 0.14
 """Distance between the strokes behind a line that does not move."""
 # Centimetres of type at 11 pt, rather too large: a label must not touch its neighbours in any font.
@@ -203,6 +201,7 @@ class Sketch:
     dots: list[Dot] = field(default_factory=list)
     wanted: list[LabelRequest] = field(default_factory=list)
     filled: list[tuple[float, Polyline]] = field(default_factory=list)
+    hinges: list[PagePoint] = field(default_factory=list)
 
     def line(self, points: Sequence[PagePoint], kind: StrokeKind, closed: bool = False) -> None:
         """A chain of straight pieces."""
@@ -219,6 +218,12 @@ class Sketch:
     def dot(self, at: PagePoint, radius: float = PARTICLE, open_: bool = False) -> None:
         """A particle."""
         self.dots.append(Dot(at, radius, open_))
+
+    def hinge(self, at: PagePoint) -> None:
+        """A hinge, once at each place."""
+        if all(apart(at, h) > 1e-3 for h in self.hinges):
+            self.hinges.append(at)
+            self.dot(at, HINGE, open_=True)
 
     def label(
         self, content: sp.Expr | str, at: PagePoint, prefer: PagePoint, clear: float = 0.0, optional: bool = False
@@ -244,32 +249,6 @@ class Sketch:
         return None if labels is None else Scene(lines, tuple(self.dots), labels)
 
     # Shapes made of lines
-
-    def spring(self, a: PagePoint, b: PagePoint) -> None:
-        """A zigzag between two straight ends, as steep in a long spring as in a short one."""
-        way, length = toward(a, b), apart(a, b)
-        side = left_of(way)
-        lead = max(min(0.25, length / 5), 0.18 * length)
-        turns = max(4, round((length - 2 * lead) / COIL))
-        step = (length - 2 * lead) / turns
-        points = [a, beyond(a, way, lead)]
-        for n in range(turns):
-            middle = beyond(a, way, lead + (n + 0.5) * step)
-            points.append(beyond(middle, side, 0.12 if n % 2 else -0.12))
-        self.line([*points, beyond(a, way, length - lead), b], StrokeKind.SPRING)
-
-    def damper(self, a: PagePoint, b: PagePoint) -> None:
-        """A piston in a cylinder."""
-        way, length = toward(a, b), apart(a, b)
-        side = left_of(way)
-        cup, piston, end = (beyond(a, way, length * part) for part in (0.42, 0.52, 0.62))
-        self.line([a, cup], StrokeKind.DAMPER)
-        self.line(
-            [beyond(end, side, 0.14), beyond(cup, side, 0.14), beyond(cup, side, -0.14), beyond(end, side, -0.14)],
-            StrokeKind.DAMPER,
-        )
-        self.line([beyond(piston, side, 0.09), beyond(piston, side, -0.09)], StrokeKind.DAMPER)
-        self.line([piston, b], StrokeKind.DAMPER)
 
     def face(
         self, points: Sequence[PagePoint], shade: int, depth: float = 0.0, kind: StrokeKind = StrokeKind.BODY

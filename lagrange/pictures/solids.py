@@ -1,4 +1,4 @@
-"""The shapes of bodies, and circles, seen from where the system is seen.
+"""The shapes of bodies, and circles, from the viewpoint of the picture.
 
 A circle with radius R about the axis a is R (u cos s + v sin s) with u, v perpendicular to a: on the page an ellipse. A
 sphere is a circle with its equator, of which the half that is hidden is dashed. A cone is the convex hull of its tip

@@ -7,7 +7,7 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -20,10 +20,8 @@ from lagrange.document.scene import Box, PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.arrows import ARROW, Arrows
 from lagrange.pictures.blocks import Blocks
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
@@ -31,7 +29,7 @@ from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
 from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
-from lagrange.pictures.loads import as_words, constraint_curve
+from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
 from lagrange.pictures.sketch import (
@@ -43,14 +41,14 @@ from lagrange.pictures.sketch import (
     farthest,
     in_line,
     left_of,
-    same_ends,
     scaled,
     touches,
     toward,
 )
 from lagrange.pictures.solids import Solids
 from lagrange.pictures.space import InSpace, constraints_in_space
-from lagrange.pictures.systems import SystemPicture, ends_of, is_string, rod_ends
+from lagrange.pictures.springs_dampers import SpringsDampers
+from lagrange.pictures.systems import SystemPicture, is_string, rod_ends
 from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
@@ -85,9 +83,7 @@ class _Drawing:
         self.sketch = Sketch()
         self.places = {p.name: self.pose.at(p.position) for p in system.configuration.points}
         self.origin = self.page((0.0, 0.0, 0.0))
-        self.hinges: list[PagePoint] = []
         self.mounts: list[PagePoint] = []
-        self.spring_ends: list[tuple[PagePoint, PagePoint]] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self, with_loads: bool, with_inferred: bool) -> None:
@@ -98,14 +94,16 @@ class _Drawing:
         if with_inferred:
             inferred.all()
         for pivot in inferred.pivots:
-            self.hinge(pivot)
+            self.sketch.hinge(pivot)
             self.mounts.append(pivot)
         blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
         if with_inferred:
             blocks.all()
         self.bodies()
-        self.links(blocks.half)
-        self.supports_of_rods()
+        springs = SpringsDampers(self.system, self.sketch, self.busy)
+        springs.draw(blocks.half)
+        self.mounts += [at for at, _ in springs.mounted]
+        self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
             self.curves()
             if with_inferred:
@@ -166,7 +164,7 @@ class _Drawing:
             self.sketch.line([second, first], StrokeKind.ROD)
             self.busy.append((second, first))
             if not rod.ends[1]:
-                self.hinge(second)
+                self.sketch.hinge(second)
                 if self.stands(rod):
                     self.mounts.append(second)
             if count_operations(rod.length) <= LONGEST_ROD_LABEL:
@@ -188,19 +186,19 @@ class _Drawing:
         moving = {*self.system.configuration.slots.coordinates, *self.system.configuration.slots.prescribed, t}
         return not any(c.free_symbols & moving for c in place.fixed().components)
 
-    def supports_of_rods(self) -> None:
+    def supports_of_rods(self, springs: Sequence[tuple[PagePoint, PagePoint]]) -> None:
         """What holds the fixed ends: a piece of ground, on the other side than the lines that meet there."""
         for line in self.system.problem.figure.lines:
             if line.kind is Drawn.SUPPORTS:
                 at = self.flat(self.system.at(line.places[0]))  # type: ignore[arg-type]
-                self.hinge(at)
+                self.sketch.hinge(at)
                 self.mounts.append(at)
         field = self.system.problem.gravity
         down = (0.0, 0.0) if field is None else self.page.way(self.pose.at(field))
         for at in self.mounts:
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
             x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
-            pulled = [link for link in self.spring_ends if apart(at, link[0]) < SAME_ON_PAGE]
+            pulled = [link for link in springs if apart(at, link[0]) < SAME_ON_PAGE]
             if pulled and len(ways) == len(pulled) and abs(x) > 2 * abs(y):
                 inward = (math.copysign(1.0, x), 0.0)
             elif math.hypot(*down) > 1e-6:
@@ -214,79 +212,12 @@ class _Drawing:
                 inward = (0.0, math.copysign(1.0, y))
             self.sketch.wall(beyond(at, inward, -HINGE), inward, 0.36)
 
-    def hinge(self, at: PagePoint) -> None:
-        if all(apart(at, h) > 1e-3 for h in self.hinges):
-            self.hinges.append(at)
-            self.sketch.dot(at, HINGE, open_=True)
-
     @property
     def downward(self) -> PagePoint:
         """The direction of gravity on the page; to the bottom of the page where none is given."""
         field = self.system.problem.gravity
         down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
         return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
-
-    def links(self, half: Mapping[str, float]) -> None:
-        """Springs and dampers; those between the same points are side by side. They end at the sides of blocks."""
-        configuration = self.system.configuration
-        ends = [self.ends(link, half) for link in configuration.links]
-        rods = [piece for line in self.sketch.lines if line.kind is StrokeKind.ROD for piece in line.pieces]
-        for n, link in enumerate(configuration.links):
-            a, b = ends[n]
-            self.busy.append((a, b))
-            if sum(same_ends((a, b), other) for other in ends) > 1:
-                before = sum(same_ends((a, b), other) for other in ends[:n])
-                a, b = self.bypass(a, b, 0.24 - 0.48 * before)
-            if apart(a, b) < 0.5:
-                raise NoValueError("too short for a spring")
-            if isinstance(link, StretchedSpring):
-                self.sketch.spring(a, b)
-                self.sketch.label_beside(link.stiffness, a, b, optional=True, clear=0.1)
-            else:
-                self.sketch.damper(a, b)
-                self.sketch.label_beside(link.coefficient, a, b, optional=True, clear=0.1)
-            for named, at, other in zip(link.ends, ends[n], ends[n][::-1], strict=True):
-                if isinstance(named, str) or any(apart(at, h) <= 1e-3 for h in self.hinges):
-                    continue
-                if self.is_held(named, at, rods):
-                    self.fixed_end(at, other)
-                else:
-                    self.sketch.dot(at, 0.05)
-
-    def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
-        """Whether a spring's end is fixed or driven, or slides on a fixed support: on no rod or body that moves."""
-        free = any(c.free_symbols & {*self.system.configuration.slots.coordinates} for c in place.fixed().components)
-        on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
-        return not free or not (on_rod or self.system.is_on_body(place))
-
-    def ends(self, link: StretchedSpring | DamperForce, half: Mapping[str, float]) -> tuple[PagePoint, PagePoint]:
-        first, second = (self.flat(place) for place in ends_of(link, self.system.configuration, self.pose))
-        inset = [half.get(e, 0.0) if isinstance(e, str) else 0.0 for e in link.ends]
-        if apart(first, second) < sum(inset) + 0.6:
-            return first, second
-        return beyond(first, toward(first, second), inset[0]), beyond(second, toward(second, first), inset[1])
-
-    def bypass(self, a: PagePoint, b: PagePoint, shift: float) -> tuple[PagePoint, PagePoint]:
-        """Two ends shifted to one side of the given ones, and joined to them."""
-        way = toward(a, b)
-        side = left_of(way)
-        corners = []
-        for foot, sense in ((a, 0.16), (b, -0.16)):
-            post = beyond(foot, way, sense)
-            corner = beyond(post, side, shift)
-            self.sketch.line([foot, post, corner], StrokeKind.SPRING)
-            corners.append(corner)
-        return corners[0], corners[1]
-
-    def fixed_end(self, at: PagePoint, other: PagePoint) -> None:
-        """A wall if the system is on one line, a hinge if the spring can turn."""
-        if self.in_line:
-            self.hinges.append(at)
-            self.sketch.wall(at, toward(at, other))
-        else:
-            self.hinge(at)
-            self.mounts.append(at)
-            self.spring_ends.append((at, other))
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
@@ -336,7 +267,7 @@ class _Drawing:
         """The hinges of a plane body; those that do not move are held by the ground."""
         for joint in self.system.joints.get(p.name, ()):
             at = self.flat(joint)
-            self.hinge(at)
+            self.sketch.hinge(at)
             fixed = any(math.dist(joint, pivot) < SAME_ON_PAGE for pivot in self.system.pivots)
             if fixed and all(apart(at, m) > SAME_ON_PAGE for m in self.mounts):
                 self.mounts.append(at)
@@ -358,9 +289,9 @@ class _Drawing:
         """What holds a body that turns about its fixed centre."""
         field = self.system.problem.gravity
         down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
-        if any(apart(at, h) < 1e-3 for h in self.hinges) or math.hypot(*down) < 1e-6:
+        if any(apart(at, h) < 1e-3 for h in self.sketch.hinges) or math.hypot(*down) < 1e-6:
             return
-        self.hinge(at)
+        self.sketch.hinge(at)
         if is_wheel:
             self.mounts.append(at)
         else:
@@ -407,7 +338,7 @@ class _Drawing:
                 continue
             at = self.flat(plus(self.places[p.name], point))
             if not rolls and self.stays(p, rotation, known.at.get(reaction.name)):
-                self.hinge(at)
+                self.sketch.hinge(at)
                 continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))

@@ -32,7 +32,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
-from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
+from lagrange.pictures.shapes import Shape, coordinates_in_body, plane_rotation, shape
 from lagrange.pictures.views import View, seen_from, view
 from lagrange.problem.model import Drawn, Figure, FigureMark, Keeper, Outline, Problem
 
@@ -350,7 +350,7 @@ def _holds(system: SystemPicture, body: MassPoint, point: Callable[[Pose], Float
         place = point(pose)
         if place is None:
             return None
-        return (*own_coordinates(pose, rotation, body.position, place), 0.0)
+        return (*coordinates_in_body(pose, rotation, body.position, place), 0.0)
 
     return _same_everywhere(system.pose, inside)
 

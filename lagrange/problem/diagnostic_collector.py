@@ -21,7 +21,7 @@ T = TypeVar("T")
 
 
 class EnoughError(Exception):
-    """So much is wrong with a file that reading on helps nobody."""
+    """So much is wrong with a file that reading on is pointless."""
 
 
 class Diagnostics:

@@ -1,4 +1,4 @@
-"""Reading what acts: gravity, forces, moments, springs, dampers, potentials, friction.
+"""Reading the forces: gravity, applied forces, moments, springs, dampers, potentials, friction.
 
 The kind of a force is the one key it has of `vector`, `moment`, `spring`, `damper`, `potential`, `friction`, `belt`.
 Applied forces may depend on position, velocity and time, never on accelerations.
@@ -198,7 +198,7 @@ class _Entry:
         names = self.all_of(*(lambda i=i: self._declared(i, known, kind, kinds) for i in items))
         for n, name in enumerate(names):
             if name in names[:n]:
-                message = f"`{name}` stands twice in the `{key}` of {self.what}"
+                message = f"`{name}` occurs twice in the `{key}` of {self.what}"
                 raise ProblemError(Diagnostic("declared-twice", message, items[n].span, help="keep one of the two"))
         if not names:
             raise ProblemError(

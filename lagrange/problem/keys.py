@@ -390,7 +390,7 @@ QUESTION = Keys(
     (
         Key("quantity", "expression", "What is asked for: an expression.", required=True, example="theta"),
         Key("when", one_or_list("equation"), "The state it is asked for: an equation, or a list of them."),
-        Key("by", "name", "Instead: a coordinate, or t, of which it is wanted as a function."),
+        Key("by", "name", "Instead: a coordinate, or t, as a function of which it is wanted."),
     ),
 )
 
@@ -556,7 +556,7 @@ PROBLEM = Keys(
             "Values that `lagsolve variant` draws: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}.",
         ),
         Key("points", or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
-        Key("figure", or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
+        Key("figure", or_nothing(FIGURE), "What the figure shows in addition to what the problem implies."),
     ),
 )
 

@@ -1,4 +1,4 @@
-"""The limits of reading a problem file: no file may exhaust memory or time, and none that is meant as one comes near.
+"""The limits of reading a problem file: no file may exhaust memory or time, and no genuine problem comes near them.
 
 The largest of the shipped files has, for comparison, 2.7 kB, 229 values on 6 levels, 37 names of at most 20
 characters, and abbreviations that amount to 486 parts where they are used.
@@ -52,7 +52,7 @@ MOST_COLLECTED = 300
 """Errors and notes after which reading stops: a file so wrong is not a problem file."""
 
 MOST_SHOWN = 100
-"""Errors printed; nobody reads more before fixing the first."""
+"""Errors printed; a reader fixes the first before reading more."""
 
 MOST_ALTERNATIVES_SHOWN = 4
 """Alternatives of a nonlinear constraint that a message writes out: two squares of either sign have four."""

@@ -15,9 +15,9 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.called import Called
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
 from lagrange.core.expression_size import Sizes
+from lagrange.core.spoken_name import SpokenName
 from lagrange.core.symbols import base
 from lagrange.core.units import split_number, unit_of
 from lagrange.core.vectors import Vector
@@ -67,7 +67,7 @@ class LoadContext:
         self.budget = WorkBudget()
         self.unknowns: tuple[sp.Symbol, ...] = ()
         self.values: dict[sp.Symbol, sp.Expr] = {}
-        self.called: dict[str, Called] = {}
+        self.called: dict[str, SpokenName] = {}
         self.points: dict[str, Vector | None] = {}
         self.shapes: dict[str, Node] = {}
         self.without_inertia: dict[str, Span] = {}

@@ -1,7 +1,7 @@
 """Reads a problem file into a `Problem`, and finds all its mistakes in one pass.
 
 The sections are read in the order in which they can refer to one another: symbols, frame, abbreviations with particles
-and bodies, constraints, forces, choices, answers; each has a module of its own. What is wrong is reported and left out,
+and bodies, constraints, forces, choices, answers; each has a module of its own. Anything wrong is reported and omitted,
 and reading goes on; the diagnostics are shown together in file order.
 """
 

@@ -7,8 +7,8 @@ A body adds vectors to the language: its position, its angular velocity and its 
 is read apart from where it is, because its position may use its axes. A planar body has an angle about k; in space it
 has a sequence of three rotations about body axes, or the file gives the triad of the inertia and the angular velocity.
 
-Its inertia is one moment about k, three principal moments, or a symmetric matrix. What no distribution of mass can have
-is refused where the file's numbers, or the signs of its letters, decide that a kinetic energy would be negative. A
+Its inertia is one moment about k, three principal moments, or a symmetric matrix. An inertia that no distribution of
+mass can have is refused where the file's numbers, or the signs of its parameters, make a kinetic energy negative. A
 moment that exceeds the sum of the other two is a note: the equations hold all the same.
 """
 
@@ -23,11 +23,11 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.called import Called
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor, Three, moments_of_mass, principal_minors
 from lagrange.core.printable import is_hidden
 from lagrange.core.records import record
+from lagrange.core.spoken_name import SpokenName
 from lagrange.core.triads import axis_names, names_before_last
 from lagrange.core.vectors import Vector
 from lagrange.problem.declared_names import names_in
@@ -125,7 +125,7 @@ def keep_words(section: Section, name: str, context: LoadContext) -> str:
     node = section.get("name")
     if node is None:
         return name
-    called = context.diagnostics.attempt(lambda: Called(name, _words(node, name, context)))
+    called = context.diagnostics.attempt(lambda: SpokenName(name, _words(node, name, context)))
     if called is not None:
         context.called[name] = called
     return called or name
@@ -514,7 +514,7 @@ def _uses(node: Node) -> frozenset[str]:
 
 
 def _in_order(entries: list[_Entry], context: LoadContext) -> list[_Entry]:
-    """Each entry after those whose names it uses; circular definitions are reported and left out."""
+    """Each entry after those whose names it uses; circular definitions are reported and omitted."""
     giver = {name: n for n, entry in enumerate(entries) for name in entry.defines}
     needs = [[giver[name] for name in sorted(entry.uses) if name in giver] for entry in entries]
     order: dict[int, None] = {}

@@ -5,7 +5,7 @@
       leaves: {quantity: theta, when: "N = 0"}
       force:  {quantity: N, by: theta}
 
-The state at t = 0 is given by expressions in parameters; a coordinate or velocity that is left out is free. A question
+The state at t = 0 is given by expressions in parameters; a coordinate or velocity that is omitted is free. A question
 asks for a quantity at the state in which its `when` holds, or as a function of one coordinate or of t (`by`). Both may
 contain coordinates of the file and of its choices, velocities, accelerations, t, parameters, the names of reactions,
 `T_kinetic` and `energy`.
@@ -210,12 +210,12 @@ def _part(fragment: Fragment, text: str, start: int) -> Fragment:
 
 
 def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
-    """The coordinate, or t, of which the quantity is wanted as a function."""
+    """The coordinate, or t, as a function of which the quantity is wanted."""
     symbol = context.read_quietly(read_scalar, scalar.fragment, scope, [])
     if symbol == t or (symbol.is_Symbol and base(symbol) == symbol and symbol in scope.slots.coordinates):
         return symbol
     message = f"`{scalar.text}` is neither a coordinate nor `t`"
-    help_ = "`by` names the coordinate of which the quantity is wanted as a function, or `t`"
+    help_ = "`by` names a coordinate, or `t`, as a function of which the quantity is wanted"
     raise ProblemError(Diagnostic("no-variable", message, scalar.span, help=help_))
 
 

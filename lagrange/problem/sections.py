@@ -7,7 +7,7 @@ as undeclared names; mistakes inside the value are not reported, for it may be m
 Which quantities may occur where: no velocity in a position, nothing variable in a moment of inertia.
 
     a moment of inertia             parameters
-    a mass                          parameters; of a particle that exchanges mass: time, coordinates
+    a mass                          parameters; for a particle that exchanges mass: time, coordinates
     a position, an angle            parameters, time, coordinates
     a potential energy              the same, velocities, and unknown forces
     a Lagrangian                    the same, without unknown forces

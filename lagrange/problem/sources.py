@@ -16,7 +16,7 @@ from lagrange.problem.limits import MAX_BYTES, READINGS
 def read_source(path: Path) -> Source:
     """The text of a file. Raises ProblemError where it cannot be read.
 
-    What is no regular file is refused: a pipe that nobody writes to would never end. Only what the caller of the
+    What is no regular file is refused: reading a pipe that has no writer would never end. Only what the caller of the
     program has opened for it is read whatever it is: `/dev/stdin`, and `/dev/fd/63`, which a shell makes of `<(...)`.
     """
     try:

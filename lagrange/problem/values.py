@@ -18,7 +18,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severi
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign
-from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_called, unit_of
+from lagrange.core.units import NO_DIMENSION, Dimension, Unit, si_unit, split_number, unit_called, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
 from lagrange.problem.keys import Assumption
@@ -122,10 +122,10 @@ def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
         expected = unit if stated is None else _known_unit(stated)
         if stated is not None and unit.dimension != expected.dimension:
             message = f"`{text}` does not fit the unit `{stated.text}`"
-            help_ = f"one is {in_si(unit)} in SI units, the other {in_si(expected)}"
+            help_ = f"one is {si_unit(unit)} in SI units, the other {si_unit(expected)}"
             help_ += _weight_for_mass(unit, expected)
             raise ProblemError(Diagnostic("unit-mismatch", message, fragment.whole, help=help_))
-    return ValueRead(number * unit.factor, text if unit.factor == 1 else in_si(unit), fragment.whole, True)
+    return ValueRead(number * unit.factor, text if unit.factor == 1 else si_unit(unit), fragment.whole, True)
 
 
 def _weight_for_mass(given: Unit | None, expected: Unit) -> str:
@@ -353,12 +353,12 @@ def check_dimensions(problem: Problem) -> None:
         needed = dimensions_needed(stated, _known(problem, p.symbol))
         if needed is None or p.symbol not in needed:
             continue
-        expected = in_si(Unit(sp.S.One, needed[p.symbol]))
+        expected = si_unit(Unit(sp.S.One, needed[p.symbol]))
         if expected == "1":
             expected = "a number or an angle"
         message = f"the unit of `{p.symbol}` does not fit its place in the problem"
         given = unit_of(p.unit)
-        help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {in_si(given) if given else p.unit}"
+        help_ = f"`{p.symbol}` has to be {expected} in SI units, and this is {si_unit(given) if given else p.unit}"
         help_ += _weight_for_mass(given, Unit(sp.S.One, needed[p.symbol]))
         raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))
 

@@ -7,8 +7,8 @@ where the file says so:
     `by: string`                           as long as the tension is not negative
     `by: surface`                          as long as the force has the sign that it has at first
 
-Figures on pages and simulations end a motion by these rules. If any other force that the file names changes its sign,
-that is reported, and the motion goes on.
+Figures on pages and simulations end a motion by these rules. A change of sign of any other force that the file names is
+reported, and the motion goes on.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""Numbers that nobody has given: values of parameters, and the state in which a motion begins.
+"""Numbers that are not given: values of parameters, and the state in which a motion begins.
 
-A file's `value:` and `initial:` and the command line's `--set` always win. Otherwise lengths and positions are those
-of the drawing, so that a motion begins as the figure looks on paper; what has a unit of its own gets a value by the
-unit (9.81 m/s², 20 N/m). A coordinate that the potential energy contains is let go from rest, one that it does not
-contain moves already, so that something happens; a body with an axis in space spins fast, as a top does. What is
-to slip slips.
+A file's `value:` and `initial:` and the command line's `--set` always win. Otherwise lengths and positions are those of
+the drawing, so that a motion begins as the figure looks on paper; a parameter with a unit gets a value by the unit
+(9.81 m/s², 20 N/m). A coordinate that the potential energy contains is let go from rest, one that it does not contain
+moves already, so that something happens; a body with an axis in space spins fast, as a top does. Contacts that are
+stated to slip do slip.
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ class KnownSense(IntEnum):
 
 
 def slip_speeds(dynamics: Motion | None) -> Iterator[tuple[KnownSense, sp.Expr]]:
-    """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
+    """The speeds of what slips, positive in the sense in which it is said to; for a slip in a plane its square."""
     for f in dynamics.friction_forces if dynamics is not None else ():
         if f.speed is None:
             yield KnownSense.ANY, f.slip.dot(f.slip)

@@ -24,7 +24,7 @@ ROUNDING = 1e-15
 LARGEST_CONTRADICTION = 1e-8
 # How far from an equilibrium a motion starts that would otherwise stay there, in SI units.
 PUSH = 1e-3
-# The angular velocity of an orbit that nobody has described, relative to that of a circle.
+# The angular velocity of a default orbit, relative to that of a circle.
 NEARLY_CIRCULAR = 0.9
 # Relative tolerance of a step; components smaller than 1 count as 1.
 TOLERANCE = 1e-10

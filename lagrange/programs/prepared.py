@@ -36,7 +36,7 @@ class Prepared:
     """A problem, its equations of motion alone, and where the motion starts.
 
     problem  as the file has it, with the values and the initial state of the command line
-    sampled  what is taken for functions and prescribed motions that nobody has given, by name
+    sampled  what is taken for functions and prescribed motions that are not given, by name
     """
 
     problem: Problem
@@ -56,7 +56,7 @@ def prepared(
 ) -> Prepared:
     """The equations of a problem in a choice of coordinates, or in those in which they are best integrated.
 
-    complete  whether functions and motions that nobody has given are taken from samples, so that everything has numbers
+    complete  whether functions and motions that are not given are taken from samples, so that everything has numbers
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
@@ -65,7 +65,7 @@ def prepared(
         problem = after_impact(problem, choice, on_stage)
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
     solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
-    return in_numbers(problem, solution, choice, settings, complete=complete)
+    return prepared_solution(problem, solution, choice, settings, complete=complete)
 
 
 def after_impact(problem: Problem, choice: str | None, on_stage: OnStage) -> Problem:
@@ -87,7 +87,7 @@ def require_masses(problem: Problem) -> None:
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
 
 
-def in_numbers(
+def prepared_solution(
     problem: Problem,
     solution: Solution,
     choice: str | None = None,

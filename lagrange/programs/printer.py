@@ -1,6 +1,6 @@
 """Expressions in the syntax of a programming language.
 
-The program writes what it knows and refuses the rest: numbers, +, ·, powers, and the functions of a short list. A
+Only numbers, +, ·, powers and the functions of a short list are written; everything else is refused. A
 symbol is written by the name that the caller has given it, which is made by `names.py` or is an element of an array:
 no text of a file becomes code.
 

@@ -1,4 +1,4 @@
-"""A motion integrated from its initial state, with events, and with what shows how accurate it is.
+"""A motion integrated from its initial state, with events, and with measures of its accuracy.
 
 The state is brought back to the constraints after every step, so that they are kept for any time. Events are zeros of
 functions of the state, located on the interpolating polynomial of the step in which the sign changes:

@@ -3,7 +3,7 @@
 What the file or the user gives is taken: `value:`, `initial:`, `--set`. Initial values may be those of any coordinates,
 the file's or a choice's; the state is the one nearest to the position of the figure that has them and satisfies the
 constraints, with the smallest speeds that do. Whatever nobody gave is assumed (`defaults.py`), and reported as
-assumed. A system that would stay at rest in equilibrium is started a little beside it.
+assumed. A system that would stay at rest in equilibrium is started slightly away from it.
 """
 
 from __future__ import annotations
@@ -202,7 +202,7 @@ def _numbers(
 def _guess(
     states: StateEquations, values: FloatValues, drawn: Mapping[sp.Symbol, float], *, stated: bool
 ) -> list[float]:
-    """The state that nobody has given: the position of the figure, at rest where anything is `stated`."""
+    """The state where none is given: the position of the figure, at rest where anything is `stated`."""
     e = states.equations
     at: dict[sp.Symbol, float] = {**values, t: 0.0, **{q: drawn.get(q, 0.5) for q in e.slots.coordinates}}
     speeds = dict.fromkeys(e.speeds, 0.0)

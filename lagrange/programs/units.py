@@ -76,7 +76,7 @@ class Units:
             self._homogeneity.alike([times(rate, multiplier), power])
 
     def of(self, expression: sp.Expr) -> str:
-        """The unit of an expression; of a number none, of an angle rad, of an energy J."""
+        """The unit of an expression; none for a number, rad for an angle, J for an energy."""
         unit = self._homogeneity.dimension(expression) or dimension(expression, self._known)
         if unit is None:
             return ""

@@ -1,4 +1,4 @@
-"""Plain text in other languages: what HTML and LaTeX would read as theirs, and letters that pdflatex does not have.
+"""Escaping plain text: characters that HTML and LaTeX would interpret, and letters that pdflatex does not have.
 
 A name or title from a problem file may hold any character of Unicode. What LaTeX has a command for becomes that
 command; other letters lose their accents; what is left after that appears as its code point, [U+4E2D], so that the

@@ -1,6 +1,6 @@
 """A derivation as a web page: one file that needs nothing from the network.
 
-Nothing runs on it but the script of the figures that move (`moving`), where there are any.
+The only script on it is that of the moving figures (`moving`), if there are any.
 
 Mathematics is MathML. Browsers do not break a formula, so a long equation is several formulas in a row, between which
 they break the line (see `mathml`). One style sheet serves light and dark screens, phones, desks and paper; a table that

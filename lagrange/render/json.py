@@ -1,7 +1,7 @@
 """A solved problem in JSON, version 1, for other programs: the results by name, and the derivation in steps.
 
 Expressions are text in the language of problem files, so that they can be read back. A result that does not apply is
-left out, an undecided one is null. One problem makes an object, several make a list. The keys and their order are a
+omitted, an undecided one is null. One problem makes an object, several make a list. The keys and their order are a
 contract: a change of their meaning needs a new version.
 """
 
@@ -282,7 +282,7 @@ def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
 
 
 def _reactions(solution: Solution, reactions: Reactions, values: Values | None, write: Write) -> dict[str, Any]:
-    """The reactions; left out where they are too large, or not determined.
+    """The reactions; omitted where they are too large, or not determined.
 
     A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
     """
@@ -368,7 +368,7 @@ def _reactions_at_rest(
 
 
 def _at_rest(name: str, at_rest: ReactionsAtRest, values: Values | None, write: Write) -> dict[str, Any]:
-    """One reaction at one equilibrium; what is not determined is left out."""
+    """One reaction at one equilibrium; what is not determined is omitted."""
     reactions = at_rest.reactions
     value = reactions.multipliers.get(name)
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}

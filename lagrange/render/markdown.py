@@ -1,6 +1,6 @@
 r"""A derivation in Markdown with `$...$`, as GitHub, Jupyter, Quarto and pandoc render it.
 
-What all of them accept is less than LaTeX. Numbers follow the equations as `\qquad (3)`, because not all know `\tag`;
+They all accept only a part of LaTeX. Numbers follow the equations as `\qquad (3)`, because not all know `\tag`;
 several equations are one `aligned`, because `align` inside `$$` is an error in LaTeX. Some read a backslash before
 punctuation as Markdown's, so there is no `\,` and no `\{`; for some an underscore after a brace begins emphasis unless
 a space precedes it; and there is no dollar inside mathematics. For MyST and Quarto equations have labels instead of

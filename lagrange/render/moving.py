@@ -1,4 +1,4 @@
-"""The figure of a web page that moves: its controls, its numbers, and the script that works them.
+"""The moving figure of a web page: its controls, its numbers, and its script.
 
 The script is the same on every page (`moving.js`), followed by the functions of each figure, which the program has
 written itself. The texts of a file are in labels only, each escaped; the data of a figure are numbers. The page allows
@@ -261,7 +261,7 @@ class _Controls:
                 f"{u} = mean + amplitude · sin(frequency · time), with the numbers of the sliders."
             )
         if figure.pushed:
-            parts.append("It would stay at rest in this position, and begins a little beside it.")
+            parts.append("It would stay at rest in this position, so it begins slightly away from it.")
         if figure.orbits:
             parts.append("There is an attraction: it begins in a nearly circular orbit.")
         if figure.data["motion"]:

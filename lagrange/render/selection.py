@@ -2,7 +2,7 @@
 
 Numbers count the equations that are shown, so that they have no gaps; a reference to an equation that is not shown is
 replaced by the equation itself. A step too large to be read is cut after its beginning and says how many equations are
-left out; JSON has everything.
+omitted; JSON has everything.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from lagrange.render.limits import BEGINNING, LARGEST_STEP, SHORTEST_RUN
 
 
 def abridged(body: Sequence[Block]) -> tuple[tuple[Block, ...], set[str]]:
-    """The blocks of a step, or its beginning if it is too large to be read, and the labels of what is left out."""
+    """The blocks of a step, or its beginning if it is too large to be read, and the labels of what is omitted."""
     body = tuple(_of_readable_matrices(block) for block in body)
     if sum(_operations(block.equations) for block in body if isinstance(block, Display)) <= LARGEST_STEP:
         return body, set()
@@ -47,7 +47,7 @@ def abridged(body: Sequence[Block]) -> tuple[tuple[Block, ...], set[str]]:
 
 
 def not_referring(block: Block, left: set[str]) -> Block:
-    """A block whose references to equations left out are words."""
+    """A block whose references to equations omitted are words."""
 
     def named(parts: Iterable[Part]) -> tuple[Part, ...]:
         return tuple("an equation left out here" if isinstance(p, Ref) and p.label in left else p for p in parts)
@@ -58,7 +58,7 @@ def not_referring(block: Block, left: set[str]) -> Block:
 
 
 class _Beginning:
-    """The beginning of a step, block by block, and the labels of the equations that are left out.
+    """The beginning of a step, block by block, and the labels of the equations that are omitted.
 
     A paragraph that introduces equations waits for them, and is dropped if none of them is kept.
     """
@@ -87,7 +87,7 @@ class _Beginning:
         return tuple(self._kept)
 
     def _keep(self, *blocks: Block) -> None:
-        """Keep the waiting blocks and these, after a count of the equations left out before them."""
+        """Keep the waiting blocks and these, after a count of the equations omitted before them."""
         if self._waiting or blocks:
             self._say_what_is_left()
         self._kept += (*self._waiting, *blocks)

@@ -40,7 +40,7 @@ class Emitter(Protocol[Line]):
         return ()
 
     def task(self, block: Task) -> Iterable[Line]:
-        """A task on a worksheet; without room in a format on which nobody writes."""
+        """A task on a worksheet; without room in a format that is not written on."""
         return self.paragraphs((Prose(block.parts),))
 
 

@@ -1,7 +1,7 @@
 """Inequalities in numbers: with the values of a problem, W (tan α − μ)/(1 + μ tan α) ≤ P is P ≥ 5.767 N.
 
-An inequality in which one symbol is left, or one sine, cosine, tangent or exponential of it, is solved for that, if it
-is linear there, or a polynomial with one or two positive roots (the second part of this module). For an acute angle a
+An inequality in which one symbol remains, or one sine, cosine, tangent or exponential of it, is solved for it if it is
+linear in it, or a polynomial with one or two positive roots (the second part of this module). For an acute angle a
 bound of its sine or tangent is one of the angle in the same sense, and of its cosine in the opposite one. A magnitude
 bounds on both sides: |k s − m g sin α| ≤ μ m g cos α is 47 mm ≤ s ≤ 149 mm. A denominator is multiplied out where it is
 positive. If nothing is left, the inequality holds or it does not.

@@ -30,7 +30,7 @@ MOST_DEGREES = 8
 """The highest degree of p whose roots are looked for."""
 
 LARGEST_COEFFICIENT = 9
-"""A larger number in front of a term may stand for a quantity with a unit: 10 m for a weight."""
+"""A larger number in front of a term may hide a quantity with a unit: 10 m for a weight."""
 
 INFLATION = 0.05
 CUT = 0.4871

@@ -1,11 +1,11 @@
-"""Results in numbers: an expression with the values of a problem put in, and its unit.
+"""Results in numbers: an expression with the values of a problem substituted, and its unit.
 
     values.quantity(g/l)                      32.7, in 1/s^2
     values.quantity(l*theta'' + g*sin(theta)) 0.3*theta'' + 9.81*sin(theta): what has no value stays a symbol
 
 Values are exact numbers in SI units, and put in exactly; a number is evaluated once, to far more digits than are
-printed, and rounded last. One that is zero is recognised by the exact test, since no number is zero because it is
-small. A result that is not real with these values has no quantity.
+printed, and rounded last. Zero is recognised by the exact test, never because a number is small. A result that is not
+real with these values has no quantity.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class NotRealError(Exception):
 class Quantity:
     """A result in numbers.
 
-    formula  the expression with the values put in, exactly
+    formula  the expression with the values substituted, exactly
     unit     of SI; empty where it is not known, or a number
     """
 

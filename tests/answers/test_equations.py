@@ -13,7 +13,7 @@ from lagrange.answers.equations import Reference, check_equations
 from lagrange.answers.examiner import Judgement, check_answer, reference
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
-from lagsolve.command_group import status_of_verdict
+from lagsolve.exit_statuses import status_of_verdict
 
 EQUIVALENT, WRONG, INCOMPLETE, TRIVIAL, UNREADABLE = "equivalent", "wrong", "incomplete", "trivial", "unreadable"
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 import pytest
 
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.points import in_words
+from lagrange.answers.points import points_in_words
 from lagrange.answers.submissions import Graded, Grader, Submission
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.problem.loader import read_problem
@@ -60,7 +60,7 @@ def graded(grader: Grader, text: str, ending: str = ".txt") -> Graded:
 def test_equations_earn_their_share(grader: Grader, equations: list[str], points: str) -> None:
     result = graded(grader, "\n".join(equations))
     assert result.score is not None
-    assert (in_words(result.score.points), in_words(result.score.possible)) == (points, "9.5")
+    assert (points_in_words(result.score.points), points_in_words(result.score.possible)) == (points, "9.5")
     assert result.score.weighed
 
 
@@ -70,7 +70,7 @@ def test_each_part_has_its_verdict_and_its_points(grader: Grader) -> None:
     assert result.verdict.value == "wrong"
     assert result.remark.startswith("degrees of freedom wrong, conserved incomplete, equations right; ")
     assert result.score is not None
-    parts = {p.part: (in_words(p.points), in_words(p.possible), p.verdict) for p in result.score.parts}
+    parts = {p.part: (points_in_words(p.points), points_in_words(p.possible), p.verdict) for p in result.score.parts}
     assert parts == {
         "degrees_of_freedom": ("0", "1", "wrong"),
         "equations": ("6", "6", "equivalent"),
@@ -84,7 +84,7 @@ def test_each_part_has_its_verdict_and_its_points(grader: Grader) -> None:
     ]
     both = graded(grader, f'degrees_of_freedom: 2\nconserved: ["{MOMENTUM}", "{ENERGY}"]\n', ".yaml")
     assert both.score is not None
-    assert [(p.part, in_words(p.points), p.verdict) for p in both.score.parts] == [
+    assert [(p.part, points_in_words(p.points), p.verdict) for p in both.score.parts] == [
         ("degrees_of_freedom", "1", "equivalent"),
         ("equations", "0", "missing"),
         ("conserved", "2.5", "equivalent"),

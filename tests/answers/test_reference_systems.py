@@ -9,7 +9,7 @@ from lagrange.answers.examiner import check_answers, reference
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Answers, Problem
-from lagsolve.command_group import status_of_verdict
+from lagsolve.exit_statuses import status_of_verdict
 
 EQUIVALENT, WRONG, INCOMPLETE, UNREADABLE = "equivalent", "wrong", "incomplete", "unreadable"
 

@@ -10,7 +10,7 @@ import pytest
 from lagrange import load
 from lagrange.answers.equations import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.examiner import Judgement
-from lagsolve.command_group import status_of_verdict
+from lagsolve.exit_statuses import status_of_verdict
 from tests.command.test_main import OSCILLATOR, PENDULUM, REFERENCE, RIGHT, SKATE, run
 
 

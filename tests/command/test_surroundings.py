@@ -19,7 +19,8 @@ from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.render import terminal
 from lagsolve import __main__ as program
 from lagsolve import inputs
-from lagsolve.command_group import UNDECIDED, report_error, write_stderr
+from lagsolve.command_group import report_error, write_stderr
+from lagsolve.exit_statuses import UNDECIDED
 from lagsolve.grading import run as grading
 from lagsolve.grading.examine import _graded
 from lagsolve.grading.journal import Journal

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy.physics import units as u
 
-from lagrange.core.units import in_si, split_number, unit_of, unit_of_dimension
+from lagrange.core.units import si_unit, split_number, unit_of, unit_of_dimension
 
 KNOWN = {
     "cm": u.centimeter, "km": u.kilometer, "µm": u.micrometer, "g": u.gram, "t": u.tonne, "min": u.minute, "h": u.hour,
@@ -33,7 +33,7 @@ def test_angles() -> None:
     for text, factor, si in (("deg", sp.pi / 180, "rad"), ("rev", 2 * sp.pi, "rad"), ("rpm", sp.pi / 30, "rad/s")):
         unit = unit_of(text)
         assert unit is not None
-        assert (unit.factor, in_si(unit)) == (factor, si)
+        assert (unit.factor, si_unit(unit)) == (factor, si)
 
 
 def test_a_slug_is_accelerated_by_a_pound_at_a_foot_per_second_squared() -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.core.called import Called
+from lagrange.core.spoken_name import SpokenName
 from lagrange.document.derivation import Math
 from lagrange.explain.words import at_start, bare, in_decimals, in_words, introduced, spoken, the
 from lagrange.mechanics.questions.forms import given_state
@@ -37,7 +37,7 @@ def test_numbers_and_names_in_words() -> None:
     ],
 )
 def test_the_words_for_a_body_with_their_article(name: str, words: str, noun: str, first: str) -> None:
-    called = Called(name, words)
+    called = SpokenName(name, words)
     assert (the(called), introduced(called), bare(called)) == (noun, first, words or name)
 
 

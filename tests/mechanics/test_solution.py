@@ -14,7 +14,7 @@ from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from lagrange.render.json import as_object
-from lagsolve.command_group import status_of_error
+from lagsolve.exit_statuses import status_of_error
 from tests.support.paths import PROBLEMS
 
 Read = Callable[[str], Problem]

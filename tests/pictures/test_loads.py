@@ -14,7 +14,7 @@ from lagrange.pictures.free_bodies import free_body_scene
 from lagrange.pictures.loads import acting_on
 from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import SystemPicture, system_in_file
-from tests.support.drawings import CLOSE, evaluated, lines_of, system_of
+from tests.support.drawings import CLOSE, evaluated, figures, lines_of, system_of
 from tests.support.paths import PROBLEMS
 from tests.support.shared import reported
 
@@ -98,3 +98,15 @@ gravity: -g*j
     for u, v in curve.points:
         x, y = u / system.page.scale, v / system.page.scale
         assert abs(a * y - x**2) < 1e-7
+
+
+# -- Arrows in pictures of systems -------------------------------------------------------------------------------------
+
+
+def test_a_blow_ends_where_it_strikes_in_the_position_before_it() -> None:
+    """The rod hangs from its hinge, and J strikes it at right angles, from the left."""
+    scene = figures("centre-of-percussion")[0]
+    [blow] = [line for line in lines_of(scene, StrokeKind.FORCE) if abs(line.points[0][1] - line.points[1][1]) < 1e-6]
+    assert blow.points[1][0] == pytest.approx(0, abs=1e-6)  # on the rod, below the hinge
+    assert blow.points[0][0] < 0
+    assert blow.points[1][1] < 0

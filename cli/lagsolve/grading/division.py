@@ -41,7 +41,7 @@ NO_HEADING = "no heading, file name or key says which problem it answers"
 
 
 @record
-class Asked:
+class AssignedProblem:
     """A problem of an assignment. `label` is its short name: that of the library, or of its file."""
 
     label: str
@@ -61,7 +61,7 @@ class Asked:
         return int(named[1]) if named else None
 
 
-def divided(submission: Submission, asked: Sequence[Asked]) -> tuple[Submission, ...] | str:
+def divided(submission: Submission, asked: Sequence[AssignedProblem]) -> tuple[Submission, ...] | str:
     """The part of a submission for each problem, without files where there is none; or why it cannot be divided."""
     if len(asked) == 1:
         return (submission,)
@@ -81,7 +81,7 @@ def divided(submission: Submission, asked: Sequence[Asked]) -> tuple[Submission,
     )
 
 
-def _pieces(name: str, content: bytes, asked: Sequence[Asked]) -> list[tuple[int, tuple[str, bytes]]] | None:
+def _pieces(name: str, content: bytes, asked: Sequence[AssignedProblem]) -> list[tuple[int, tuple[str, bytes]]] | None:
     """The problems that a file answers, each with what the file has for it; None if nothing says which."""
     ending = PurePath(name).suffix.lower()
     try:
@@ -103,7 +103,7 @@ def _pieces(name: str, content: bytes, asked: Sequence[Asked]) -> list[tuple[int
     return None if problem is None else [(problem, (name, content))]
 
 
-def _by_key(source: Source, asked: Sequence[Asked]) -> list[tuple[int, str]]:
+def _by_key(source: Source, asked: Sequence[AssignedProblem]) -> list[tuple[int, str]]:
     """The entries of a YAML file whose keys are problems, each as a file of answers of its own."""
     root = parse(source, Diagnostics(), what="an answer file", needs="each key is a problem")
     entries = []
@@ -116,7 +116,7 @@ def _by_key(source: Source, asked: Sequence[Asked]) -> list[tuple[int, str]]:
     return entries
 
 
-def _by_heading(text: str, asked: Sequence[Asked]) -> dict[int, str]:
+def _by_heading(text: str, asked: Sequence[AssignedProblem]) -> dict[int, str]:
     """The sections of a text by problem, each with as many lines as the text; empty if it has no heading."""
     lines = text.split("\n")
     headings = [_heading(line, asked) for line in lines]
@@ -134,7 +134,7 @@ def _by_heading(text: str, asked: Sequence[Asked]) -> dict[int, str]:
     return {n: "\n".join(section) for n, section in sections.items()}
 
 
-def _heading(line: str, asked: Sequence[Asked]) -> tuple[int, int] | None:
+def _heading(line: str, asked: Sequence[AssignedProblem]) -> tuple[int, int] | None:
     """The problem that a line is the heading of, and how far the heading goes; None if it is none."""
     plain = _MARKUP.sub(lambda mark: " " * len(mark[0]), line)
     for end in _ends(plain):
@@ -163,14 +163,14 @@ def _ends(plain: str) -> Iterator[int]:
         yield colon + 1
 
 
-def _bare_heading(line: str, asked: Sequence[Asked]) -> tuple[int, int] | None:
+def _bare_heading(line: str, asked: Sequence[AssignedProblem]) -> tuple[int, int] | None:
     """The same for a number or a letter on a line of its own."""
     bare = _BARE.fullmatch(_MARKUP.sub(" ", line))
     problem = _placed(bare["which"], asked) if bare else None
     return None if problem is None else (problem, len(line))
 
 
-def _named(text: str, asked: Sequence[Asked]) -> int | None:
+def _named(text: str, asked: Sequence[AssignedProblem]) -> int | None:
     """The problem that a text is a name of: label, file, title, or `problem2`."""
     letters = _letters(text)
     numbers = [n for n, a in enumerate(asked) if letters in a.names]
@@ -181,7 +181,7 @@ def _named(text: str, asked: Sequence[Asked]) -> int | None:
     return _placed(joined["which"], asked) if joined is not None and worded else None
 
 
-def _of_file_name(stem: str, asked: Sequence[Asked]) -> int | None:
+def _of_file_name(stem: str, asked: Sequence[AssignedProblem]) -> int | None:
     """The problem that the name of a file, or its last word, is a name of."""
     words = re.split(r"[\W_]+", stem)
     for last in range(len(words)):
@@ -191,7 +191,7 @@ def _of_file_name(stem: str, asked: Sequence[Asked]) -> int | None:
     return _placed(words[-1], asked)
 
 
-def _placed(which: str, asked: Sequence[Asked]) -> int | None:
+def _placed(which: str, asked: Sequence[AssignedProblem]) -> int | None:
     """The problem with a number, or at a place of the assignment: 2 and b are the second."""
     if which.isascii() and which.isdigit():
         by_number = [n for n, a in enumerate(asked) if a.number == int(which)]

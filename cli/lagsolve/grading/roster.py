@@ -7,9 +7,9 @@ It is one of
     Canvas' gradebook        "Export": Student, ID, SIS User ID, SIS Login ID, Section, assignments
     Gradescope's metadata    submission_metadata.json: created_at, assignment, previous_submissions
 
-Times are ISO 8601 (`2026-11-20T18:00+01:00`), or as Moodle writes them in English. What was handed in after it was
-due is marked, with how much later; no points are taken off. A time without a zone is compared with one without, and
-never with one that has it.
+Times are ISO 8601 (`2026-11-20T18:00+01:00`), or as Moodle writes them in English. Late submissions are marked with how
+late they are; no points are taken off. A time without a zone is compared with one without, and never with one that has
+it.
 
 Moodle's columns are those that its importer looks for (mod/assign/feedback/offline/importgradeslib.php), Canvas'
 those of lib/gradebook_importer.rb, Gradescope's keys those of

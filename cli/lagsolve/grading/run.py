@@ -18,7 +18,7 @@ from lagrange.answers.submissions import Graded, Submission
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
 from lagsolve.command_group import write_stderr
-from lagsolve.grading.division import Asked, divided
+from lagsolve.grading.division import AssignedProblem, divided
 from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare, problem_of
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
@@ -102,7 +102,7 @@ Outcome = tuple[str, int, Graded]
 
 def all_results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     """The same, with what came out of those that were graded now and not found in the journal."""
-    asked = tuple(Asked(label, problem_of(source).title, source) for label, source in run.problems)
+    asked = tuple(AssignedProblem(label, problem_of(source).title, source) for label, source in run.problems)
     if run.seeded and not any(problem_of(source).vary for source in run.sources):
         help_ = "say what varies, as `vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}}`"
         raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
@@ -159,7 +159,7 @@ SubmissionKey = tuple[str, int]
 class Batch:
     """The rows of a batch as they come, each added to the journal once its page is written."""
 
-    def __init__(self, run: GradingRun, asked: Sequence[Asked], unread: Sequence[UnreadSubmission]) -> None:
+    def __init__(self, run: GradingRun, asked: Sequence[AssignedProblem], unread: Sequence[UnreadSubmission]) -> None:
         self._run, self._asked, self._entries = run, asked, unread
         self._pages = page_names(self._called((e.name, n)) for e in unread for n in range(len(asked)))
         self._version = lagrange.__version__

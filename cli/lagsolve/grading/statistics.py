@@ -1,9 +1,9 @@
 """What a class got wrong: a page for the teacher, in one file without scripts, and the same numbers as CSV.
 
-It counts students, and contains no name, no individual mark and no text of a student. For each problem
-there are the verdicts, the distribution of the points, and the mistakes, each with how many made it. Of several
-attempts the one that counts for the marks is taken. A mistake that only one person made is not named, because
-those who know the class would know whose it is.
+It counts students, and contains no name, no individual mark and no text of a student. For each problem there are the
+verdicts, the distribution of the points, and the mistakes, each with how many made it. Only the attempt that counts for
+the marks is included. A mistake that only one person made is not named, because those who know the class could tell
+whose it is.
 """
 
 from __future__ import annotations

@@ -2,11 +2,11 @@
 
 Platforms name the files that they give out. Moodle: `Anna Bell_12345_assignsubmission_file_answer.txt`, or a folder of
 that name without the file's; Canvas: `bellanna_LATE_1001_2002_answer.txt`, with the numbers of the student and of the
-file, and `LATE` after the due date. Elsewhere the name without its extension is the student, and without a number at
-its end where attempts are counted: `anna-2.txt`, `anna attempt 2.tex`, `anna (2).md`.
+file, and `LATE` after the due date. Elsewhere the student is the name without its extension, and without a final number
+where attempts are counted: `anna-2.txt`, `anna attempt 2.tex`, `anna (2).md`.
 
-The time at which a file was last changed says nothing about when it was handed in: it is that of the download, or what
-its author wanted it to be. Only the platform knows that: see `roster`.
+The time at which a file was last changed does not tell when it was handed in: it is that of the download, or whatever
+its author set. Only the platform knows: see `roster`.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ from lagrange.problem.limits import MAX_BYTES
 from lagsolve.limits import MOST_FILES
 
 EXTENSIONS = ("", ".txt", ".md", ".tex", ".html", ".htm", ".yaml", ".yml")
-"""Of the files in a student's folder that are an answer. A file of its own may have any extension."""
+"""Extensions of the files in a student's folder that are answers. A file on its own may have any extension."""
 
 KINDS = {
     stat.S_IFLNK: "is a link, which is not followed",

@@ -1,7 +1,7 @@
 """The outcome of a batch: a row for each submission, as a CSV file and as a table on the terminal.
 
-A spreadsheet runs a cell that begins with `=`, `+`, `-` or `@` as a formula. What comes from submissions is made text
-by an apostrophe in front, also after a semicolon or a tab, where a spreadsheet of another country begins a new cell.
+A spreadsheet runs a cell that begins with `=`, `+`, `-` or `@` as a formula. Text from submissions gets an apostrophe
+in front, also after a semicolon or a tab, where spreadsheets in some locales begin a new cell.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """CodeRunner, a question type of Moodle: what a combinator template grader prints.
 
-It is one object of JSON with `fraction`, from 0 to 1, and HTML in `prologuehtml` and `epiloguehtml`
+It is one JSON object with `fraction`, from 0 to 1, and HTML in `prologuehtml` and `epiloguehtml`
 (https://trampgeek.github.io/moodle-qtype_coderunner/, "Combinator-template grading"). It is printed by a program on the
 Jobe server, in the server's own sandbox, which limits time and memory; so the answer is graded in that very process.
 """

@@ -49,7 +49,6 @@ from lagrange.algebra.closed_forms.single_equation import (
 from lagrange.algebra.closed_forms.solution_sets import (
     Branch,
     SolutionSet,
-    as_stated,
     denominators,
     determined,
     merged_branches,
@@ -58,6 +57,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     split_at_divisors,
     verified,
     with_divisors,
+    with_known_values,
     without_cancelled,
     without_repetitions,
 )
@@ -136,7 +136,7 @@ def _solutions(
         branches = _with_origin(branches, (*equations, *origin), unknowns[0], letters)
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
-        alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
+        alike = merged_branches([with_known_values(b, letters, unknowns) for b in merged_branches(some)])
         parts = [part for b in alike for part in determined(b, letters, unknowns)]
         return without_repetitions(with_shortest_conditions(parts))
 

@@ -113,7 +113,7 @@ def _holds_trivially(equations: Sequence[sp.Expr], conditions: Sequence[SignCond
 
 
 def _zeros(divisor: sp.Expr, letters: TrigLetters) -> Iterator[sp.Expr]:
-    """The factors with unknowns that vanish where a divisor does; of a root those of its radicand."""
+    """The factors with unknowns that vanish where a divisor does; for a root those of its radicand."""
     parts = numerator(divisor)
     for p in irreducible_factors(letters.shortest(parts[0])) or () if parts else ():
         if p in letters.roots:

@@ -6,7 +6,7 @@ A number in brackets is the largest value met in the 129 shipped problems, read 
 # Branchings of one search [11]; a system that branches more is given back unsolved (`branching`).
 MOST_BRANCHINGS = 300
 # Operations of one search (`core.effort`) [3,800]: beyond, as of two rods with a spring, the system is given back
-# unsolved, and its solutions can be found in numbers.
+# unsolved, and its solutions can be found numerically.
 UNITS_OF_SOLUTIONS = 15_000
 # Points of a branch that are verified one by one, seven independent signs of roots: 2^7. With more, whether all of them
 # satisfy the equations is undecided.

@@ -1,6 +1,6 @@
 """Polynomial equations that are linear in powers of the unknowns: a x² + b y² = c.
 
-Monomials in place of unknowns, such equations are solved as linear ones. As many as there are monomials determine each:
+With the monomials as unknowns, such equations are linear. As many equations as monomials determine each of them:
 
     2 x² − 3 y² = 0 ,   3 x² − 2 y² = 0      x² = 0 ,  y² = 0 ,
 
@@ -95,7 +95,7 @@ def zeros_of_even_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Sym
 
 
 def vanish_at_origin_alone(forms: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
-    """Whether homogeneous polynomials in two unknowns, numbers but for a common factor, have no other common zero."""
+    """Whether homogeneous polynomials in two unknowns, rational up to a factor, have no other common zero."""
     if len(unknowns) != 2 or not forms or not all(e.is_polynomial(*unknowns) for e in forms):
         return False
     common = sp.Poly(0, unknowns[0], domain="QQ")

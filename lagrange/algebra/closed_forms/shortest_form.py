@@ -33,7 +33,7 @@ def shortest_form(e: sp.Expr) -> sp.Expr:
 
 
 def _length(e: sp.Expr) -> int:
-    """Operations, and the worth of some for each fraction within a fraction: (a² + g²)/(g l), not (a²/g + g)/l."""
+    """Operations, with a surcharge for each fraction within a fraction: (a² + g²)/(g l), not (a²/g + g)/l."""
     quotients = (product for product in e.atoms(sp.Mul) if not sp.fraction(product)[1].is_number)
     sums = (f.as_base_exp()[0] for product in quotients for f in product.args)
     inner = {a for s in sums if s.is_Add for a in s.args if not sp.fraction(a)[1].is_number}

@@ -236,7 +236,7 @@ def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
 
     With B < 0 and D ≥ 0, A + B √D ≥ 0 holds if and only if A ≥ 0 and A² − B² D ≥ 0. Without its positive factors let
     the latter be P. If A − λ P is never negative for some λ > 0, then P ≥ 0 implies A ≥ 0, and P ≥ 0 is all there is
-    to say; the same holds with > for ≥. With B > 0 all of this is said of the opposite expression.
+    to say; the same holds with > for ≥. With B > 0 all of this holds for the opposite expression.
     """
     if (parts := _parts_at_root(e, positive)) is None:
         return e

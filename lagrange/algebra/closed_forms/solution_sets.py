@@ -52,7 +52,7 @@ class Branch:
 
     @property
     def may_be_empty(self) -> bool:
-        """Whether nothing is said of it unless its unsolved equations have a real solution, which is left open."""
+        """Whether it is asserted only if its unsolved equations have a real solution, which is left open."""
         return bool(self.left) and not self.occupied
 
     @property
@@ -87,7 +87,7 @@ class SolutionSet:
         return self.letters.write(self._with_roots(resolved(self.letters.read(e), point), point))
 
     def _with_roots(self, value: sp.Expr, point: Values) -> sp.Expr:
-        """A value with the letters of roots replaced; a root may stand under another one, √|x|."""
+        """A value with the letters of roots replaced; roots may be nested, √|x|."""
         for root in [r for r in self.letters.roots if r in value.free_symbols]:
             radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
             value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})
@@ -245,7 +245,7 @@ def merged_branches(branches: Sequence[Branch]) -> list[Branch]:
     return list(groups.values())
 
 
-def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
+def with_known_values(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
     """The branch with known values substituted in its relations, in the order of the unknowns, without letters.
 
     Angles stay in them where they have several values: z = l sin θ beside tan θ = a.
@@ -327,7 +327,9 @@ def _with_angles(
         ]
         relations = [r for r in relations if r not in own] + list(root_at(angle, values).relations)
         common |= values
-    return as_stated(replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns)
+    return with_known_values(
+        replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns
+    )
 
 
 def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:

@@ -83,7 +83,7 @@ class Point:
                         shared = mask is not None and not symbols[n] & mask
                         values[n] = self._shared(n) if shared else operations[codes[n]](self, values, data[n])
             except InadmissibleError as error:
-                # The first node that fails says which symbols are worth drawing again (`Sampler`).
+                # The first node that fails shows which symbols should be drawn again (`Sampler`).
                 error.node = n if error.node is None else error.node
                 raise
         return values[node]

@@ -44,7 +44,7 @@ ZERO_DIVISIONS_WITH_SIGNS = 40
 
 # Agreement of two systems, answers and equations (`zero_test.agreed`): below 2^-130 for d = 100 (docs/checks.md).
 AGREEMENT_POINTS = 3
-# The least number where there are signs. Six points alone called |φ'| in place of φ' equivalent once in a hundred runs
+# The least number where there are signs. Six points alone called |φ'| instead of φ' equivalent once in a hundred runs
 # (commit c1adfcc), so that points are taken until each sign has been met both ways.
 AGREEMENT_POINTS_WITH_SIGNS = 6
 # Up to three signs are met in every combination, with 80 points at most. Of three signs one of the eight patterns is
@@ -60,7 +60,7 @@ AGREEMENT_REAL_POINTS = 2
 # (3/4)^48 = 10^-6. With 16 a verdict for r > 0 passed for all r once in a hundred runs (commit da054b1).
 REAL_POINTS_WHERE_SIGNS_DIFFER = 48
 
-# The derived flag and Frobenius' condition (`forms.integrability`), at points whose ranks must agree.
+# Frobenius' condition and the derived flag (`forms.charts.agreed_on_surface`), at points whose ranks must agree.
 FLAG_POINTS = 2
 # All on one of two components of the surface with the probability 2^-7.
 FLAG_POINTS_AFTER_ROOTS = 8

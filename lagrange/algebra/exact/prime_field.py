@@ -29,7 +29,7 @@ ALWAYS_SQUARES = frozenset({2, 3, 5, 7, 11, 13, 17, 19, 23})
 _PARTS = (32, 9, 5, 7, 11, 13, 17, 19, 23)
 # 89 bits take three digits of 30 bits in CPython, as 61 bits do, so that the larger field costs nothing.
 _BITS = 89
-# Bits of an exponent looked up at once. Random angles are drawn often: 12 products in place of some 80.
+# Bits of an exponent looked up at once. Random angles are drawn often: 12 products instead of some 80.
 _WINDOW = 5
 _SMALL_PRIMES = prod(sp.primerange(2, 1000))
 _ODD_SMALL_PRIMES = _SMALL_PRIMES // 2

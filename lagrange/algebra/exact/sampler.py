@@ -120,7 +120,7 @@ class Sampler:
         return _kept(self._real_points, number, self._drawn_real)
 
     def points(self, first: int = 0) -> Iterator[Point]:
-        """Points without end. Raises NoPointError when no more are found."""
+        """Any number of points, one after another. Raises NoPointError when no more are found."""
         while True:
             yield self.point(first)
             first += 1

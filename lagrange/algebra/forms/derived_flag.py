@@ -1,4 +1,4 @@
-"""The derived flag of a distribution at one point, in jets, on the surface of the geometric constraints.
+"""The derived flag of a system of constraints: how many independent finite relations it implies.
 
 A system of Pfaffian forms leaves the distribution D_0 = {X : ω_j(X) = 0}. Brackets are added until nothing new arises,
 
@@ -6,13 +6,8 @@ A system of Pfaffian forms leaves the distribution D_0 = {X : ω_j(X) = 0}. Brac
 
 and the annihilator of the last one is the largest integrable subsystem (Cartan 1910; Bryant et al., Exterior
 Differential Systems, II.4). Every D_k has a basis X_a = ∂_a + Σ_p c_pa ∂_p, a free, p bound, in which a bracket has
-bound components only: [X_a, X_b] = Σ_p (X_a c_pb − X_b c_pa) ∂_p. The slopes c are jets at a generic point. A bracket
-costs one order, so that order d decides d steps.
-
-Near a regular point of f(q, t) = 0 the surface is a graph q_p(u) over the other coordinates, those p in whose columns
-∂f/∂q has its pivots. Their Taylor series come from Newton's iteration with the Jacobian J of the point,
-q_p <- q_p − J⁻¹ f(q_p, u), which gains one order a step, and ω = Σ ω_i dq_i becomes Σ_a (ω_a + Σ_p ω_p ∂q_p/∂u_a) du_a.
-Where ∂f/∂q has a lower rank than the codimension of f = 0, as for (x − y)² = 0, there is no such chart.
+bound components only: [X_a, X_b] = Σ_p (X_a c_pb − X_b c_pa) ∂_p. The slopes c are jets at a generic point of the
+surface of the geometric constraints (`charts`). A bracket costs one order, so that order d decides d steps.
 """
 
 from __future__ import annotations
@@ -24,15 +19,165 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import row_reduced
-from lagrange.algebra.exact.points_needed import ZERO_POINTS
-from lagrange.algebra.exact.zero_test import Point, Surface
-from lagrange.algebra.forms.jets import BITS, Expansion, Jet, JetRing, constant_term, is_zero_jet, terms_in, truncated
-from lagrange.algebra.forms.limits import LONGEST_DIRECTION
+from lagrange.algebra.exact.zero_test import (
+    Point,
+    Surface,
+)
+from lagrange.algebra.forms.charts import (
+    JetMatrix,
+    agreed_on_surface,
+    chart,
+    pulled_back,
+    surface_of,
+)
+from lagrange.algebra.forms.jets import (
+    BITS,
+    Jet,
+    JetRing,
+    WorkLimitError,
+    constant_term,
+    is_zero_jet,
+    terms_in,
+    truncated,
+)
+from lagrange.algebra.forms.limits import (
+    FLAG_WORK,
+    HIGHEST_FLAG_ORDER,
+    LONGEST_DIRECTION,
+)
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, t
+from lagrange.core.symbols import Slots
 
-JetMatrix = list[list[Jet]]
+
+@record
+class Flag:
+    """The derived flag of a system of constraints.
+
+    ranks            of the system, of its first derived system, ..., as far as they were found
+    integrable_rank  number of independent finite relations in the constraints (the last rank), or None
+    reason           why it is undecided
+    beside           number of finite relations in which only forms take part modulo which the ranks are taken
+    """
+
+    ranks: tuple[int, ...]
+    integrable_rank: int | None
+    reason: str = ""
+    beside: int = 0
+
+    @property
+    def bound(self) -> int | None:
+        """An upper bound of `integrable_rank`, None where nothing is known."""
+        return self.ranks[-1] if self.ranks else None
+
+
+def derived_flag(
+    forms: Sequence[Sequence[sp.Expr]],
+    slots: Slots,
+    geometric: Sequence[sp.Expr] | Surface = (),
+    *,
+    modulo: Sequence[Sequence[sp.Expr]] = (),
+    highest_order: int = HIGHEST_FLAG_ORDER,
+    work_limit: int = FLAG_WORK,
+) -> Flag:
+    """The derived flag of all constraints together, at generic points of the geometric ones.
+
+    forms      (m, n + 1): coefficients of dq_1 ... dq_n, dt; rows of geometric constraints may be among them
+    geometric  functions f(q, t) whose vanishing is the geometric constraints, or their surface
+    modulo     (k, n + 1): forms that vanish as well and are not counted: the ranks are those of I + E less that of E,
+               I being a derived system of all the forms and E the span of these
+
+    Random points must agree. Undecided where no point is found, an expression has no Taylor series, or the
+    limits on order and work (products of coefficients, all points together) are reached.
+    """
+    surface = surface_of(geometric, slots)
+    rows = _beyond(surface.constraints, [tuple(sp.sympify(a, strict=True) for a in form) for form in forms], slots)
+    others = [tuple(form) for form in modulo]
+    left = work_limit
+
+    def at(point: Point, finite: Sequence[sp.Expr]) -> Flag:
+        nonlocal left
+        if not rows:
+            return Flag((len(finite),), len(finite))
+        ring = JetRing(point.arithmetic, left)
+        try:
+            flag = _flag_at(ring, point, rows, others, slots, finite, highest_order)
+        finally:
+            left -= ring.work
+        # A limit of order or work is reached at every generic point alike: no need to try another one.
+        if flag.integrable_rank is None:
+            raise _OpenFlagError(flag)
+        return flag
+
+    try:
+        return agreed_on_surface(
+            at, [a for row in (*rows, *others) for a in row], surface, slots, lambda why: Flag((), None, why)
+        )
+    except _OpenFlagError as error:
+        return error.flag
+
+
+def _flag_at(
+    ring: JetRing,
+    point: Point,
+    forms: Sequence[Sequence[sp.Expr]],
+    modulo: Sequence[Sequence[sp.Expr]],
+    slots: Slots,
+    geometric: Sequence[sp.Expr],
+    highest_order: int,
+) -> Flag:
+    """The flag at one point, with as high an order as it takes."""
+    # The order needed is not known beforehand, and the work grows steeply with it: so the lowest that decides.
+    best: list[int] = []
+    for order in range(1, highest_order + 1):
+        ranks: list[int] = []
+        try:
+            # Pulling back differentiates the chart, which costs one order.
+            local = chart(ring, point, geometric, slots, order + 1 if geometric else order)
+            others = pulled_back(ring, local, modulo)
+            d: Distribution | None = kernel(ring, [*pulled_back(ring, local, forms), *others], local.free, order)
+            last = -1
+            while d is not None:
+                total = len(local.graph) + len(d.bound)
+                if total == last:
+                    return Flag(tuple(ranks), ranks[-1], beside=total - ranks[-1])
+                last = total
+                ranks.append(total - _rank_lost(ring, d, others, local.free) if others else total)
+                d = derived(ring, d)
+        except WorkLimitError:
+            best = ranks if len(ranks) > len(best) else best
+            return Flag(tuple(best), None, "the computation would be too large")
+        best = ranks
+    return Flag(tuple(best), None, f"brackets of more than {highest_order} levels would be needed")
+
+
+def _rank_lost(ring: JetRing, d: Distribution, forms: Sequence[Sequence[Jet]], columns: Sequence[int]) -> int:
+    """dim (I ∩ E) at the point: the rank of the forms E, less that of E restricted to the fields annihilated by I."""
+    values = [dict(zip(columns, map(constant_term, form), strict=True)) for form in forms]
+    along = [[e[a] + sum(e[p] * constant_term(d.slopes[p, a]) for p in d.bound) for a in d.free] for e in values]
+    full = row_reduced(ring.arithmetic, [[*e.values()] for e in values])[1]
+    return len(full) - len(row_reduced(ring.arithmetic, along)[1])
+
+
+class _OpenFlagError(Exception):
+    """A flag that a limit left undecided; no other point would do better."""
+
+    def __init__(self, flag: Flag) -> None:
+        super().__init__(flag.reason)
+        self.flag = flag
+
+
+def _beyond(
+    constraints: Sequence[sp.Expr], rows: Sequence[tuple[sp.Expr, ...]], slots: Slots
+) -> list[tuple[sp.Expr, ...]]:
+    """The rows that are not written as the differential of a geometric constraint."""
+    # On the surface df vanishes identically: such rows are counted with the surface, not again.
+    known = set()
+    for f in constraints:
+        symbols = f.free_symbols
+        gradient = (sp.diff(f, q) if q in symbols else sp.S.Zero for q in slots.coordinates)
+        known.add((*gradient, slots.frozen_derivative(f)))
+    return [row for row in rows if row not in known and any(row)]
 
 
 @record
@@ -180,108 +325,10 @@ def _rate_at_point(d: Distribution, a: int, f: Jet) -> Any:
     return gradient.get(1 << BITS * a, 0) + sum(through)
 
 
-class SingularSurfaceError(Exception):
-    """The constraints are not regular at the point."""
-
-
-@record
-class Chart:
-    """Jets on the constraint surface.
-
-    expansion  expressions in the free coordinates
-    free       numbers of the free coordinates, ascending; coordinate n is t
-    graph      for each bound coordinate its number and its jet
-    """
-
-    expansion: Expansion
-    free: tuple[int, ...]
-    graph: tuple[tuple[int, Jet], ...]
-
-
-def independent_constraints(surface: Surface, slots: Slots) -> tuple[sp.Expr, ...]:
-    """Constraints with independent gradients that cut out the whole surface. Raises SingularSurfaceError.
-
-    Those whose gradients depend on others must vanish where the others do: 2 f = 0 follows from f = 0, but
-    (x - y)² = 0 from nothing, though its gradient is 0.
-    """
-    constraints = surface.constraints
-
-    def kept(point: Point) -> list[int]:
-        ring = JetRing(point.arithmetic)
-        linear = _expansion(ring, point, {}, slots, 1)
-        columns = zip(*_jacobian(linear, constraints, len(slots.coordinates) + 1), strict=True)
-        return row_reduced(point.arithmetic, list(columns))[1]
-
-    places = max(surface.sampled(kept, ZERO_POINTS), key=len) if constraints else []
-    independent = tuple(constraints[k] for k in places)
-    if len(independent) < len(constraints):
-        others = Surface(independent, surface.coordinates, fields=surface.fields)
-        if not all(others.is_zero(f) for f in constraints):
-            raise SingularSurfaceError
-    return independent
-
-
-def chart(ring: JetRing, point: Point, geometric: Sequence[sp.Expr], slots: Slots, order: int) -> Chart:
-    """The chart of f = 0, gradients independent, at a point on it. Raises SingularSurfaceError."""
-    n = len(slots.coordinates)
-    start = {k: ring.constant(point.value(q), 0) for k, q in enumerate(slots.coordinates)}
-    inverse = _inverse_jacobian(ring, _expansion(ring, point, {}, slots, 1), geometric, n)
-    bound = {k: start[k] for k in inverse}
-    # The Jacobian at the point serves in every step: the error is of one order more each time.
-    for m in range(1, order + 1 if bound else 1):
-        bound = {k: (*jet, {}) for k, jet in bound.items()}
-        expansion = _expansion(ring, point, bound, slots, m)
-        residuals = [expansion(f) for f in geometric]
-        for k, row in inverse.items():
-            for factor, residual in zip(row, residuals, strict=True):
-                bound[k] = ring.subtract(bound[k], ring.scale(residual, factor))
-    free = tuple(k for k in range(n + 1) if k not in bound)
-    return Chart(_expansion(ring, point, bound, slots, order), free, tuple(bound.items()))
-
-
-def pulled_back(ring: JetRing, chart: Chart, forms: Sequence[Sequence[sp.Expr]]) -> JetMatrix:
-    """Forms (m, n + 1) as jets (m, free) on the surface; one order is lost where there are constraints."""
-    rows = []
-    order = chart.expansion.order - 1 if chart.graph else chart.expansion.order
-    for form in forms:
-        jets = [chart.expansion(a) for a in form]
-        row = []
-        for a in chart.free:
-            through = ((jets[p], ring.derivative(q, a)) for p, q in chart.graph)
-            row.append(ring.add(truncated(jets[a], order), ring.sum_of_products(through, order)))
-        rows.append(row)
-    return rows
-
-
-def _expansion(ring: JetRing, point: Point, bound: dict[int, Jet], slots: Slots, order: int) -> Expansion:
-    """Expressions about a point in all variables, except bound ones, which have their own jets."""
-    symbols = (*slots.coordinates, t)
-    jets = {q: bound[k] if k in bound else ring.variable(k, point.value(q), order) for k, q in enumerate(symbols)}
-    return Expansion(ring, point.value, jets, slots.prescribed)
-
-
-def _jacobian(linear: Expansion, constraints: Sequence[sp.Expr], width: int) -> list[list[Any]]:
-    """The matrix ∂f/∂(q, t) at the point, shape (m, width)."""
-    gradients = [linear(f)[1] for f in constraints]
-    return [[g.get(1 << BITS * k, 0) for k in range(width)] for g in gradients]
-
-
-def _inverse_jacobian(ring: JetRing, linear: Expansion, constraints: Sequence[sp.Expr], n: int) -> dict[int, list[Any]]:
-    """For each of m bound coordinates its row of the inverse of their part of ∂f/∂q, shape (m,)."""
-    rows = _jacobian(linear, constraints, n)
-    m = len(rows)
-    extended = [[*row, *(int(i == j) for j in range(m))] for i, row in enumerate(rows)]
-    reduced, pivots = row_reduced(ring.arithmetic, extended)
-    if any(k >= n for k in pivots):
-        raise SingularSurfaceError
-    return {k: row[n:] for k, row in zip(pivots, reduced, strict=True)}
-
-
-# -- What two displacements and both back again leave: the commutator of two directions that a form admits -------------
+# -- A manoeuvre: two displacements and both back again, which leave the commutator of two admitted directions ---------
 #
 # For ω = a dx + b dy + c dz let X and Y be directions with ω(X) = ω(Y) = 0. To go ε along X, ε along Y, back along X
-# and
-# back along Y ends ε² [X, Y] from the start, up to higher orders, with [X, Y] = (X·∇) Y − (Y·∇) X. Since
+# and back along Y ends ε² [X, Y] from the start, up to higher orders, with [X, Y] = (X·∇) Y − (Y·∇) X. Since
 # ω([X, Y]) = −dω(X, Y), where ω ∧ dω is not zero, this is a direction that the form forbids at every single step.
 
 

@@ -46,7 +46,7 @@ from lagrange.algebra.forms.factor_methods import (
     symmetry_fields,
     unbarred,
 )
-from lagrange.algebra.forms.integrability import Exactness, exactness
+from lagrange.algebra.forms.frobenius import Exactness, exactness
 from lagrange.algebra.forms.limits import (
     LARGEST_FACTOR,
     LARGEST_FORM,

@@ -4,13 +4,13 @@ Whatever is found is proved afterwards, so that a limit can only leave a relatio
 largest value met in the 129 shipped problems, read off when the limits were gathered.
 """
 
-# Derived flag (`integrability`). Taylor order d, which is the number of bracket levels; a car with four trailers stays
+# Derived flag (`derived_flag`). Taylor order d, which is the number of bracket levels; a car with four trailers stays
 # below it. The work grows as C(2n + d, d) in n coordinates.
 HIGHEST_FLAG_ORDER = 10
 # Products of coefficients, at all points together: some seconds.
 FLAG_WORK = 6_000_000
 # Components of ω ∧ dω are brought to textbook form up to this length [52; 6 beyond, up to 95], and only for a form that
-# is itself short [40]; longer ones nobody would read (commit c6c4add).
+# is itself short [40]; longer ones are unreadable (commit c6c4add).
 LONGEST_TIDIED_COMPONENT = 60
 LONGEST_TIDIED_FORM = 40
 

@@ -9,7 +9,7 @@
 Such rules are applied to φ from outside inwards. The result is a list of alternatives; each is a list of functions that
 all vanish, most of them affine in the velocities. A system is one alternative, and only its author can say which. A
 factor without velocities, r in r (x' − y')² = 0, is assumed not to vanish, as in a Pfaffian form; where it can, it is
-listed as excluded, to be stated. An alternative that is contained in another is left out (x' = y' = 0 in x' = y'), and
+listed as excluded, to be stated. An alternative that is contained in another is omitted (x' = y' = 0 in x' = y'), and
 so are one that contradicts itself (x' = 0 with x' = 1) and, within one alternative, whatever follows from the rest.
 Affine forms are compared by rank.
 

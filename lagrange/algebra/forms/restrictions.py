@@ -22,7 +22,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_ze
 from lagrange.algebra.forms.exact_forms import differentiated
 from lagrange.algebra.forms.factor_candidates import is_quick_to_factor
 from lagrange.algebra.forms.factor_methods import shortened
-from lagrange.algebra.forms.integrability import is_integrable
+from lagrange.algebra.forms.frobenius import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.algebra.forms.limits import LARGEST_SOLVED_CONSTRAINT
 from lagrange.core.operations import count_operations

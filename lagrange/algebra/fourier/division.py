@@ -192,7 +192,7 @@ def _class_joined(parts: dict[int, Element], index: int, base: Element, order: i
 
 
 def _each_shortened(parts: dict[int, Element], base: Element, order: int) -> dict[int, Element]:
-    """The parts, each by itself in lowest terms: sin 2θ/(sin θ cos θ) is 2, whatever else there is over sin²θ."""
+    """The parts, each in lowest terms on its own: sin 2θ/(sin θ cos θ) is 2, whatever the other terms over sin²θ."""
     shortened: dict[int, Element] = {}
     for exponent, part in parts.items():
         numerator, lower = _shortened(part, base, exponent, order)

@@ -178,7 +178,7 @@ def irreducible_factors(polynomial: Any) -> tuple[int, list[tuple[Any, int]]]:
     Masses, spring constants and weights occur to the first power. In such a variable p = a x + b is g times an
     irreducible factor, g = gcd(a, b): only g, which does not contain x, remains to be factored.
     """
-    # A greatest common divisor in place of a multivariate factorization, whose time grows exponentially.
+    # A greatest common divisor instead of a multivariate factorization, whose time grows exponentially.
     linear = _linear_variable(polynomial)
     if linear is None:
         number, factors = polynomial.factor_list()

@@ -134,7 +134,7 @@ class ParameterPolynomials:
         term = self.monomial(monomial).scaled(number)
         if len(primitive) == 1:
             return PowerProduct(term.number * primitive[0], term.factors)
-        # One sum of masses stands beside many products of lengths. What is under roots decides what is factored.
+        # One sum of masses occurs with many products of lengths. What is under roots decides what is factored.
         key = len(self._basis.related), frozenset(primitive.items())
         factors = self._primitives.get(key)
         if factors is None:

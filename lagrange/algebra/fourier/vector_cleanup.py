@@ -1,7 +1,7 @@
 """Cleaning up after vector products: sin² + cos² = 1, and differences of coordinates.
 
-A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with
-sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is brought to textbook
+A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with sin θ
+sin(θ + φ) + cos θ cos(θ + φ), which no one would write by hand. An expression with such products is brought to textbook
 form, which is kept where it is shorter; any other stays as the file has it. So does a product of many rotations: the
 wheel of a bicycle is turned through five angles, which are hundreds of waves, and no shorter for it.
 

@@ -1,8 +1,8 @@
 """Equations of an answer about the forces of impending motion: N_B = μ N_A, N_A + ν N_B = W.
 
-With friction at its limit the reactions follow from the balance of forces. Put into an equation of an answer, they
-leave an identity, then it is right and says nothing of the position; or an equation that holds at every equilibrium,
-such as that of moments; or one that does not hold there, then it is wrong.
+With friction at its limit the reactions follow from the balance of forces. Substituted into an equation of an answer,
+they leave an identity (the equation is right, and says nothing about the position), an equation that holds at every
+equilibrium, such as that of moments (it is right), or one that does not (it is wrong).
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.limits import MOST_FRICTION_SIGNS
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
-from lagrange.answers.written.decimals import rounded
+from lagrange.answers.written.decimals import numbers_rounding_to
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -136,7 +136,7 @@ def _holds(residuals: Sequence[sp.Expr], motion: ImpendingMotion, reference: Ref
         for e in residuals:
             try:
                 value = comparison.solution.at(point, e)
-                close = decimals_in([value]) and rounded([value]) is not None
+                close = decimals_in([value]) and numbers_rounding_to([value]) is not None
                 verdicts.append(True if close else is_zero(value))
             except (NotAlgebraicError, DivisionByZeroError):
                 verdicts.append(None)

@@ -1,4 +1,4 @@
-"""Somebody else's equilibria with friction at its limit: each alternative belongs to a direction of slip.
+"""The equilibria of an answer with friction at its limit: each alternative belongs to a direction of slip.
 
 An answer is right if each of its alternatives is an equilibrium for some direction, and complete if it has all of them
 for every direction.
@@ -25,7 +25,7 @@ from lagrange.mechanics.results import Solution
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 
 
-def check_impending(
+def check_impending_answers(
     alternatives: Sequence[Sequence[Fragment]],
     motions: Sequence[ImpendingMotion],
     reference: Reference,

@@ -1,4 +1,4 @@
-"""Somebody else's conditions of rest: are they those that were derived?
+"""The conditions of rest of an answer: are they those that were derived?
 
 Two conditions a ≥ 0 and b ≥ 0 are the same if a/b has a positive sign where angles are acute. If the conditions are not
 the same one by one, both sets are tried at random numbers: a clear difference anywhere is an error. Sets that agree at
@@ -50,7 +50,7 @@ class _Stated:
     rounded: sp.Expr | None = None
 
 
-def check_rest(
+def check_rest_answers(
     stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference, solution: Solution
 ) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
@@ -100,7 +100,7 @@ def _explained(
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
         return ""
-    derived = [c for c in without_implied(cases[0]) if not c.equation]
+    derived = [c for c in without_implied_conditions(cases[0]) if not c.equation]
     wrong = [s for s in given if not any(_are_same(s, c) or _rounds_to(s, c) for c in derived)]
     if any(_rounds_to(replace(s, slack=-s.slack, rounded=s.rounded and -s.rounded), c) for s in wrong for c in derived):
         return "the inequality has the wrong sense: its limit is right"
@@ -131,9 +131,11 @@ def check_limits(
 
     A limit without an index is meant as an upper or a lower one, whichever is right.
     """
-    verdicts = [check_rest(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)]
+    verdicts = [
+        check_rest_answers(conditions, rests, reference, solution) for conditions in _as_conditions(stated, reference)
+    ]
     if not verdicts:
-        return check_rest(stated, rests, reference, solution)
+        return check_rest_answers(stated, rests, reference, solution)
     order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
     return min(verdicts, key=lambda v: order.index(v.verdict))
 
@@ -318,7 +320,7 @@ def _side_of_one(given: Sequence[_Stated], parts: Sequence[_Stated]) -> tuple[sp
 def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
     given, cases = _in_parts(stated, rest, values)
     if len(cases) == 1:
-        cases = [without_implied(cases[0])]
+        cases = [without_implied_conditions(cases[0])]
         same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c) or _rounds_to(s, c)} for s in given]
         matched = set().union(*same) if same else set()
         if all(same) and len(matched) == len(cases[0]):
@@ -346,7 +348,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
 
 
-def without_implied(case: Sequence[_Stated]) -> list[_Stated]:
+def without_implied_conditions(case: Sequence[_Stated]) -> list[_Stated]:
     """The conditions without those that another one implies, where they limit one letter in numbers: P <= 117.7 makes
     P <= 137.3 needless."""
     limits = [_in_numbers(c) for c in case]

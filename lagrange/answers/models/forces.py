@@ -81,7 +81,7 @@ def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
 
 
 def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
-    """Gravity is left out."""
+    """Gravity is omitted."""
     weights = m.of_kind(AppliedForceKind.WEIGHT)
     if weights:
         yield Variation("without gravity", "the forces: there is a weight", m.scaled(weights, sp.S.Zero))
@@ -95,7 +95,7 @@ def friction_reversed(m: Mechanics) -> Iterator[Variation]:
 
 
 def friction_left_out(m: Mechanics) -> Iterator[Variation]:
-    """Friction is left out."""
+    """Friction is omitted."""
     yield from _all_and_each(
         m, m.of_kind(AppliedForceKind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there"
     )
@@ -109,7 +109,7 @@ def potential_reversed(m: Mechanics) -> Iterator[Variation]:
 
 
 def force_left_out(m: Mechanics) -> Iterator[Variation]:
-    """One force is left out, or all of one kind."""
+    """One force is omitted, or all of one kind."""
     yield from _each_kind(m, sp.S.Zero, "without {}", "the forces: is {} there")
 
 

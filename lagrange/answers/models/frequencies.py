@@ -1,9 +1,9 @@
-"""Wrong frequencies of small oscillations: those of which changed problem?
+"""Wrong frequencies of small oscillations: which changed problem has them?
 
 At an equilibrium q_0 a changed problem has M_ij = Σ μ_a J_ia J_ja and K_kj = −∂Q_k/∂q_j, and its frequencies satisfy
 det(K − ω² M) = 0. The parts of M and K are numbers, at random values of the parameters, so that a changed problem costs
-a determinant. What the frequencies of an answer satisfy twice, at values that share nothing, they satisfy always, but
-for a chance that nobody has to fear.
+a determinant. What the frequencies of an answer satisfy twice, at values that share nothing, they satisfy always,
+except with a negligible probability.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
 
 
 def explained_by_models(claims: Sequence[sp.Expr], models: Models, at: Callable[[sp.Expr], sp.Expr]) -> str:
-    """Of which changed problem these are the frequencies, in a sentence; empty if that is not found.
+    """The changed problem that has these frequencies, in a sentence; empty if none is found.
 
     at  an expression with the values that the coordinates have at the equilibrium
     """
@@ -140,7 +140,7 @@ class RandomMatrices:
         if any(abs(p) > _SMALL for p in pulls) and not self.is_linear(m):
             return False  # it is no equilibrium of the changed problem
         n = len(inertia)
-        whole = determinant(inertia)
+        whole = leibniz_determinant(inertia)
         if abs(whole) <= _size(inertia) * _SMALL:
             return False
         # As many as there are coordinates are all roots of a polynomial, which n + 1 values tell from another one.
@@ -148,7 +148,7 @@ class RandomMatrices:
         for value in tried:
             matrix = [[stiffness[i][j] - value * inertia[i][j] for j in range(n)] for i in range(n)]
             expected = whole * sp.prod([r - value for r in roots]) if len(roots) == n else sp.S.Zero
-            if abs(determinant(matrix) - expected) > (_size(matrix) + abs(expected)) * _SMALL:
+            if abs(leibniz_determinant(matrix) - expected) > (_size(matrix) + abs(expected)) * _SMALL:
                 return False
         return True
 
@@ -224,7 +224,7 @@ def _size(matrix: Matrix) -> sp.Expr:
     return sp.prod([sum(abs(x) for x in row) or 1 for row in matrix])
 
 
-def determinant(matrix: Matrix) -> sp.Expr:
+def leibniz_determinant(matrix: Matrix) -> sp.Expr:
     """Leibniz' formula: four rows at most."""
     total = sp.S.Zero
     for order in permutations(range(len(matrix))):

@@ -28,7 +28,7 @@ LINEAR = (
 
 
 def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
-    """The prescribed motion is left out of T."""
+    """The prescribed motion is omitted from T."""
     time = len(m.slots.coordinates)
     moved = [i for i in m.inertias if time in i.moving]
     place = "the velocities: something moves as it is prescribed"
@@ -56,7 +56,7 @@ def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
 
 
 def velocity_left_out(m: Mechanics) -> Iterator[Variation]:
-    """What one coordinate adds to the velocity of a particle, or of all that it carries, is left out."""
+    """What one coordinate adds to the velocity of a particle, or of all that it carries, is omitted."""
     slots = m.slots
     for i, v in enumerate(slots.velocities):
         carried = [p for p in m.particles if i in p.moving and len(p.moving) > 1]
@@ -107,7 +107,7 @@ def _all_carried_left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def _component_left_out(m: Mechanics) -> Iterator[Variation]:
-    """One component of a velocity, or what one coordinate adds to one component of an angular velocity, is left out."""
+    """One component of a velocity, or what one coordinate adds to one component of an angular velocity, is omitted."""
     for p in m.particles:
         axes = [a for a in range(3) if any(c[a] != 0 for c in p.columns)]
         for a in axes if len(axes) > 1 else ():
@@ -164,7 +164,7 @@ def mass_of_another(m: Mechanics) -> Iterator[Variation]:
 
 
 def product_left_out(m: Mechanics) -> Iterator[Variation]:
-    """A product of two velocities, or a square, is left out of T."""
+    """A product of two velocities, or a square, is omitted from T."""
     yield from _products(m, sp.S.Zero)
 
 
@@ -180,13 +180,13 @@ def _products(m: Mechanics, factor: sp.Expr) -> Iterator[Variation]:
     how = {sp.S.Zero: "without the product", sp.S.NegativeOne: "with the wrong sign of the product"}
     for pair in pairs:
         if factor == -1 and pair[0] == pair[1]:
-            continue  # nobody counts a kinetic energy as negative: it is the sign of something else
+            continue  # a kinetic energy is never counted as negative: it is the sign of something else
         product = _product_of(pair, m)
         clause = how.get(factor, f"with {factor} times the product").replace(
             "product", "product" if pair[0] != pair[1] else "square"
         )
         those = [i for i in m.inertias if pair in i.products]
-        if factor == 0:  # all of T of a part is left out by other models
+        if factor == 0:  # all of T of a part is omitted by other models
             those = [i for i in those if len(i.moving) > 1]
         for i in those:
             what = "the rotation of " if i.turning else ""
@@ -199,7 +199,7 @@ def _products(m: Mechanics, factor: sp.Expr) -> Iterator[Variation]:
 
 
 def rotation_left_out(m: Mechanics) -> Iterator[Variation]:
-    """The energy of a rotation is left out."""
+    """The energy of a rotation is omitted."""
     turning = m.rotations
     for r in turning:
         clause = f"without the rotational energy of {called(r.name)}"
@@ -316,7 +316,7 @@ def product_half_done(m: Mechanics) -> Iterator[Variation]:
 
 
 def mixed_terms(m: Mechanics) -> Iterator[Variation]:
-    """The terms with products of two velocities are left out, or have the wrong sign or factor."""
+    """The terms with products of two velocities are omitted, or have the wrong sign or factor."""
     place = "the terms with products of two velocities"
     for factor, how in _FACTORS:
         changed = m.inertia(lambda i, f=factor: replace(i, mixed=f))  # type: ignore[misc]
@@ -324,7 +324,7 @@ def mixed_terms(m: Mechanics) -> Iterator[Variation]:
 
 
 def squared_terms(m: Mechanics) -> Iterator[Variation]:
-    """The terms with squares of velocities are left out, or have the wrong sign or factor."""
+    """The terms with squares of velocities are omitted, or have the wrong sign or factor."""
     place = "the terms with squares of velocities"
     for factor, how in _FACTORS:
         changed = m.inertia(lambda i, f=factor: replace(i, squared=f))  # type: ignore[misc]
@@ -362,7 +362,7 @@ def half_left_out(m: Mechanics) -> Iterator[Variation]:
 
 
 def mass_left_out(m: Mechanics) -> Iterator[Variation]:
-    """A particle, or the mass of a body, is left out altogether: its energy and its weight."""
+    """A particle, or the mass of a body, is omitted altogether: its energy and its weight."""
     if len(m.particles) < 2:
         return
     for p in m.particles:
@@ -387,7 +387,7 @@ def one_alone(m: Mechanics) -> Iterator[Variation]:
 
 
 def translation_left_out(m: Mechanics) -> Iterator[Variation]:
-    """The energy of a particle or mass centre is left out; its weight is not."""
+    """The energy of a particle or mass centre is omitted; its weight is not."""
     if len(m.inertias) < 2:
         return
     for p in m.particles:
@@ -424,7 +424,7 @@ def sum_of_angles(m: Mechanics) -> Iterator[Variation]:
 
 
 def length_left_out(m: Mechanics) -> Iterator[Variation]:
-    """A length is left out of the position of a particle or mass centre."""
+    """A length is omitted from the position of a particle or mass centre."""
     places = {s for p in m.particles for column in p.columns for c in column for s in c.free_symbols}
     moving = {*m.slots.coordinates, *m.slots.prescribed, t}
     for a in sorted((s for s in places if base(s) not in moving), key=str):

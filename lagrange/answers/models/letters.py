@@ -39,7 +39,7 @@ def letter_variations(
     """Other meanings of the letters of an answer, and special cases of letters that only the right conditions have.
 
     known    letters that are no parameters: unknown forces, multipliers
-    lengths  letters of the geometry, which nobody takes as negative: tried after the others
+    lengths  letters of the geometry, which are rarely taken as negative: tried after the others
     """
     return list(_letters(answer, right, slots, {*known}, {*lengths}))[:MAX_LETTER_VARIATIONS]
 
@@ -90,7 +90,9 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         slots = models.system.configuration.slots
         own = claim.free_symbols
         for resting, clause in _at_rest(models.system.configuration):
-            if own.isdisjoint(resting) and all(holds(claim, Variation("", "", values=resting), at) for at in states):
+            if own.isdisjoint(resting) and all(
+                claim_holds(claim, Variation("", "", values=resting), at) for at in states
+            ):
                 return f"it is the reaction {clause}"
         if balanced := _balanced(claim, models, states):
             return balanced
@@ -98,7 +100,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
         variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers, bound)
         likely = [v for v in variations if v.values or v.clause.endswith("exchanged")]
         for variation in likely:
-            if bound.isdisjoint(variation.values) and all(holds(claim, variation, at) for at in states):
+            if bound.isdisjoint(variation.values) and all(claim_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         for number, (_, variation) in enumerate(models.variations):
             if variation.mechanics is None or variation.is_reduced:
@@ -107,7 +109,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
             if row is not None and space is not None and row in space and _follows(claim, variation, states[1:]):
                 return f"this is the reaction {variation.clause}"
         for variation in variations:
-            if variation not in likely and all(holds(claim, variation, at) for at in states):
+            if variation not in likely and all(claim_holds(claim, variation, at) for at in states):
                 return f"this is the reaction {variation.clause}"
         system = models.system
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
@@ -205,7 +207,7 @@ def geometry_of(configuration: Configuration) -> set[sp.Basic]:
     return set().union(*(e.free_symbols for e in (*places, *tied, *configuration.expressed.values())))
 
 
-def holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
+def claim_holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
     """Whether a claim follows from the system with another meaning of a letter, or in a special case, at a state."""
     special = _with_values(at, variation)
     if special is None:

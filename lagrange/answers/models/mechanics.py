@@ -8,7 +8,7 @@ is 1, and J = ∂r/∂t. So T is a sum of products g_ij q_i' q_j', and each of t
 
     g_kj q_j''  (inertia) ,    ġ_kj q_j'  (the rest of d/dt ∂T/∂q_k') ,    −½ ∂g_ij/∂q_k q_i' q_j'  (−∂T/∂q_k) .
 
-People lose any of these: a velocity (all products with one i), a product, one of the three ways. `Inertia` has a factor
+Any of these may be lost: a velocity (all products with one i), a product, one of the three ways. `Inertia` has a factor
 for each. The forces are Q_k, one `ForceShare` for each weight, force, spring, damper, potential, moment and friction
 force.
 """

@@ -1,4 +1,4 @@
-"""Quasi-velocities taken for velocities of coordinates.
+"""Quasi-velocities mistaken for velocities of coordinates.
 
 In quasi-velocities u_s, with q_k' = Σ B_ks u_s + b_k, the equations of motion are not Lagrange's in the u_s but
 
@@ -23,7 +23,7 @@ from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_
 
 
 def products_left_out(m: Mechanics) -> Iterator[Variation]:
-    """The terms with products of quasi-velocities are left out, or have the wrong sign or factor."""
+    """The terms with products of quasi-velocities are omitted, or have the wrong sign or factor."""
     if not m.speeds or m.of_kind(AppliedForceKind.QUASI):
         return
     try:

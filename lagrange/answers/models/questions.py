@@ -1,11 +1,11 @@
 """Wrong answers to questions about a motion with one velocity: what was lost between the energy and the reaction.
 
-Such a question is answered from the energy integral, which gives v² at a place, and from a reaction N = A + B v². So
+Such a question is answered from the energy integral, which gives v² at a position, and from a reaction N = A + B v². So
 
     T_0 − ΔU = ½ M v² ,     N = A(q) + B(q) v² ,     `when` ,     quantity ,
 
-and people lose the potential energy or the ½ in the first, A or B v² in the second, or take v as zero. An answer is put
-into these equations with one of them changed: where they hold, that change explains it.
+and the usual losses are the potential energy or the ½ in the first, A or B v² in the second, or v taken as zero. An
+answer is substituted into these equations with one of them changed: if they hold, that change explains it.
 """
 
 from __future__ import annotations

@@ -4,8 +4,8 @@ At a state each term is a row [A | b], affine in the unknowns (accelerations, mu
 reduced modulo the row space of the derived equations and of the constraints, differentiated until accelerations occur.
 Residues are linear, and an equation follows if and only if those of its terms add up to zero.
 
-States are kept for one answer after the other, with what was evaluated there: an equation that is wrong at a random
-state is so whatever has been compared before it.
+States are kept from one answer to the next, with everything evaluated there: an equation that is wrong at a random
+state is wrong, whatever was compared before it.
 """
 
 from __future__ import annotations

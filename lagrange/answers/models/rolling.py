@@ -1,8 +1,8 @@
-"""Mistakes in how fast a body turns: ω of what rolls, or is carried round, in terms of the motion of its centre.
+"""Mistakes in how fast a body turns: ω of a body that rolls, or is carried round, in terms of the motion of its centre.
 
 A wheel that rolls in a ring turns by (R/r − 1) φ' and not by R/r φ', since the line of centres turns as well; a body
 that is carried by an arm turns with it, and its own angle may be counted from the arm. So a rate q_i' with which its
-centre is carried round is added to its angular velocity, or left out. A wheel that rolls on another moving one turns
+centre is carried round is added to its angular velocity, or omitted. A wheel that rolls on another moving one turns
 twice as fast as if it rolled on the ground. The work of moments on the body changes with its angular velocity.
 """
 

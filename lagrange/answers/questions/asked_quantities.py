@@ -17,14 +17,14 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
-from lagrange.answers.force_names import ForceMeaning, meanings
+from lagrange.answers.force_names import ForceMeaning, meanings_of_force
 from lagrange.answers.limits import ROUNDING_DIGITS
 from lagrange.answers.questions.named_values import Judged, check_each
-from lagrange.answers.questions.numbers_with_units import in_si
+from lagrange.answers.questions.numbers_with_units import text_in_si
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
@@ -84,7 +84,7 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
 
 def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[AskedClaim]:
     """What a text states about a question; with `±` two of them. Raises ProblemError."""
-    stated, fits = in_si(fragment, asked, reference)
+    stated, fits = text_in_si(fragment, asked, reference)
     return [AskedClaim(f, asked, solution, reference, fits) for f in with_both_signs(stated)]
 
 
@@ -145,7 +145,7 @@ class AskedClaim:
         return verdict, remark
 
     def _explained(self, claim: sp.Expr) -> str:
-        """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
+        """The changed problem that a wrong answer solves, or the factor by which it is off; empty if not found."""
         from lagrange.answers.models.letters import geometry_of, letter_variations
         from lagrange.answers.models.questions import (
             explained_answer,
@@ -246,7 +246,7 @@ class AskedClaim:
         difference = claim.xreplace(self.values) - value
         if decimals_in([difference]):
             residual = sp.sin(difference / 2) if self._is_angle() else difference
-            return rounded([residual]) is not None
+            return numbers_rounding_to([residual]) is not None
         same = is_zero(difference)
         if same is None and difference.has(sp.log):
             same = is_zero(_parted_logarithms(difference))
@@ -268,7 +268,7 @@ class AskedClaim:
         if True in same:
             if len(derived) == 1 or all(s is True for s in same):
                 if self.reaction is not None and is_zero(claim) is False:
-                    self.meaning = meanings(self.reaction)[0]
+                    self.meaning = meanings_of_force(self.reaction)[0]
                 return Verdict.EQUIVALENT, ""
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
@@ -279,7 +279,7 @@ class AskedClaim:
             return Verdict.UNDECIDED, UNDECIDED
         if self._is_odd() and any(self._same(claim, -v) or self._same(claim**2, v**2) for v in derived):
             return Verdict.EQUIVALENT, _SPEED
-        for meaning in meanings(self.reaction)[1:] if self.reaction is not None else ():
+        for meaning in meanings_of_force(self.reaction)[1:] if self.reaction is not None else ():
             if any(self._same(claim, v) for v in self._values_for(meaning)):
                 self.meaning = meaning
                 return Verdict.EQUIVALENT, meaning.remark
@@ -430,7 +430,7 @@ def _parted_logarithms(e: sp.Expr) -> sp.Expr:
 
 def _vanishes(e: sp.Expr) -> bool | None:
     """Whether an expression is zero, its decimals being numbers that round to them; None: undecided."""
-    return rounded([e]) is not None if decimals_in([e]) else is_zero(e)
+    return numbers_rounding_to([e]) is not None if decimals_in([e]) else is_zero(e)
 
 
 def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:

@@ -32,7 +32,7 @@ from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_freque
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
@@ -135,7 +135,7 @@ class EquilibriumPoint:
         try:
             residual = self.at(self.characteristic.xreplace({self.oscillations.unknown: claim})).xreplace(values)
             right = is_zero(as_written(residual))
-            return True if right is False and rounded([residual]) is not None else right
+            return True if right is False and numbers_rounding_to([residual]) is not None else right
         except DivisionByZeroError:
             return False
         except NotAlgebraicError:
@@ -150,7 +150,7 @@ class EquilibriumPoint:
         return None if same is None else not same
 
 
-def check_oscillations(answers: Answers, solution: Solution) -> Iterator[AnswerVerdict]:
+def check_oscillation_answers(answers: Answers, solution: Solution) -> Iterator[AnswerVerdict]:
     """The verdicts on frequencies and on decay rates."""
     if answers.frequencies:
         yield check_frequencies(answers.frequencies, solution)
@@ -173,7 +173,10 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
     reference, oscillating = reference_of_solution(solution), _oscillating(solution)
     linearizations = [f for f, _ in oscillating]
     try:
-        stated = [[e for f in fragments for one in listed(f) for e in with_both_signs(one)] for fragments in stated]
+        stated = [
+            [e for f in fragments for one in listed_frequencies(f) for e in with_both_signs(one)]
+            for fragments in stated
+        ]
         read = [[(f, value) for f in fragments for value in _values(f, reference)] for fragments in stated]
         stated = [[f for f, _ in pairs] for pairs in read]
         lists = [[value for _, value in pairs] for pairs in read]
@@ -275,7 +278,7 @@ def _has_name(name: str, text: str) -> bool:
     return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
 
 
-def listed(fragment: Fragment) -> list[Fragment]:
+def listed_frequencies(fragment: Fragment) -> list[Fragment]:
     """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
     return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]
@@ -303,7 +306,7 @@ def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
 
 
 def _of_models(claims: Sequence[sp.Expr], places: Sequence[EquilibriumPoint], reference: Reference) -> str:
-    """Of which changed problem these are the frequencies at one of the equilibria, in a sentence."""
+    """The changed problem that has these frequencies at one of the equilibria, in a sentence."""
     from lagrange.answers.models.frequencies import explained_by_models
 
     for place in places:
@@ -416,7 +419,7 @@ class _Exponents:
     exact    in closed form; None where not all are
     own      what ω² would be without damping, as far as known
     numbers  with the values of the parameters; None where some have none
-    zero     whether zero is one of them: it may be stated, and left out
+    zero     whether zero is one of them: it may be stated, and omitted
     """
 
     exact: tuple[sp.Expr, ...] | None
@@ -433,7 +436,7 @@ class _Exponents:
         for n, wanted in enumerate(self.exact or ()):
             difference = (claim - wanted).xreplace(self.values)
             right = vanishes_or_not(as_written(difference))
-            if right or (right is False and rounded([difference]) is not None):
+            if right or (right is False and numbers_rounding_to([difference]) is not None):
                 return n
             undecided = undecided or right is None
         if self.exact is not None or self.numbers is None:
@@ -470,7 +473,7 @@ def check_decay(
     return _of_exponents("decay", stated, lists, damped, linearizations)
 
 
-_ZERO = -2  # in place of an index
+_ZERO = -2  # instead of an index
 _UNDAMPED = "these are the frequencies without damping"
 _NO_DECAY = "no equilibrium with decay rates is known: nothing is damped there, or the exponents have no closed form"
 

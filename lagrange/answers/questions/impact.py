@@ -18,7 +18,7 @@ from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.core.symbols import prime
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion
@@ -129,4 +129,4 @@ def _same(claim: sp.Expr, value: sp.Expr, motion: ImpulsiveMotion, reference: Re
     exact = motion.surface.is_zero(as_written(difference))
     if exact is not False or not decimals_in([difference]):
         return exact
-    return rounded([difference]) is not None
+    return numbers_rounding_to([difference]) is not None

@@ -23,7 +23,7 @@ from lagrange.answers.questions.named_values import worst
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import prime, velocity_before
@@ -163,7 +163,7 @@ def _judged(
         holds = {motion.surface.is_zero(as_written(e)) for e in residuals}
     except DivisionByZeroError:
         return EquationVerdict.of(text, Verdict.UNREADABLE, DIVIDES_BY_ZERO)
-    if False in holds and decimals_in(residuals) and rounded(residuals) is not None:
+    if False in holds and decimals_in(residuals) and numbers_rounding_to(residuals) is not None:
         holds, remarks = {True}, [*remarks, _ROUNDED]
     if False in holds:
         return EquationVerdict.of(text, Verdict.WRONG, _WRONG)

@@ -1,7 +1,7 @@
 """Texts that answer other questions than for equations of motion: impacts, steady states, values, Hamilton's function.
 
-In a file of answers each question has its key. In a text it is recognised by what the problem asks for and by what
-stands in the lines. What is an equation of motion, a position of equilibrium or a constraint is judged as such.
+In a file of answers each question has its key. In a text it is recognised by what the problem asks for and by the
+contents of the lines. What is an equation of motion, a position of equilibrium or a constraint is judged as such.
 """
 
 from __future__ import annotations
@@ -48,9 +48,9 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if solution.impact is not None and solution.own.motion is None:
         return _impact(answer, solution)
     if solution.linear_motion is not None:
-        from lagrange.answers.questions.linear_motion import check_linear_motion
+        from lagrange.answers.questions.linear_motion import check_linear_motion_answers
 
-        return Judgement(check_linear_motion(answer, solution), problem=solution.problem)
+        return Judgement(check_linear_motion_answers(answer, solution), problem=solution.problem)
     if (rest := solution.rest_in_numbers) is not None and not _with_accelerations(answer, solution):
         from lagrange.answers.questions.positions_in_numbers import compared_with_rest
 
@@ -172,7 +172,7 @@ def _hamiltonian(
 
 def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations without accelerations as conditions of steady motion, where they are no others."""
-    from lagrange.answers.equilibria import alternatives_of, check_steady
+    from lagrange.answers.equilibria import alternatives_of, check_steady_answers
     from lagrange.answers.readings import GivenEquation
     from lagrange.answers.written.working import understood
     from lagrange.core.symbols import base, prime
@@ -188,7 +188,7 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
         return judge(answer)
     conditions = [v.steady.general for v in solution.views if v.steady is not None]
     try:
-        verdict = check_steady(alternatives_of(working.judged), conditions, reference)
+        verdict = check_steady_answers(alternatives_of(working.judged), conditions, reference)
     except ProblemError:
         return judge(answer)
     if verdict.verdict in (Verdict.UNREADABLE, Verdict.TRIVIAL):
@@ -260,9 +260,9 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.frequencies import listed, stated_frequencies
+    from lagrange.answers.questions.frequencies import listed_frequencies, stated_frequencies
 
-    alone = stated_frequencies([fragment]) and len(listed(fragment)) == 1
+    alone = stated_frequencies([fragment]) and len(listed_frequencies(fragment)) == 1
     pairs = in_pairs(fragment) if alone else []
     made = [p.finished(latex=is_latex(fragment)) for p in pairs] or [fragment]
     return made[:1] if sides_agree(fragment, reference) else made
@@ -307,7 +307,7 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
     answer = [without_place(f) for f in answer]
     valued = values_of(solution.problem) is not None
     numbered = [(f, stated_in_numbers(f) if valued else None) for f in answer]
-    if any(n for _, n in numbered):  # beside these a number alone is one whose unit was left out
+    if any(n for _, n in numbered):  # beside these a number alone is one whose unit was omitted
         numbered = [(f, n or ((f, None) if _NUMBER_ALONE.search(f.text) else None)) for f, n in numbered]
     numbers = [n[0] for _, n in numbered if n]
     lines = asked_in_text(numbers, solution) if numbers else None
@@ -329,7 +329,7 @@ def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judg
         others = _asked_in_formulas([f for f in formulas if f is not None], solution, judge)
     except ProblemError:
         return _only(_if_complete(verdict, lines.missing), solution)
-    if others.verdict is Verdict.INCOMPLETE and not lines.missing:  # what it leaves out is answered in numbers
+    if others.verdict is Verdict.INCOMPLETE and not lines.missing:  # what it omits is answered in numbers
         return _only(verdict, solution)
     return replace(others, others=(*others.others, verdict))
 

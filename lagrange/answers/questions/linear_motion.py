@@ -62,7 +62,7 @@ class _Tables:
         return [mpmath.matrix(m.xreplace(values).evalf(30).tolist()) for m in self.all]
 
 
-def check_linear_motion(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
+def check_linear_motion_answers(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
     """The verdict on equations together."""
     assert solution.linear_motion is not None
     tables, reference = _Tables(solution.linear_motion), reference_of_solution(solution)

@@ -28,7 +28,7 @@ _FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
 _NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
 
 
-def in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
+def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
     """A text whose last side is a number with a unit, with the number in SI; the text itself in all other cases.
 
     Second, whether the unit has the dimension of what is asked for, as far as that is known.
@@ -85,6 +85,6 @@ def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
     known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
     known |= dimensions_of_units(reference.units)
     values = [v for b in asked.branches for v in b.values if v.free_symbols]
-    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found in numbers
+    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found numerically
         values = [asked.question.quantity]
     return {d for v in values if (d := dimension(v, known)) is not None}

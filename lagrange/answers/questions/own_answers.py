@@ -121,9 +121,9 @@ def answers_besides_equations(solution: Solution, answers: Answers) -> Iterator[
     if answers.rest:
         yield compared_rest(solution, answers.rest)
     if answers.frequencies or answers.decay:
-        from lagrange.answers.questions.frequencies import check_oscillations
+        from lagrange.answers.questions.frequencies import check_oscillation_answers
 
-        yield from check_oscillations(answers, solution)
+        yield from check_oscillation_answers(answers, solution)
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
     if answers.ask:
@@ -144,7 +144,7 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         if answers.generalized_forces:
             yield quantities.check_generalized_forces(answers.generalized_forces, solution)
         if answers.conserved:
-            yield quantities.check_conserved(answers.conserved, solution)
+            yield quantities.check_conserved_answers(answers.conserved, solution)
         from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
 
         if answers.virtual_displacements and about_constraints(solution):
@@ -155,11 +155,11 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         elif answers.virtual_displacements:
             yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
     if answers.steady:
-        from lagrange.answers.equilibria import check_steady
+        from lagrange.answers.equilibria import check_steady_answers
 
         conditions = [v.steady.general for v in solution.views if v.steady is not None]
         if conditions:
-            verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
+            verdict = check_steady_answers(answers.steady, conditions, reference_of_solution(solution))
             yield replace(explained_steady(verdict, answers.steady, conditions, solution), name="steady")
         else:
             why = "the problem does not ask for steady motions"
@@ -180,13 +180,13 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
 
 def compared_rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
     """The verdict on the conditions of rest with friction."""
-    from lagrange.answers.friction.rest_conditions import check_rest
+    from lagrange.answers.friction.rest_conditions import check_rest_answers
 
     rests = conditions_of_rest(solution)
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
-    return check_rest(stated, rests, reference_of_solution(solution), solution)
+    return check_rest_answers(stated, rests, reference_of_solution(solution), solution)
 
 
 def asks_for_rest_alone(solution: Solution) -> bool:
@@ -201,10 +201,12 @@ def conditions_of_rest(solution: Solution) -> list[Rest | Rolling]:
 
 def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria with friction at its limit, in the coordinates where it is best."""
-    from lagrange.answers.friction.impending import check_impending
+    from lagrange.answers.friction.impending import check_impending_answers
 
     reference = reference_of_solution(solution)
-    verdicts = [check_impending(alternatives, v.impending, reference, solution) for v in solution.views if v.impending]
+    verdicts = [
+        check_impending_answers(alternatives, v.impending, reference, solution) for v in solution.views if v.impending
+    ]
     return replace(max(verdicts, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
 
 
@@ -238,7 +240,7 @@ def explained_steady(
     """The verdict on conditions of steady motion, with what is missing, or what they are instead."""
     tried = [alternatives]
     if verdict.verdict is Verdict.WRONG and len(alternatives) == 1 and len(alternatives[0]) > 1:
-        scope = reference_of_solution(solution).scope  # an equation without a tension that nobody declared, by itself
+        scope = reference_of_solution(solution).scope  # an equation without an undeclared tension, by itself
         tried = [[(f,)] for f in alternatives[0] if read_answer(f, scope).error is None] or tried
     why = next(filter(None, (_about_equilibria(verdict, a, conditions, solution) for a in tried)), "")
     return replace(verdict, diagnosis=why.replace("equilibria", "steady motions"))
@@ -263,9 +265,9 @@ def _about_equilibria(
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
     if solution.linear_motion is not None:
-        from lagrange.answers.questions.linear_motion import check_linear_motion
+        from lagrange.answers.questions.linear_motion import check_linear_motion_answers
 
-        linear = check_linear_motion(answers.equations, solution)
+        linear = check_linear_motion_answers(answers.equations, solution)
         if linear.unreadable:
             raise ProblemError(linear.unreadable)
         return linear.verdict

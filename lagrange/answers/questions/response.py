@@ -17,7 +17,7 @@ from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
@@ -80,7 +80,7 @@ def judged_amplitude(claim: sp.Expr, name: str, responses: Sequence[Response], r
     difference = (claim**2 - squares[name]).xreplace(dict(reference.values))
     same = is_zero(as_written(difference))
     if same is False and decimals_in([difference]):
-        same = rounded([difference]) is not None
+        same = numbers_rounding_to([difference]) is not None
     if same is not False:
         return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.EQUIVALENT, "")
     from lagrange.answers.models.questions import explained_value

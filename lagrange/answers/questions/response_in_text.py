@@ -22,7 +22,7 @@ from lagrange.answers.questions.response import judged_amplitude
 from lagrange.answers.readings import GivenEquation, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import read_as_written
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Fragment
@@ -214,7 +214,7 @@ def _judged_motion(q: sp.Symbol, value: sp.Expr, responses: Sequence[Response], 
         difference = (value - motion).xreplace(dict(reference.values))
         same = is_zero(as_written(difference))
         if same is False and decimals_in([difference]):
-            same = rounded([difference]) is not None
+            same = numbers_rounding_to([difference]) is not None
         if same is None and difference.has(sp.atan, sp.acos, sp.asin):
             same = is_zero(sp.expand(sp.expand_trig(difference)))
     except DivisionByZeroError:

@@ -1,10 +1,10 @@
-"""Words on stability beside positions of equilibrium: are they true?
+"""Statements on stability beside positions of equilibrium: are they true?
 
     theta = 0, stable for W < c h        theta = pi is unstable        sin(theta) = M/m, stable if cos(theta) > 0
 
 A claim is tried at random values of the parameters, at every position that its equation describes and that exists
-there, against the second variation of the potential energy. A position that is called stable under a condition is
-meant to be unstable elsewhere. Where V'' has no clear sign nothing is said. A claim without a condition that is true
+there, against the second variation of the potential energy. A position that is called stable under a condition is meant
+to be unstable elsewhere. Where V'' has no clear sign the claim is not judged. A claim without a condition that is true
 for some values of the parameters only lacks its condition.
 """
 

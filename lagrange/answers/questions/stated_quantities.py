@@ -95,7 +95,7 @@ def check_generalized_forces(stated: Mapping[str, Fragment], solution: Solution)
     return _together("generalized_forces", parts, solution)
 
 
-def check_conserved(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
+def check_conserved_answers(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
     """The verdict on first integrals together; without one of the derived ones they are incomplete."""
     reference = reference_of_solution(solution)
     readings: list[Reading] = []

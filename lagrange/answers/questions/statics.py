@@ -17,7 +17,7 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.mechanics.results import Solution
 
 
-def check_statics(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
+def check_statics_answers(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
     """The verdict on equations without motion; whether they are about equilibria, and about reactions there."""
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     reference = reference_of_solution(solution)

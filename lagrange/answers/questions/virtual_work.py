@@ -15,7 +15,7 @@ from lagrange.core.symbols import differential, variation
 from lagrange.mechanics.results import Solution
 
 
-def with_conditions(working: Working, solution: Solution) -> Working:
+def with_stated_conditions(working: Working, solution: Solution) -> Working:
     """The answer with the conditions that its equations between virtual displacements state."""
     return replace(working, judged=tuple(_conditions(f, solution) for f in working.judged))
 

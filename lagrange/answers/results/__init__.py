@@ -1,1 +1,1 @@
-"""Wrong results that are no equations of motion: of which changed problem are they?"""
+"""Wrong results other than equations of motion: which changed problem do they solve?"""

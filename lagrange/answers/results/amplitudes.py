@@ -1,4 +1,4 @@
-"""Wrong amplitudes of a steady state: of which changed linear equations?
+"""Wrong amplitudes of a steady state: which changed linear equations have them?
 
 The right ones are those of (K − ω² M + iω D) Z = F − iG. A changed problem has another K, M, D or F: a coupling that is
 missing in one equation or in all, or has the wrong sign, a drive in the wrong equation, other letters. Its amplitudes

@@ -1,8 +1,8 @@
 """Whether changed equations may hold at an equilibrium, seen at random values of the parameters.
 
 An equilibrium with roots in it, y = b W/√(4 P² − W²), is compared with a changed answer by solving that, which takes
-long. What differs from zero at random values of the parameters does not hold, so that most changes are put aside by
-numbers, and those that are left are compared exactly.
+long. What differs from zero at random values of the parameters does not hold, so that most changes are excluded
+numerically, and those that remain are compared exactly.
 """
 
 from __future__ import annotations

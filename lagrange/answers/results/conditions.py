@@ -1,9 +1,9 @@
-"""Wrong conditions of rest: what they are the conditions of.
+"""Wrong conditions of rest: which changed problem has them.
 
-A condition is slack s ≥ 0, and its limit is s = 0. A stated one is put beside each derived one, changed as people get
-it wrong: the sense of the inequality, another meaning of a letter (`meanings`), two contacts whose limits are added up,
-a factor of one side, one term of the balance. Limits are the same where the value of a letter in which the changed one
-is linear makes the stated one vanish: at random numbers first, then exactly.
+A condition is slack s ≥ 0, and its limit is s = 0. A stated one is compared with each derived one, changed in the usual
+wrong ways: the sense of the inequality, another meaning of a letter (`meanings`), two contacts whose limits are added
+up, a factor of one side, one term of the balance. Limits are the same where the value of a letter in which the changed
+one is linear makes the stated one vanish: at random numbers first, then exactly.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ def _of_all(
 
 
 def _scaled_limit(meaning: LetterMeaning, slack: sp.Expr) -> str:
-    """P <= 2 W for P <= W: with P/2 in place of P; empty for other changes."""
+    """P <= 2 W for P <= W: with P/2 instead of P; empty for other changes."""
     [(letter, value), *others] = meaning.rule.items()
     factor = value / letter
     if others or not factor.is_Rational or factor <= 0 or not isinstance(letter, sp.Symbol):

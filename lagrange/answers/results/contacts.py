@@ -2,7 +2,7 @@
 
 With one letter μ for two contacts a condition does not tell what the friction of each contributes. So the problem is
 solved once more, each contact with a coefficient of its own; then the friction of one contact alone may act the other
-way, or be left out: μ_1 → −μ or 0, and μ_k → μ for all others.
+way, or be omitted: μ_1 → −μ or 0, and μ_k → μ for all others.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from lagrange.problem.model import Force, Friction, Problem
 
 
 def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution) -> str:
-    """Which friction is reversed or left out in wrong conditions or limits, in a sentence; empty if that is not found.
+    """Which friction is reversed or omitted in wrong conditions or limits, in a sentence; empty if that is not found.
 
     All stated ones have to be those of the same changed problem.
     """

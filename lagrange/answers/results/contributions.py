@@ -5,7 +5,7 @@ a direction. A stated equation, solved for a letter and put in, leaves a residue
 
     E_k = −Σ_f S_fk ≠ 0 ,     and     −Σ_f S_fk + (1 − c) S_gk = 0     for   c = 1 + E_k/S_gk ,
 
-so that force g with c S_gk in place of S_gk, another arm, explains the equation of q_k. That is said where c is short:
+so that force g with c S_gk instead of S_gk, another arm, explains the equation of q_k. That is said where c is short:
 a number, a ratio of lengths, a sine. Where the residue is the contribution of a force to another equation, that force
 was taken to act there as well.
 """

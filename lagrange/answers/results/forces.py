@@ -47,8 +47,8 @@ def explained_force(equation: sp.Expr, candidate: ReferenceCandidate) -> str:
 
 
 def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate) -> str:
-    """Of which small ratio to the stated force the right one is, in a sentence; empty if of none."""
-    from lagrange.answers.models.letters import holds
+    """The simple ratio of the right force to the stated one, in a sentence; empty if there is none."""
+    from lagrange.answers.models.letters import claim_holds
     from lagrange.answers.models.variation import Variation
 
     try:
@@ -59,7 +59,7 @@ def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate
         for wave in waves:
             factors |= {wave: f"a factor {wave} is missing", 1 / wave: f"there is a factor {wave} too many"}
         for factor, said in factors.items():
-            if all(holds(equation, Variation("", "", rule={force: force / factor}), at) for at in states):
+            if all(claim_holds(equation, Variation("", "", rule={force: force / factor}), at) for at in states):
                 return said
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass

@@ -1,7 +1,7 @@
-"""Wrong velocities just after an impact, impulses and losses of energy: what they are instead.
+"""Wrong velocities just after an impact, impulses and losses of energy: what was done instead.
 
 The velocities satisfy M (q' − q'_0) = Ĵ + Aᵀ λ and A q' + a = 0. A changed problem has another M: the moment of inertia
-of another body, a mass or a rotation that is left out. Its velocities are numbers at random values of the letters.
+of another body, a mass or a rotation that is omitted. Its velocities are numbers at random values of the letters.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def _reasons(
 
 
 def _of_another_inertia(name: str, claim: sp.Expr, motion: ImpulsiveMotion, problem: Problem) -> str | None:
-    """Of which changed inertia a velocity is, as the end of a sentence."""
+    """The changed inertia that gives a velocity, as the end of a sentence."""
     m = mechanics_of(motion.configuration, problem)
     n = len(m.slots.coordinates)
     if n > MOST_STRUCK:
@@ -153,7 +153,7 @@ def _with_other_inertias(m: Mechanics) -> Iterator[tuple[Mechanics, str]]:
 def _about_another_point(
     m: Mechanics, motion: ImpulsiveMotion, number: int, claims: list[sp.Expr], draws: list[_Draw]
 ) -> str | None:
-    """Of which changed inertia a velocity is that follows from the right momentum, as the end of a sentence.
+    """The changed inertia that gives a velocity from the right momentum, as the end of a sentence.
 
     Where one degree of freedom is left, u' = p/I with I = 2 T/u'²: the momentum about the hinge may be the right one,
     and I that about the mass centre.

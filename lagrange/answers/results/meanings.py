@@ -1,7 +1,7 @@
 """Other meanings of the letters of a right result: what a wrong one is, stated in symbols, if it is right with them.
 
 A result in symbols follows from forces, arms, masses and coefficients of friction. Where one of these was taken for
-another one, left out, reversed or counted twice throughout, the wrong result is the right one with another expression
+another one, omitted, reversed or counted twice throughout, the wrong result is the right one with another expression
 for a letter: μ → −μ is friction that acts the other way, ν → 0 a wall without friction, h → c an arm taken for another.
 """
 

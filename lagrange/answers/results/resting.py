@@ -1,12 +1,12 @@
-"""Wrong positions of equilibrium, and wrong forces that hold a system: of which changed problem they are right.
+"""Wrong positions of equilibrium, and wrong forces that hold a system: the changed problem for which they are right.
 
 At rest the equations of a system are
 
     E_k = Σ_a μ_a ( ∂_t (J_ka J_ta) − ½ ∂_k J_ta² ) − Q_k = Σ_j λ_j a_jk ,
 
-where the first sum is there in moving frames alone. A stated equation is solved for a letter that occurs linearly in
-it: a force, a weight, a stiffness. With this put in, a changed problem, or another meaning of the letters, explains the
-answer where E_k = 0, or where the rank of (a, E) is that of a. That is one exact test a change, and no equation has to
+where the first sum occurs only in moving frames. A stated equation is solved for a letter that occurs linearly in it: a
+force, a weight, a stiffness. With this substituted, a changed problem, or another meaning of the letters, explains the
+answer if E_k = 0, or if the rank of (a, E) is that of a. That is one exact test for each change, and no equation has to
 be solved for a position.
 """
 
@@ -184,7 +184,7 @@ class WrongEquilibria:
         return not resting.balanced(own, {}) and all(r is not None and resting.balanced(own, r) for r in rules)
 
     def of_changed_problem(self, problem: Problem) -> str:
-        """Of which changed problem they are the equilibria, as the end of a sentence; empty if not found."""
+        """The changed problem whose equilibria they are, as the end of a sentence; empty if not found."""
         for variation, forces in self.resting.changed(problem):
             if all(
                 r is not None and self.resting.balanced(forces, r) for r in self.rules

@@ -1,7 +1,7 @@
-"""Wrong accelerations and reactions at the start: those of which changed problem?
+"""Wrong accelerations and reactions at the start: which changed problem has them?
 
 At t = 0 the state is given, so that an acceleration or a reaction follows from the equations of motion alone, which
-are linear in them. A stated value is put beside the equations of each changed problem in that state.
+are linear in them. A stated value is compared with the equations of each changed problem in that state.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from lagrange.mechanics.questions.results import Asked
 
 
 def explained_at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> str:
-    """Of which changed problem a wrong value at t = 0 is, in a sentence; empty if that is not found.
+    """The changed problem that gives a wrong value at t = 0, in a sentence; empty if none is found.
 
     candidate  the file's own system
     """

@@ -1,12 +1,12 @@
-"""Wrong speeds, times and distances of a motion with a constant acceleration: of which changed problem are they?
+"""Wrong speeds, times and distances of a motion with a constant acceleration: which changed problem has them?
 
 Where the energy of a coordinate q is ½ M q'² + c q with constant M and c, its acceleration A is constant, and each of
 
     v² = v_0² + 2 A (q − q_0) ,     q − q_0 = v_0 t + ½ A t²
 
-gives the A that a stated speed, time or place stands for. It is put beside the equations of each changed problem, as
-an acceleration that is stated itself would be. A time that is the way over the velocity at the end, or that lacks the
-½, is named as such.
+gives the A that a stated speed, time or place implies. It is compared with the equations of each changed problem, as a
+stated acceleration would be. A time that is the distance divided by the final velocity, or that lacks the ½, is named
+as such.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Uniform:
 def explained_uniform(
     claim: sp.Expr, asked: Asked, others: Sequence[Asked], candidates: Sequence[ReferenceCandidate]
 ) -> str:
-    """Of which changed problem a wrong value is, in a sentence; empty if that is not found."""
+    """The changed problem that gives a wrong value, in a sentence; empty if none is found."""
     motion = next(filter(None, (_uniform(a) for a in (asked, *others) if a.choice == asked.choice)), None)
     if motion is None:
         return ""

@@ -46,7 +46,7 @@ def with_equality(fragment: Fragment) -> Fragment:
     return draft.finished(latex=is_latex(fragment))
 
 
-def results(answer: Sequence[Fragment]) -> tuple[Fragment, ...]:
+def exact_results(answer: Sequence[Fragment]) -> tuple[Fragment, ...]:
     """The equations without what stands beside them: letters of parts, and numbers after exact results."""
     numbered = _parts_numbered([f.text for f in answer])
     return tuple(_alone(f, parts=numbered) for f in answer)

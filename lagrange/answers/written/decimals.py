@@ -69,7 +69,7 @@ def rounded_in_motion(equations: Sequence[sp.Expr], system: System) -> DecimalVa
     return _rounded(equations, unknowns, configuration.states, prepared)
 
 
-def rounded(expressions: Sequence[sp.Expr], surface: Surface | None = None) -> DecimalValues | None:
+def numbers_rounding_to(expressions: Sequence[sp.Expr], surface: Surface | None = None) -> DecimalValues | None:
     """Numbers that round to the decimals, with which expressions vanish on a surface; None if none are found."""
     space = surface or Surface()
     for choice in product(*(_factors(e) for e in expressions)):

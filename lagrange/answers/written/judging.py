@@ -1,9 +1,9 @@
-"""The verdict on an answer with its working: of what can be read, with what was not judged said in notes.
+"""The verdict on an answer with its working: on everything that can be read, with notes on what was not judged.
 
 A wrong equation is read in its other way, `a/b c` as a/(b c), if that makes it right. An equation that is marked as an
 approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an
-answer wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless
-something is missing there: it might have been in that line.
+answer wrong whose other equations are complete. A line that cannot be read leaves the verdict on the rest as it is,
+unless something is missing there: it might have been in that line.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@ r"""Lines of an answer in plain text: which belong together, where equations beg
 A line continues the one before it if that one ends, or it begins, with a sign that needs something on its other side,
 and one of them has no `=`. Several equations on a line are separated by `;`, by arrows, and by commas or wide spaces
 after which another equation comes. Bullets, numbers and words before an equation, words and comments after it, and the
-braces of a list around equations are left out.
+braces of a list around equations are omitted.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from lagrange.answers.written.approximations import is_about, results, with_equality
+from lagrange.answers.written.approximations import exact_results, is_about, with_equality
 from lagrange.answers.written.cases.by_sense import with_cases
 from lagrange.answers.written.notation.decimal_commas import with_decimal_points
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
@@ -140,7 +140,7 @@ def is_mathematics(line: str) -> bool:
     return bool(_MATHEMATICS.search(line)) and not prose and not line.rstrip().endswith(":")
 
 
-def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
+def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
     """Adjoining lines, each with its place and text, put together where one continues the other."""
     parts: list[tuple[int, int]] = []
     equals = mathematics = False
@@ -499,14 +499,14 @@ def in_pairs(fragment: Fragment) -> list[Draft]:
     return pieces
 
 
-def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
+def separated_lines(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
     answer = [*answer]
     if len(answer) > 1 and not any(isinstance(f, OneEquation) for f in answer):  # a case each
         texts = "\n".join(f.text for f in answer)
         together = with_cases(texts)
         answer = answer if together == texts else [Fragment.of(together, answer[0].whole.source.name)]
-    return results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
+    return exact_results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
 
 
 def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:
@@ -575,6 +575,6 @@ def _separated(fragment: Fragment) -> list[Fragment]:
     for line in fragment.text.split("\n"):
         lines.append((at, at + len(line), line))
         at += len(line) + 1
-    written = [(start, end) for start, end in joined([x for x in lines if x[2].strip()])]
+    written = [(start, end) for start, end in joined_lines([x for x in lines if x[2].strip()])]
     parts = [e for start, end in written for e in equations_of_line(_part(fragment, start, end))]
     return parts or [fragment]

@@ -1,8 +1,8 @@
 r"""Numbers of equations: `... = 0   (2)`, `\;(2)`, `~~(2)`, `[2]`, `(2a)`, `(*)`. None is a factor.
 
-A number in brackets after a space, or after a 0, at the end of an equation with a `=` numbers it: nobody writes a
-factor there. `(Ans.)`, `[Result]` and `q.e.d.` are none either. Roman numerals and letters, which may be names, are
-numbers only after a wide space.
+A number in brackets after a space, or after a 0, at the end of an equation with a `=` numbers it: a factor is never
+written there. `(Ans.)`, `[Result]` and `q.e.d.` are not factors either. Roman numerals and letters, which may be names,
+are numbers only after a wide space.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-r"""Names of coordinates and of their rates that the problem does not declare, and everybody understands.
+r"""Names of coordinates and of their rates that the problem does not declare but every reader understands.
 
     th, ph1                      θ, φ1, where these are coordinates and `th` is nothing else
     \ell, ℓ                      l

@@ -7,7 +7,7 @@ r"""Sentences around an equation in plain text: words that are no names of the p
 What precedes the left side is dropped up to the last linking word or punctuation mark that has a word of prose
 before it; what stands after the right side, from the first of them that is followed by prose alone. A word of prose has
 four letters or more, and is no name of the problem or the answer, no function and no product of names. A single
-unknown word beside an equation is not left out: it may be a factor.
+unknown word beside an equation is not omitted: it may be a factor.
 
 An equation after `when`, `if`, `until` and the like is a condition: it is no statement about every motion.
 """

@@ -4,7 +4,7 @@ r"""A statement about one quantity: its value, with a label on the left, and the
     m g/k (1 - cos(w t)), w = sqrt(k/m)
 
 A label is a name that stands alone on the left and that the problem does not declare: it says what is stated, and is
-left out. A name that is defined after a comma or `where` has that meaning in the statement. Of several sides the first
+omitted. A name that is defined after a comma or `where` has that meaning in the statement. Of several sides the first
 and the last are compared.
 """
 
@@ -48,7 +48,7 @@ class Statement:
     """What is stated: one side is a value, two are an equation.
 
     scope   with the names that the statement defines
-    label   the letter of what was left out on the left, with `^2` if its square is stated; empty if nothing was
+    label   the letter of what was omitted on the left, with `^2` if its square is stated; empty if nothing was
     """
 
     sides: tuple[Fragment, ...]

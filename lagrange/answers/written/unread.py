@@ -1,4 +1,4 @@
-"""Equations that cannot be read, and why: names that nobody declared, or the method quoted without its Lagrangian."""
+"""Equations that cannot be read, and why: undeclared names, or the method quoted without its Lagrangian."""
 
 from __future__ import annotations
 

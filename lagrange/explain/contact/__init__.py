@@ -1,1 +1,1 @@
-"""The words on contact: one-sided constraints, and friction at rest."""
+"""The prose on contact: one-sided constraints, and friction at rest."""

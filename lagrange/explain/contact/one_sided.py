@@ -1,4 +1,4 @@
-"""One-sided constraints: what they are, and as long as what they act."""
+"""One-sided constraints: what they are, and how long they act."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The words of the energies: T and V, Lagrange's and Hamilton's equations, conserved quantities."""
+"""The prose of the energies: T and V, Lagrange's and Hamilton's equations, conserved quantities."""

@@ -9,7 +9,7 @@ from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, 
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.displacements import conditions
+from lagrange.explain.displacements import pivot_conditions
 from lagrange.explain.energy.energies import LagrangeExposition
 from lagrange.explain.limits import LONGEST_INTERMEDIATE
 from lagrange.explain.motion import final_equations, scaling, title_of_equations
@@ -270,7 +270,7 @@ def _eliminated(setup: LagrangeExposition) -> list[Block]:
     motion = setup.motion
     dependent = listed(math(setup.coordinates[d]) for d in motion.elimination.dependent)
     free = [math(setup.coordinates[k]) for k in motion.elimination.independent]
-    pivots = conditions(motion.elimination)
+    pivots = pivot_conditions(motion.elimination)
     where: tuple[Part, ...] = (", where ", *pivots, ",") if pivots else ()
     scaled = in_brackets(scaling(motion.equations))
     if motion.forces is None:

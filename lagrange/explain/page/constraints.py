@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.forms.integrability import PartialsComparison
+from lagrange.algebra.forms.frobenius import PartialsComparison
 from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step

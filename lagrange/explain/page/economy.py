@@ -1,7 +1,7 @@
-"""What a page need not say: abbreviations that it does not use, a unit vector under two names, a letter defined twice.
+"""What a page can omit: abbreviations that it does not use, a unit vector under two names, a letter defined twice.
 
-The derivation is written as if each of its steps stood alone. On the page they follow one another: what one of them has
-said the next need not repeat. Nothing is computed here; equal unit vectors are those with equal components.
+The derivation is written as if each of its steps stood alone. On the page they follow one another, and a step need not
+repeat what the one before has said. Nothing is computed here; equal unit vectors are those with equal components.
 """
 
 from __future__ import annotations
@@ -144,7 +144,7 @@ def _defined(e: Equation) -> str:
 
 
 def _names_in(block: Block, stated: Collection[str]) -> Iterator[str]:
-    """The names of symbols in a block; of a definition only those on the right."""
+    """The names of symbols in a block; for a definition only those on the right."""
     if isinstance(block, Prose):
         yield from _names_of_parts(block.parts)
     elif isinstance(block, Display):
@@ -499,7 +499,7 @@ def _longest(block: Display) -> int:
 
 
 def _where(e: Equation, simple: Mapping[sp.Expr, sp.Expr]) -> Equation:
-    """An equation with simple values put in; a symbol on the left stays."""
+    """An equation with simple values substituted; a symbol on the left stays."""
     first, *rest = (s if isinstance(s, sp.Expr) else sp.S.Zero for s in e.sides)
     first = first if first.is_Symbol else in_factors_where(first, simple)
     return replace(e, sides=(first, *(in_factors_where(s, simple) for s in rest)))

@@ -16,7 +16,7 @@ from lagrange.document.builders import display, has_purpose, index_of, listed, m
 from lagrange.document.derivation import Block, Detail, Display, Emphasis, Equation, Mathematics, Part, Prose, Ref, Step
 from lagrange.document.purposes import Purpose
 from lagrange.explain.constraints import IN_THREE_VARIABLES, explain_forms, explain_integrability
-from lagrange.explain.displacements import conditions, explain_displacements
+from lagrange.explain.displacements import explain_displacements, pivot_conditions
 from lagrange.explain.limits import LONGEST_SOLUTION
 from lagrange.explain.words import in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
@@ -152,7 +152,7 @@ def without_solution(solution: Solution, step: Step) -> Step:
         names = listed(
             math(variation(solution.problem.slots.coordinates[k])) for k in solution.own.elimination.independent
         )
-        where = (" where ", *conditions(solution.own.elimination)) if solution.own.elimination.pivots else ()
+        where = (" where ", *pivot_conditions(solution.own.elimination)) if solution.own.elimination.pivots else ()
         words = prose("So ", *listed(math(d, sp.S.Zero) for d in solved), *where, ". ", *names,
                       plural(free, " remains free.", " remain free."))  # fmt: skip
     before, last = step.body[: at - 1], step.body[at - 1]

@@ -20,6 +20,7 @@ from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.quasi_velocities import by_quadrature
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
+from lagrange.mechanics.circular_motion import Turning
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity, Integral, quantity_of
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
 from lagrange.mechanics.rewriting.factors import in_factors
@@ -27,7 +28,6 @@ from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remain
 from lagrange.mechanics.rewriting.in_speeds import Course, one_way
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
-from lagrange.mechanics.turning import Turning
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
@@ -68,7 +68,7 @@ def explain_meaning(
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
 
 
-def operations(stated: StatedEquations) -> int:
+def operations_of_equations(stated: StatedEquations) -> int:
     """How many operations it takes to write equations with everything on one side."""
     return sum(count_operations(left - right) for left, *_, right in stated)
 
@@ -86,7 +86,9 @@ def _in_short(meaning: ResultMeaning, stated: StatedEquations) -> Iterator[Block
     if all(len(sides) == 2 and meaning.constant.get(sides[0]) == sides[1] for sides in stated):
         return  # they are among the accelerations
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
-    if operations(stated) < sum(count_operations(e) for e in (*(e.expression for e in motion.final), *rates)):
+    if operations_of_equations(stated) < sum(
+        count_operations(e) for e in (*(e.expression for e in motion.final), *rates)
+    ):
         yield prose(Emphasis("In short"), ",", purpose=Purpose.IN_SHORT)
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
@@ -235,7 +237,7 @@ def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
 
 
 def _without_accelerations(body: Sequence[Block], *, always: bool) -> Iterator[Block]:
-    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side.
+    """The conserved quantities; for an energy that is not, no balance with accelerations on its right side.
 
     always  no balance at all: Jacobi's integral is the one that counts
     """
@@ -350,7 +352,7 @@ def _rest(meaning: ResultMeaning) -> Iterator[Block]:
         if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
             return  # the places are not as simple as a line
         place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = verdict_on(at)
+        verdict = stability_word(at)
         if verdict is None:
             return
         places.append((place, f", {verdict}"))
@@ -379,7 +381,7 @@ def _coordinate(meaning: ResultMeaning) -> sp.Symbol:
     return q
 
 
-def verdict_on(at: SmallOscillations) -> str | None:
+def stability_word(at: SmallOscillations) -> str | None:
     """`stable`, `unstable`; None where more has to be said."""
     from lagrange.mechanics.equilibrium.linear_stability import Ground
     from lagrange.mechanics.equilibrium.stability import StabilityVerdict

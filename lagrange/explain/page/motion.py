@@ -13,7 +13,7 @@ from lagrange.core.vectors import FIXED, Vector
 from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.displacements import conditions, of_points, solved_displacements
+from lagrange.explain.displacements import of_points, pivot_conditions, solved_displacements
 from lagrange.explain.limits import LONGEST_DISPLACEMENT, LONGEST_SUM
 from lagrange.explain.motion import accelerations_of
 from lagrange.explain.page.system import are_short
@@ -115,7 +115,7 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
         return step
     if any(count_operations(value) > LONGEST_DISPLACEMENT for value in solved.values()):
         return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
-    pivots = conditions(motion.elimination)
+    pivots = pivot_conditions(motion.elimination)
     where: tuple[Part, ...] = (Phrase(" where ", Purpose.WHERE), *pivots) if pivots else ()
     by = ("By ", *listed(Ref(f"virtual-{r.name}") for r in rows))
     follows = step.body[1] if len(step.body) > 1 else None

@@ -1,8 +1,8 @@
 """Shorter names on a printed page, where nothing else could be meant.
 
-Of a single particle or body P the index says nothing: m r'' = F + R. Of a single constraint the reaction needs none
-either: T, N or λ. Of several, words that all names share are dropped: T_upper for the tension of the upper rod, if the
-other is the lower rod. Programs see the full names, JSON and the labels of equations for screen readers too.
+With a single particle or body P the index says nothing: m r'' = F + R. With a single constraint the reaction needs none
+either: T, N or λ. With several, words that all names share are dropped: T_upper for the tension of the upper rod, if
+the other is the lower rod. Programs see the full names, JSON and the labels of equations for screen readers too.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Pages that end with quasi-velocities, without the long equations in the file's coordinates.
 
 D'Alembert's principle is stated in vectors and written out once, in the quasi-velocities. Multipliers of constraints
-that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.
-Energies and reactions are written in the quasi-velocities where that is shorter: what the constraints make zero is
-gone then, and (M + 2m) (y'' cos θ − x'' sin θ) is (M + 2m) v ω.
+that are not single forces say little: for a single body the whole reaction is R = m r'' − F, with the acceleration
+known. Energies and reactions are written in the quasi-velocities where that is shorter: what the constraints make zero
+is gone then, and (M + 2m) (y'' cos θ − x'' sin θ) is (M + 2m) v ω.
 """
 
 from __future__ import annotations

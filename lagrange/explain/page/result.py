@@ -28,7 +28,7 @@ from lagrange.explain.limits import (
 )
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.meaning import operations
+from lagrange.explain.page.meaning import operations_of_equations
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -41,7 +41,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.rewriting.readable_equality import are_same_equations, are_same_formulas
 from lagrange.mechanics.rewriting.stated_names import StatedEquations
-from lagrange.mechanics.valued import values_in
+from lagrange.mechanics.solution_values import values_in
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -268,7 +268,7 @@ def _from_steps(
 
 def _is_better(stated: StatedEquations, lines: Sequence[Equation]) -> bool:
     """Whether the form of the answers is shorter; or as short, and the same with a term on the right: m x'' = F."""
-    before, after = sum(e.operations for e in lines), operations(stated)
+    before, after = sum(e.operations for e in lines), operations_of_equations(stated)
     if after != before or len(lines) != len(stated):
         return after < before
     plain = all(e.sides[-1] == 0 and isinstance(e.sides[0], sp.Expr) and not e.condition for e in lines)

@@ -15,7 +15,7 @@ from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, series
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES
-from lagrange.explain.page.meaning import verdict_on
+from lagrange.explain.page.meaning import stability_word
 from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
@@ -216,7 +216,7 @@ def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:
         return ("stable where " if firm else "stable to first order where ", *sign_conditions(stability.conditions))
     if stability.presupposed and firm and stability.verdict is StabilityVerdict.STABLE:
         return ("stable where ", *sign_conditions(stability.presupposed))
-    verdict = verdict_on(at)
+    verdict = stability_word(at)
     return (verdict,) if verdict else ()
 
 

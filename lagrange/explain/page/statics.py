@@ -1,7 +1,7 @@
 """Statics on the page: equilibrium, its reactions and its stability once, in the coordinates that are chosen.
 
-The principle of virtual work is stated in the file's coordinates. What follows from it there would follow a second time
-in the first choice, so it is left to that, unless equilibria might be lost.
+The principle of virtual work is stated in the file's coordinates. What follows from it would be repeated in the first
+choice, so it is given there only, unless equilibria might be lost.
 """
 
 from __future__ import annotations
@@ -138,8 +138,8 @@ def _forces(supports: Supports, sizes: dict[str, sp.Symbol]) -> Iterator[Block]:
         plural(len(supports.rigid) - 1, "distance", "distances"),
     )
     yield prose(
-        f"The supports at {names} are smooth: they exert forces normal to themselves, ",
-        *listed(math(size) for size in sizes.values()), " in size,",
+        f"The supports at {names} are smooth: they exert normal forces of magnitude ",
+        *listed(math(size) for size in sizes.values()), ",",
     )  # fmt: skip
     yield display(
         *(Equation((VectorSymbol(f"R_{s.point}"), s.normal * sizes[s.point]), label=f"support-{s.point}")

@@ -1,4 +1,4 @@
-"""Texts of the problem file as they are printed: what is mathematics in them is set as mathematics.
+"""Texts of the problem file as they are printed, with the mathematics in them set as mathematics.
 
 That is `l*sin(theta)` between backquotes, $l \\sin\\theta$ between dollars, an equation or a power in declared names
 without any marks, z = c (x^2 + y^2), and a declared symbol as it stands: alpha, l1, m. The letters a and I are words.

@@ -1,1 +1,1 @@
-"""The words of equilibria, their stability, and small oscillations about them."""
+"""The prose of equilibria, their stability, and small oscillations about them."""

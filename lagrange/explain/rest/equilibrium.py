@@ -280,7 +280,7 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
 
 
 def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
-    """The equilibria that are left out."""
+    """The equilibria that are omitted."""
     if equilibrium.outside:
         places = [listed(math(r.lhs, r.rhs) for r in b.equations) for b in equilibrium.outside]
         listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
@@ -298,7 +298,7 @@ def full_turns(equilibrium: Equilibrium) -> Iterator[Block]:
     """That an angle occurs outside of sines and cosines too, where the conditions hold at all its turns."""
     turned = list(dict.fromkeys(q for b in equilibrium.branches for q in equilibrium.turned(b)))
     if turned:
-        words = "The conditions hold full turns further as well; what is said below is meant for "
+        words = "The conditions also hold after any number of full turns; the statements below are about "
         yield prose(words, *listed(math(q) for q in turned), " as stated.", detail=Detail.BRIEF)
 
 

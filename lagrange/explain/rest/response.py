@@ -12,7 +12,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose, 
 from lagrange.document.derivation import Block, Detail, Equation, Rule, Step
 from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
-from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, extremes
+from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response, limiting_amplitudes
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.rewriting.factors import SIGN_OF_ROOT, both_roots
 
@@ -87,7 +87,7 @@ def _steady_state(response: Response) -> Iterator[Block]:
 def _extremes(response: Response) -> Iterator[Block]:
     """What the amplitude tends to at low and at high frequency."""
     [letter, *_], w = response.letters, response.drive.frequency
-    ends = zip(extremes(response), (ZERO, sp.oo), strict=True)
+    ends = zip(limiting_amplitudes(response), (ZERO, sp.oo), strict=True)
     clauses = [(math(letter, e, relation="→"), " as ", math(w, end, relation="→")) for e, end in ends if e is not None]
     if clauses:
         yield prose(*series(clauses), ".")

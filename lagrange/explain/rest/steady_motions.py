@@ -74,7 +74,7 @@ def _is_contradictory(steady: SteadyMotions) -> bool:
 
 
 def _branches(steady: SteadyMotions) -> Iterator[Block]:
-    """The solutions of the conditions, and the positions left out."""
+    """The solutions of the conditions, and the positions omitted."""
     solutions = [*_solutions(steady)]
     if _is_contradictory(steady):
         return

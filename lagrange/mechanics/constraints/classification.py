@@ -26,7 +26,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.combinations import combination
-from lagrange.algebra.forms.derived_flag import Manoeuvre, manoeuvre
+from lagrange.algebra.forms.derived_flag import Flag, Manoeuvre, derived_flag, manoeuvre
 from lagrange.algebra.forms.hidden_relations import (
     CombinedRelation,
     HiddenRelations,
@@ -34,7 +34,6 @@ from lagrange.algebra.forms.hidden_relations import (
     differential_of,
     hidden_relations,
 )
-from lagrange.algebra.forms.integrability import Flag, derived_flag
 from lagrange.core.diagnostics import UndecidedError
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t

@@ -31,14 +31,14 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.antiderivatives import multiplied_out
+from lagrange.algebra.forms.derived_flag import derived_flag
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
-from lagrange.algebra.forms.integrability import (
+from lagrange.algebra.forms.frobenius import (
     Exactness,
-    derived_flag,
+    component_writer,
     exactness,
     frobenius_form,
     is_integrable,
-    writer,
 )
 from lagrange.algebra.forms.velocity_polynomials import is_affine
 from lagrange.algebra.fourier.textbook_form import textbook_form
@@ -305,7 +305,7 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
     for other in geometric:
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     components = []
-    written = writer(row.form)
+    written = component_writer(row.form)
     for indices, coefficient in sorted(form.items()):
         short = in_differences(written(coefficient), slots.coordinates)
         if short == 0:

@@ -1,9 +1,9 @@
-"""Whether what a file states exists where its constraints hold.
+"""Whether everything a file states exists where its constraints hold.
 
 A potential c/y has no value on y = 0, and no force there; a spring between two points that coincide pulls in no
 direction. A problem with such a statement has no equations of motion. Each expression is evaluated on the surface of
-the finite constraints: one of which a denominator vanishes everywhere there is an error at its place in the file. One
-that is singular at single points only, c/y for a particle that may cross y = 0, is not.
+the finite constraints: an expression with a denominator that vanishes everywhere there is an error at its place in the
+file. One that is singular at single points only, c/y for a particle that may cross y = 0, is not.
 """
 
 from __future__ import annotations

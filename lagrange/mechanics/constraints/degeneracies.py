@@ -6,8 +6,8 @@ Contradictory constraints are an error that names them, and no others:
     φ' = 1 with φ' = 2           no velocity: a_t is outside the range of A at generic points
     x = 0 with x' = y            a velocity only where y = 0, a condition that the file has to state
 
-The last is a relation hidden in a geometric and a kinematic constraint together. Hidden finite relations are covered as
-well: if dφ is a combination of the forms, then with φ = t the equations A q' = −a_t have no solution.
+The last is a relation hidden in a geometric and a kinematic constraint together. Hidden finite relations are included:
+if dφ is a combination of the forms, then with φ = t the equations A q' = −a_t have no solution.
 
 The rank r of A, shape (r, n), is taken at generic points. It drops where all minors of r columns vanish. Two kinds of
 such places are sought, without a claim that there are no others:

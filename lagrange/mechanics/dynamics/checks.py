@@ -27,8 +27,8 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Point, Surface, agreed, has_real_point
+from lagrange.algebra.forms.derived_flag import derived_flag
 from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, exterior_derivative, one_form, wedge
-from lagrange.algebra.forms.integrability import derived_flag
 from lagrange.algebra.fourier.vector_cleanup import is_many_waves
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.inertia import NO_PRODUCTS

@@ -9,7 +9,7 @@ because what is divided by must not vanish.
 From Lagrange's equations, L_k = Σ_j λ_j a_jk, the multipliers are found from those of the dependent coordinates,
 Σ_j a_jd λ_j = L_d, and substituted into the others: the minor of A that must not vanish is that of the displacements.
 Where it is too large to invert, or friction contains an |λ| that is not yet known, the equations are combined as
-Σ_k L_k δq_k = 0 instead, from which the reactions drop out. Multipliers of redundant constraints are left out: they are
+Σ_k L_k δq_k = 0 instead, from which the reactions drop out. Multipliers of redundant constraints are omitted: they are
 not determined, and add no new direction.
 
 A choice may know some coordinates q_e only through their velocities (R φ' = y'). These are eliminated at the end:
@@ -378,7 +378,7 @@ class LagrangeMotion(EquationsOfMotion):
     principle    T, V and the equations with multipliers
     used         indices of the rows that have a multiplier
     multipliers  of these, in textbook form, containing accelerations; None if they are too long
-    right        Q_k + S_k + Σ λ_j a_jk, shape (n,), with named tensions in place of their multipliers
+    right        Q_k + S_k + Σ λ_j a_jk, shape (n,), with named tensions instead of their multipliers
     forces       the values of `multipliers` in the same way: of the tension where the file names one
     """
 

@@ -1,6 +1,6 @@
 """The motion in one set of coordinates, with its reactions.
 
-Without friction the equations of motion come first, and the reactions may be left out. Coulomb friction reverses the
+Without friction the equations of motion come first, and the reactions may be omitted. Coulomb friction reverses the
 order: its force −μ |R| v/|v| is one of the applied forces of d'Alembert's principle, so that |R| must be known before
 the principle can be written down. Everything is the same in the file's coordinates and in those of a choice: the
 multipliers are always those of the file's constraints, because a choice makes a constraint disappear but not the force
@@ -112,7 +112,7 @@ class NewtonLaw:
         return equations_of_motion(dalembert(configuration), elimination)
 
     def _named(self, motion: LagrangeMotion) -> LagrangeMotion:
-        """Lagrange's equations with the forces that the file names in place of their multipliers."""
+        """Lagrange's equations with the forces that the file names instead of their multipliers."""
         rows = [motion.configuration.rows[n] for n in motion.used]
         by_name = {r.name: r for r in self.newton.reactions}
         reactions = [by_name[row.name] for row in rows]
@@ -279,7 +279,7 @@ def motion(
 
 
 def _resting(configuration: Configuration, elimination: Elimination) -> tuple[sp.Symbol, ...]:
-    """The velocities that the constraints keep zero: they are left out of reactions."""
+    """The velocities that the constraints keep zero: they are omitted from reactions."""
     if not configuration.constrained.is_pfaffian:
         return ()
     rates = zip(elimination.dependent, elimination.solution, elimination.drift, strict=True)

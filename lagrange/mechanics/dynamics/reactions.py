@@ -96,7 +96,7 @@ class Reactions:
     def contacts(self) -> Mapping[str, sp.Expr]:
         """By name of each one-sided constraint what is not negative while contact lasts: its force, or ±λ.
 
-        Those whose reaction is not known are left out.
+        Those whose reaction is not known are omitted.
         """
         contacts = {}
         for name, side in self.sides.items():
@@ -185,7 +185,7 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
     slots = configuration.slots
     multipliers = tuple(r.multiplier for r in used)
     unknowns = (*slots.accelerations, *multipliers)
-    rows, right = equations_with_multipliers(principle, used, unknowns)
+    rows, right = rows_with_multipliers(principle, used, unknowns)
     for r in used:
         row = without_root(r.row, slots)
         rate = slots.time_derivative(row.velocity_form(slots))
@@ -195,7 +195,7 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
     return ReactionSystem(tuple(rows), tuple(right), unknowns)
 
 
-def equations_with_multipliers(
+def rows_with_multipliers(
     principle: Balance, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
 ) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
     """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
@@ -353,7 +353,7 @@ def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:
 
 
 def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
-    """The substitution of a choice, accelerations left out."""
+    """The substitution of a choice, accelerations omitted."""
     return {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
 
 
@@ -389,7 +389,7 @@ def _with_tensions(
     reactions: Mapping[sp.Symbol, Reaction],
     place: SolutionPlace,
 ) -> tuple[sp.Expr, sp.Expr]:
-    """Σ c_j λ_j = value with the forces that the file names in place of their λ, times the factor of the first."""
+    """Σ c_j λ_j = value with the forces that the file names instead of their λ, times the factor of the first."""
     scale = 1 / place.write(reactions[terms[0][1]].per_force)
     left = (textbook_form(scale * c * place.write(reactions[s].per_force)) * reactions[s].force for c, s in terms)
     return sp.Add(*left), place.show(textbook_form(scale * value))

@@ -37,7 +37,7 @@ from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, balance_in
 from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-from lagrange.mechanics.equilibrium.stated_equilibria import in_numbers, stated_equilibria
+from lagrange.mechanics.equilibrium.stated_equilibria import rests_on_decimals, stated_equilibria
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 from lagrange.problem.model import (
     AppliedForce,
@@ -53,7 +53,7 @@ from lagrange.problem.model import (
 )
 
 
-def check_statics(problem: Problem, configuration: Configuration) -> None:
+def require_statics(problem: Problem, configuration: Configuration) -> None:
     """Refuse a problem that is not one of statics. Raises ProblemError with all reasons."""
     moves = not {*problem.find}.isdisjoint({Find.MOTION, Find.LINEARIZATION})
     mistakes = [*_forces(problem, moves), *_moving(problem, configuration)]
@@ -142,7 +142,7 @@ def check_equilibrium(resting: Equilibrium, original: Equilibrium) -> list[Check
     verdicts = [*solved, *(t.holds for t in tried)]
     if verdicts:
         words = "every equilibrium satisfies the conditions"
-        how = "by substitution, exact or with 45 digits" if in_numbers(tried) else "exact, by substitution"
+        how = "by substitution, exact or with 45 digits" if rests_on_decimals(tried) else "exact, by substitution"
         checks.append(Check(words, all_hold(verdicts), how, name))
     checks += check_search(resting)
     if resting is not original and resting.solution.solved and resting.branches:
@@ -203,7 +203,7 @@ def check_linearization(linear: Linearization) -> list[Check]:
     checks = check_search(linear.equilibrium)
     tried = stated_equilibria(replace(linear.equilibrium, branches=linear.branches))
     if tried:
-        how = f"{'with 45 digits' if in_numbers(tried) else 'exact'}, at positions sampled from what is stated"
+        how = f"{'with 45 digits' if rests_on_decimals(tried) else 'exact'}, at positions sampled from what is stated"
         holds = all_hold(t.holds for t in tried)
         checks.append(Check("every position of rest satisfies the equations of motion", holds, how, name))
     if any(s is not None for s in linear.at):

@@ -1,7 +1,7 @@
 """Critical values: a condition in which all parameters but one have values, solved for that one.
 
 An equilibrium that is stable where k l > P is so for P < 100 N if k and l are given. The condition is solved where the
-parameter occurs in one power, a p^n + b; a bound that the sign of the parameter makes idle is left out.
+parameter occurs in one power, a p^n + b; a bound that the sign of the parameter makes idle is omitted.
 """
 
 from __future__ import annotations

@@ -49,7 +49,7 @@ class UniformMotion:
 
 
 @record
-class Chart:
+class Neighbourhood:
     """Coordinates of the constraint surface near an equilibrium, V'' in them, shape (f, f), and derivatives.
 
     free  the coordinates
@@ -75,7 +75,9 @@ def along_free(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
     return derivative
 
 
-def chart_of(elimination: Elimination, e: Equilibrium, matrix: Sequence[Sequence[sp.Expr]] = ()) -> Chart | None:
+def chart_of(
+    elimination: Elimination, e: Equilibrium, matrix: Sequence[Sequence[sp.Expr]] = ()
+) -> Neighbourhood | None:
     """The coordinates that an elimination leaves free; without `matrix`, V'' is derived anew in them."""
     q, free, rest = e.configuration.slots.coordinates, elimination.independent, elimination.dependent
     solved: Sequence[Sequence[sp.Expr]] = elimination.solution
@@ -84,7 +86,9 @@ def chart_of(elimination: Elimination, e: Equilibrium, matrix: Sequence[Sequence
         if bound.rows != bound.cols:
             return None
         solved = (-bound.LUsolve(sp.Matrix([[r.coefficients[k] for k in free] for r in e.binding]))).tolist()
-    chart = Chart(matrix, tuple(q[k] for k in free), tuple((q[d], row) for d, row in zip(rest, solved, strict=True)))
+    chart = Neighbourhood(
+        matrix, tuple(q[k] for k in free), tuple((q[d], row) for d, row in zip(rest, solved, strict=True))
+    )
     if matrix:
         return chart
     forces = e.work.forces

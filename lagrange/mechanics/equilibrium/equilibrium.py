@@ -45,7 +45,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_at_edge, is_only_of_chart, moves_nothing
-from lagrange.mechanics.equilibrium.loads import at_rest, loads
+from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters
 from lagrange.mechanics.equilibrium.within_ranges import within
 
 
@@ -107,8 +107,8 @@ class Equilibrium:
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
     singular     where the conditions multiplied by their denominators hold, but a force has no value
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
-    poles        such branches of a choice at which the forces do not balance in the file's coordinates, left out above
-    outside      branches that lie outside of the ranges of the coordinates, left out above
+    poles        such branches of a choice at which the forces do not balance in the file's coordinates, omitted above
+    outside      branches that lie outside of the ranges of the coordinates, omitted above
     pulls        for each branch the forces of the springs there, by name (`spring_forces`)
     laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
     all_found    whether the places of rest that a search in numbers finds are in the list (`searched`); None: not tried
@@ -411,7 +411,7 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     branches = tuple(b for b in restricted if b is not None)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
-    applied = loads(e.configuration)
+    applied = load_parameters(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
     branches = tuple(_with_stated_angles(b, solution) for b in branches)
     completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)

@@ -1,9 +1,9 @@
 """Equilibria, their stability and their frequencies in numbers, where the parameters have values.
 
 A branch such as cos θ = g/(l ω²) is a set of points, and the values of all letters are known at each of them; so each
-point becomes a position by putting the values in, θ = ±1.047. One at which a coordinate is not real, or a condition of
-the branch fails, is absent with these values. What was concluded of stability for open signs is settled by their
-values; where a minor is too small to have a certain sign, nothing is said.
+point becomes a position when the values are substituted, θ = ±1.047. One at which a coordinate is not real, or a
+condition of the branch fails, is absent with these values. Conclusions on stability that depended on open signs are
+settled by the values; where a minor is too small to have a certain sign, no claim is made.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 Evaluate = Callable[[sp.Expr], sp.Expr]
-"""An expression at a point, with the values put in."""
+"""An expression at a point, with the values substituted."""
 
 CERTAIN = sp.Float(10) ** (10 - WORKING_DIGITS)
 """A number that is smaller than this part of the others has no certain sign."""
@@ -163,7 +163,7 @@ def _positions(
             return values.put_in(e.solution.at(point, x))
 
         try:
-            if not all(holds(c, at) is not False for c in b.conditions):
+            if not all(condition_holds(c, at) is not False for c in b.conditions):
                 continue
             coordinates = _coordinates(b, e, values, at)
             if any(_is_outside(q, coordinates, e, values) for q in e.configuration.ranges):
@@ -228,7 +228,7 @@ def _angle(cosine: sp.Float, sine: sp.Float) -> sp.Expr:
         return sp.Float(mpmath.atan2(mpmath.mpf(str(sine)), mpmath.mpf(str(cosine))), WORKING_DIGITS)
 
 
-def holds(c: SignCondition, at: Evaluate) -> bool | None:
+def condition_holds(c: SignCondition, at: Evaluate) -> bool | None:
     """Whether a condition holds; None where it has open symbols, or the sides are too close."""
     difference = at(c.lhs) - at(c.rhs)
     if not difference.is_number:
@@ -247,13 +247,13 @@ def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | No
     """The verdict with the values."""
     if stability is None:
         return None
-    if all(holds(c, at) for c in stability.presupposed):
+    if all(condition_holds(c, at) for c in stability.presupposed):
         if stability.verdict in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE):
             return stability.verdict
     elif stability.verdict is not StabilityVerdict.CONDITIONAL:
         return StabilityVerdict.UNDECIDED
     if stability.verdict is StabilityVerdict.CONDITIONAL:
-        held = [holds(c, at) for c in stability.conditions]
+        held = [condition_holds(c, at) for c in stability.conditions]
         if all(held):
             return StabilityVerdict.STABLE
         if stability.at_limit is not None and real_value(at(stability.minors[0])).is_zero:
@@ -261,7 +261,7 @@ def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | No
         if stability.order == 2 and any(_is_negative(m, at) for m in stability.minors):
             return StabilityVerdict.UNSTABLE
         return StabilityVerdict.UNDECIDED
-    if any(holds(c, at) for c in stability.unstable):
+    if any(condition_holds(c, at) for c in stability.unstable):
         return StabilityVerdict.UNSTABLE
     return StabilityVerdict.UNDECIDED
 

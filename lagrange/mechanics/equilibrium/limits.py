@@ -25,7 +25,7 @@ MOST_TRIVIAL_COORDINATES = 4
 
 # Small oscillations: equilibria whose linear equations are worked out [3], and that are compared with them, as copies
 # take little; independent coordinates [3] (a chain of 20 masses takes 5 s), those of a damped
-# system whose modes are found in numbers, operations of a coefficient of the characteristic polynomial that is
+# system whose modes are found numerically, operations of a coefficient of the characteristic polynomial that is
 # factored [9].
 MOST_EQUILIBRIA = 16
 MOST_COMPARED_EQUILIBRIA = 200
@@ -47,7 +47,7 @@ MOST_EXPANDED_ROWS = 4
 
 # Random parameters at which each branch of equilibria is tried as it is stated: forces that do not balance do so to 25
 # digits at none of them; a branch that is wrong at a share s of its points passes with (1 − s)². Then draws until its
-# conditions hold; places from which its positions are sought in numbers; unsolved equations of a branch on whose
+# conditions hold; places from which its positions are sought numerically; unsolved equations of a branch on whose
 # surface points are sought, which takes seconds with more.
 STATED_SAMPLES = 2
 MOST_STATED_DRAWS = 200
@@ -146,7 +146,7 @@ in space has 10."""
 CONDITION_MARGIN = 1e-6
 BALANCED = 1e-25
 """Positions of a stated branch, found in 60 digits: a condition holds by this margin, and the forces balance if their
-sum is below 1e-25; they do not if it is above `DIFFERS`, and in between nothing is said."""
+sum is below 1e-25; they do not if it is above `DIFFERS`, and in between no claim is made."""
 
 # Operations of the second derivatives of V, all together, in which a displacement is sought that leaves V as it is:
 # three masses in a line have 4. With those of two springs in a plane, 154, the elimination took half a minute.

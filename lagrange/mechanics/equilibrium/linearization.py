@@ -60,9 +60,9 @@ from lagrange.mechanics.equilibrium.linear_stability import (
 )
 from lagrange.mechanics.equilibrium.relative_equilibrium import (
     branches_at_rest,
-    check_rest,
     equilibria_of_motion,
     is_time,
+    require_possible_rest,
     without_time,
 )
 from lagrange.mechanics.equilibrium.searched.places import with_search
@@ -199,7 +199,7 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
 
     Raises NotCoveredError if the equations depend on time, or rest is not possible.
     """
-    check_rest(motion.configuration)
+    require_possible_rest(motion.configuration)
     rows = [r for n, r in enumerate(motion.configuration.rows) if n not in motion.elimination.unused]
     configuration = replace(motion.configuration, constrained=motion.configuration.constrained.with_rows(rows))
     motion = replace(motion, configuration=configuration, elimination=replace(motion.elimination, unused=()))

@@ -44,7 +44,7 @@ def at_rest(configuration: Configuration) -> Configuration:
     )
 
 
-def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()) -> tuple[sp.Symbol, ...]:
+def load_parameters(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()) -> tuple[sp.Symbol, ...]:
     """The parameters that are the size of an applied force or moment; weights and forces that vary are none.
 
     In a vector with an unknown force this is the size, and no parameter.
@@ -71,7 +71,7 @@ def loads(configuration: Configuration, unknown_forces: Sequence[sp.Symbol] = ()
 
 def for_loads(conditions: Sequence[SignCondition], configuration: Configuration) -> tuple[SignCondition, ...]:
     """Conditions solved for loads, in their shortest forms."""
-    solved = solved_for(conditions, loads(configuration))
+    solved = solved_for(conditions, load_parameters(configuration))
     return tuple(
         SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
     )

@@ -78,7 +78,7 @@ def _at_zero(resting: Equilibrium) -> Iterator[Branch]:
             yield Branch(relations, (), (point,), point)
 
 
-def check_rest(configuration: Configuration) -> None:
+def require_possible_rest(configuration: Configuration) -> None:
     """Refuse constraints that exclude rest or are not linear in the velocities."""
     for row in configuration.rows:
         if row.nonlinear is not None:

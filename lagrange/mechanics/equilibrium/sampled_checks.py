@@ -1,4 +1,4 @@
-"""Stability and frequencies against numbers: at drawn parameters what is stated is looked up.
+"""Stability and frequencies checked numerically: what is printed is evaluated at sampled parameters.
 
 An equilibrium is a point of the printed relations; its conditions, and those of its stability, are read there as they
 are printed. The second variation is formed anew, from Lagrange's equations at rest L_k = 0 with multipliers,

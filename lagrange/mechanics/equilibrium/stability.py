@@ -49,8 +49,8 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
 from lagrange.mechanics.equilibrium.degenerate import (
-    Chart,
     LowestForm,
+    Neighbourhood,
     UniformMotion,
     along_free,
     chart_of,
@@ -380,7 +380,7 @@ def _by_lowest_form(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium
 
 
 def _of_lowest(
-    lowest: LowestForm, sign: int, positive: Sequence[sp.Expr], chart: Chart, valley: Sequence[int], b: Branch,
+    lowest: LowestForm, sign: int, positive: Sequence[sp.Expr], chart: Neighbourhood, valley: Sequence[int], b: Branch,
     e: Equilibrium,
 ) -> Stability | None:  # fmt: skip
     """The verdict of a form that is positive definite where some expressions are positive, or takes negative values."""

@@ -1,4 +1,4 @@
-"""The equilibria as they are stated, tried in numbers.
+"""The equilibria as they are stated, tried numerically.
 
 Solving multiplies, squares and divides, and states a branch by a few relations: tan θ = a and the conditions beside it.
 Here that is read as a reader would. Rational numbers are chosen for the parameters so that the stated conditions hold,
@@ -9,7 +9,7 @@ cos θ = b/a among them. At each of these the forces must have a value and balan
 
 with Q and A as the principle of virtual work has them, before anything is multiplied. The numbers are algebraic and
 the tests exact. Of a branch with unsolved equations generic points are taken on the surface that they define. A branch
-that is read in neither way has its positions sought in numbers (`searched.stated_places`).
+that is read in neither way has its positions sought numerically (`searched.stated_places`).
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def stated_equilibria(e: Equilibrium) -> list[Tried]:
     return [t for b, t in tried if t.holds is not None or not b.may_be_empty]
 
 
-def in_numbers(tried: Sequence[Tried]) -> bool:
+def rests_on_decimals(tried: Sequence[Tried]) -> bool:
     """Whether some of what was tried rests on numbers with finitely many digits."""
     return any(t.holds is not None and not t.exactly for t in tried)
 

@@ -1,8 +1,8 @@
-"""Equilibria within the ranges of the coordinates: what lies outside is left out.
+"""Equilibria within the ranges of the coordinates: what lies outside is omitted.
 
 An angle θ lies in [a, b] modulo 2π, for b − a ≤ π, if and only if sin(θ − a) ≥ 0 and sin(b − θ) ≥ 0; for a larger range
 it lies outside if it is strictly in the complement, which is shorter. Any other coordinate x is in [a, b] if x − a ≥ 0
-and b − x ≥ 0. The signs are those at the points of a branch. A point is left out where it is certainly outside; where
+and b − x ≥ 0. The signs are those at the points of a branch. A point is omitted where it is certainly outside; where
 the parameters leave that open, it becomes a condition if the coordinate is no angle.
 """
 

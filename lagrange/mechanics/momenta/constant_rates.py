@@ -1,4 +1,5 @@
-"""The constant rate of a steady motion, found from its conditions where these are simpler for it than for coordinates.
+"""The constant rate of a steady motion, found from its conditions where they are easier to solve for it than for
+coordinates.
 
 A condition linear in a rate, or in its square, gives ψ' = F(θ, φ') or φ'² = F(r, θ); one in which no coordinate occurs,
 a φ'² = g in a paraboloid, gives one rate for all positions.

@@ -8,9 +8,9 @@ where Q_k are the forces without potential. T = ½ q'ᵀ M q' + b·q' + T0 makes
 
     H = ½ (p − b)ᵀ M⁻¹ (p − b) − T0 + V .
 
-The quadratic form is written as books write it, as a sum of squares u²/(2d). With u = p − b and a pivot
-d = M_kk, u_k²/(2d) is split off, the other u_i become u_i − (M_ik/d) u_k, and M what is left of it. The cheapest pivots
-come first: for a top, p_ψ²/(2C) + (p_φ − p_ψ cos θ)²/(2A sin² θ).
+The quadratic form is written as books write it, as a sum of squares u²/(2d). With u = p − b and a pivot d = M_kk,
+u_k²/(2d) is split off, the other u_i become u_i − (M_ik/d) u_k, and M is reduced accordingly. The cheapest pivots come
+first: for a top, p_ψ²/(2C) + (p_φ − p_ψ cos θ)²/(2A sin² θ).
 
 A coordinate is cyclic if H does not contain it, and no force Q acts along it: its momentum is constant. With the cyclic
 velocities eliminated,

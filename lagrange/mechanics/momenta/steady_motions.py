@@ -17,11 +17,11 @@ Routh's function:
 With constraints on the velocities the same is done with the independent coordinates (`reduced_form`). The momenta are
 then not constant, but their equations integrate to first order in the same way wherever K_co = 0 and D_cc = 0 .
 
-Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved
-for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator
-excludes, φ' = 0, is a family of its own: the disc that rolls straight on. So are positions at which the rate drops out
-of the condition, which hold at any rate: a top in gimbals that sleeps. A condition that contains no coordinate, such as
-a φ'² = g in a paraboloid, gives one rate for all positions.
+Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved for
+one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). The case that its denominator
+excludes, φ' = 0, is a separate family: the disc that rolls straight on. So are positions at which the rate drops out of
+the condition and is arbitrary: a sleeping top in gimbals. A condition that contains no coordinate, such as a φ'² = g in
+a paraboloid, gives one rate for all positions.
 
 Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """
@@ -458,7 +458,7 @@ def check_steady(motions: SteadyMotions) -> list[Check]:
     resting = dict.fromkeys((v for q, v in pairs if q not in motions.cyclic), ZERO)
     uniform = dict.fromkeys(slots.accelerations, ZERO)
     steady = [e.xreplace(resting | uniform) for e in left]
-    slopes = [  # what is zero in any case is left out before differentiating, where it is not what is differentiated by
+    slopes = [  # what is zero in any case is omitted before differentiating, where it is not what is differentiated by
         [[partial(e, q) for q in slots.coordinates] for e in steady],
         [[partial(e, v).xreplace(resting) for v in slots.velocities] for e in (e.xreplace(uniform) for e in left)],
         [[partial(e, a).xreplace(uniform) for a in slots.accelerations] for e in (e.xreplace(resting) for e in left)],

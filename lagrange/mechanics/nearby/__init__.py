@@ -1,1 +1,1 @@
-"""Linear equations about a given motion, in numbers, of systems whose equations nobody would write down."""
+"""Systems too large for symbols, such as a bicycle: equations in numbers about a given motion, or in abbreviations."""

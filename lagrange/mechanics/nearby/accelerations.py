@@ -1,4 +1,4 @@
-"""Accelerations and reactions at one state, in numbers, where nobody would write them down in letters.
+"""Accelerations and reactions at one state, in numbers, where they would be too long in symbols.
 
 With the coefficients E of d'Alembert's principle at the state, and d/dt (a·q' + a_t) = a·q'' + c,
 

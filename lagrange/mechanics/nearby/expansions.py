@@ -2,8 +2,8 @@
 
 With ξ and η the small changes of q and q', the positions of mass centres and the axes of bodies are expanded to third
 order in ξ, forces and the forms of constraints to first or second order in ξ and η. Nothing is multiplied out or
-differentiated in symbols, so that the effort grows with the length of what the file says, and not with that of the
-equations of motion: those of a bicycle fill fifty pages.
+differentiated in symbols, so that the effort grows with the length of the file, and not with that of the equations of
+motion, which for a bicycle fill fifty pages.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ HIGHEST_DEGREE = 2
 SPARE_VALUES = 2
 # A value below it, beside others of order 1, is zero: numbers have eighty digits, of which fifty are certain.
 CLEARLY_ZERO = 1e-40
-# Digits of a number that is no short fraction: with fifteen, it would count as one that nobody has rounded.
+# Digits of a number that is no short fraction: with fifteen, it would count as one that is not rounded.
 SHOWN_DIGITS = 14
 # The check takes a state in a distance of 10^-20: a remainder of second order is below 10^-36, and one of first order
 # far above. The tables are rounded to fourteen digits, which leaves 10^-31.

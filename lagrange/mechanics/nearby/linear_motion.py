@@ -1,4 +1,4 @@
-"""The linear equations about a steady motion, with the constraints eliminated in numbers.
+"""The linear equations about a steady motion, with the constraints eliminated numerically.
 
     M ζ + D η + K ξ = Σ λ a ,     a η + b ξ = 0 ,     G ξ = 0 ,     ζ = η', η = ξ' ,
 

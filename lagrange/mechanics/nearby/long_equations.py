@@ -2,9 +2,9 @@
 
     Σ m r''·∂r/∂q_k + Σ dH/dt·ω_k − Q_k = Σ λ a_k
 
-is put together from the accelerations as they come, without multiplying out. What occurs in it several times gets a
-name z_1, z_2, ..., each with a definition that uses earlier ones only: so the equations of a bicycle are some hundred
-short lines, which a program evaluates as fast as anything, where multiplied out they are fifty pages.
+is put together from the accelerations as they come, without multiplying out. Whatever occurs in it several times gets a
+name z_1, z_2, ..., each defined by earlier ones only: so the equations of a bicycle are some hundred short lines,
+quickly evaluated by a program; multiplied out they fill fifty pages.
 """
 
 from __future__ import annotations

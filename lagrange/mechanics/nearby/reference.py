@@ -1,6 +1,6 @@
 """The state about which a motion is linearized: what `initial` says, and what follows from it by the constraints.
 
-Coordinates that `initial` leaves out are found from the finite relations by Newton's iteration, which starts at zero;
+Coordinates that `initial` omits are found from the finite relations by Newton's iteration, which starts at zero;
 velocities from A q' + a_t = 0, which must determine them.
 """
 

@@ -81,7 +81,7 @@ def rest_in_numbers(problem: Problem, configuration: Configuration) -> RestInNum
     return found
 
 
-def check_rest(rest: RestInNumbers) -> list[Check]:
+def check_rest_in_numbers(rest: RestInNumbers) -> list[Check]:
     """The route by T and V."""
     return [Check(CHECK, rest.agrees, "in numbers: V differentiated")]
 

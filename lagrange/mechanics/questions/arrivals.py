@@ -1,4 +1,4 @@
-"""Which branches of an answer the motion gets to, and under what conditions.
+"""Which branches of an answer the motion reaches, and under what conditions.
 
 `reach` decides that for the states of a question. The equations of motion with kinetic friction hold while the slip
 has the sense for which they were found: a ball that has begun to roll goes on in another way.
@@ -332,7 +332,7 @@ def while_it_begins(
 
 
 def _not_below(e: sp.Expr) -> SignCondition:
-    """e ≥ 0; of a root and a negative term without the root: 12 v² ≥ 49 μ g L for 7 √(v² − 2μ g L) ≥ 5 v."""
+    """e ≥ 0; for a root and a negative term without the root: 12 v² ≥ 49 μ g L for 7 √(v² − 2μ g L) ≥ 5 v."""
     e = sp.expand(sp.fraction(sp.together(e))[0] * (sign_of(sp.fraction(sp.together(e))[1]) or 1))
     roots = [f for f in e.atoms(sp.Pow) if f.exp == sp.Rational(1, 2) and not f.base.is_number and f.base.is_Add]
     if len(roots) == 1:

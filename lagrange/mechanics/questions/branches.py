@@ -2,7 +2,7 @@
 
     an unknown parameter has the sign that the file gives it
     a radius of the frame of the file stays positive
-    the initial state itself is left out, where there is another branch
+    the initial state itself is omitted, where there is another branch
     a coordinate reaches a value q_1 ≠ q_0 for the first time moving towards it: q' has the sign of q_1 − q_0, or is 0
     as a function of a coordinate, the branch is meant that begins with the initial state
     with one degree of freedom q starts with the sign of q'_0, or of q''_0 where it starts at rest, and keeps its
@@ -271,7 +271,7 @@ def _way(state: State, q: sp.Symbol, beginning: InitialMotion, conditions: Seque
 
 
 def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
-    """The sign of a value, where conditions hold; of a number by its digits, where it is not zero."""
+    """The sign of a value, where conditions hold; for a number by its digits, where it is not zero."""
     return _sign_where(e, tuple(conditions))
 
 

@@ -55,7 +55,7 @@ class _System:
 
 
 class _SecondRoute:
-    """Lagrange's equations with multipliers in the file's coordinates, solved in numbers at states of answers."""
+    """Lagrange's equations with multipliers in the file's coordinates, solved numerically at states of answers."""
 
     def __init__(self, own: MotionView) -> None:
         self.own = own

@@ -9,9 +9,9 @@ Of an equation for one coordinate q alone:
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
 the natural one, resonance is a case of its own.
 
-Coupled linear equations are in `coupled_motions`. Every solution is put back: it satisfies the equation and both
-initial values, exactly, or is not used. A case that holds for a relation between parameters is put back where the
-relation holds.
+Coupled linear equations are in `coupled_motions`. Every solution is substituted back: it satisfies the equation and
+both initial values, exactly, or is not used. A case that holds for a relation between parameters is substituted where
+the relation holds.
 """
 
 from __future__ import annotations

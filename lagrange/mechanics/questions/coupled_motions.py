@@ -2,10 +2,9 @@
 
     q'' + C q' + K q = f + Σ f_c cos Ωt + f_s sin Ωt ,      (s² + C s + K) X(s) = s q_0 + q'_0 + C q_0 + F(s)
 
-Cramer's rule gives each X(s) as N(s)/D(s). Where D has only linear and quadratic factors, or biquadratic ones
-s⁴ + a s² + b that split into (s² + w_1²)(s² + w_2²), the partial fractions have elementary originals. Two oscillators,
-a charge in uniform fields and a pendulum on the turning Earth are of this kind. The solution is put back by whoever
-uses it.
+Cramer's rule gives each X(s) as N(s)/D(s). Where D has only linear and quadratic factors, or biquadratic ones s⁴ + a s²
++ b that split into (s² + w_1²)(s² + w_2²), the partial fractions have elementary originals. Two oscillators, a charge
+in uniform fields and a pendulum on the turning Earth are of this kind. The caller substitutes the solution back.
 
 Shapes: C, K (n, n); q_0, q'_0, f (n,).
 """

@@ -104,7 +104,7 @@ def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
     return bool(number.q > 1 and inner != 1 and (number**2 * inner).q < number.q**2)
 
 
-def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
+def joined_conditions(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once, without what always holds; a ≥ b and a ≠ b are a > b."""
     kept = [c for c in dict.fromkeys(conditions) if not always_holds(c)]
     different = [c for c in kept if c.relation == "≠"]
@@ -149,7 +149,7 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     b = with_real_roots(b)
     rhs = without_leading_minus(with_whole_contents(without_roots_below(b.rhs)))
     rhs = under_one_root(with_known_signs(rhs, b.conditions))
-    return replace(b, rhs=rhs, conditions=settled(joined(b.conditions), rhs))
+    return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
 
 
 def with_known_signs(e: sp.Expr, conditions: Iterable[SignCondition]) -> sp.Expr:

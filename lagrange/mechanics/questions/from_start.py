@@ -1,7 +1,7 @@
 """The motion from the initial state of the file, where no question is asked.
 
-Where the equations of motion integrate in closed form it is the solution, as functions of time; otherwise it is what
-the first integrals say of it, each with the value that it has at t = 0.
+Where the equations of motion integrate in closed form this is the solution, as functions of time; otherwise the first
+integrals, each with its value at t = 0.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagrange.algebra.closed_forms.signs import SignCondition
-from lagrange.mechanics.equilibrium.in_numbers import holds
+from lagrange.mechanics.equilibrium.in_numbers import condition_holds
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.values.quantities import NotRealError, Values
 
@@ -15,6 +15,6 @@ def branches_with(asked: Asked, values: Values) -> tuple[AnswerBranch, ...]:
 
 def _is_violated(condition: SignCondition, values: Values) -> bool:
     try:
-        return holds(condition, values.put_in) is False
+        return condition_holds(condition, values.put_in) is False
     except NotRealError:
         return True

@@ -42,7 +42,7 @@ NODE_DIGITS = 40
 """Digits to which an integrand is evaluated: near a place of rest it is 1/√ of a difference that cancels."""
 
 ACCURATE = 1e-8
-"""The relative error up to which a time integrated in numbers counts."""
+"""The relative error up to which a time integrated numerically counts."""
 
 # Velocities at t = 0 that the constraints determine only together; their equations are reduced in plain SymPy.
 MOST_TOGETHER = 6
@@ -54,4 +54,4 @@ MOST_TURNS = 16
 """Right angles on the way to a state at which a contact is looked at: four turns of a loop, all of them alike."""
 
 SHARE_DIGITS = 6
-"""Digits of a number in front of letters, as of a time found in numbers alone: more than a page shows."""
+"""Digits of a number in front of letters, as of a time found numerically alone: more than a page shows."""

@@ -52,7 +52,7 @@ def first_value(
 ) -> float | None:
     """The quantity at the first time t > 0 at which the condition is zero; None where none was found.
 
-    All expressions have numbers in place of parameters. In dependent coordinates the finite constraints must still hold
+    All expressions have numbers instead of parameters. In dependent coordinates the finite constraints must still hold
     where the search ends, up to `LARGEST_DRIFT`.
     """
     from scipy.integrate import solve_ivp

@@ -1,4 +1,4 @@
-"""Whether a motion gets to a state, for one coordinate q whose velocity is a function f of it: q'^2 = f(q).
+"""Whether a motion reaches a state, for one coordinate q whose velocity is a function of it: q'^2 = f(q).
 
     from q_0 to q_1 in the direction of the start     f > 0 between them
     back over q_0                                     a turning point f = 0 ahead, then the same
@@ -8,7 +8,7 @@ between them, and f(p) > 0 is the condition for passing it. At q_1 itself f must
 start a pendulum passes the top where v^2 > 4 g l; one that is let go below the horizontal never gets there.
 
 A state with q' = 0 and q'' = 0 is an equilibrium: a motion that is not there already only approaches it, for t → ∞.
-Undecided stays open: the answer then holds provided that the motion gets there.
+If this is undecided, the answer holds provided that the motion gets there.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ class Path:
         return Reach(Reached.OPEN if None in signs else Reached.NEVER)
 
     def _passes(self, end: sp.Expr, way: int) -> Reach:
-        """Whether f is positive between q_0 and q_1; of an angle at most over one turn, which is like all others."""
+        """Whether f is positive between q_0 and q_1; for an angle at most over one turn, which is like all others."""
         if self._is_periodic and (end - self.start).is_number and abs(end - self.start) > 2 * sp.pi:
             end = self.start + 2 * sp.pi * way
         below = sp.fraction(sp.together(self.square))[1]

@@ -43,7 +43,7 @@ class Route(StrEnum):
 
 
 class Reason(StrEnum):
-    """Why a branch was left out, or comes first."""
+    """Why a branch was omitted, or comes first."""
 
     INITIAL = "initial"  # it is the state at t = 0 itself
     START = "start"  # it does not begin with the initial state

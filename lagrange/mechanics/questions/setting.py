@@ -1,7 +1,6 @@
-"""A set of coordinates with all that questions need of it: the initial state, the integrals with their values.
+"""A set of coordinates with all that questions need: the initial state, the integrals with their values.
 
-After a state of rest, from which the motion goes back against friction or drag, that state takes the place of the
-initial one.
+When the motion turns back from a state of rest against friction or drag, that state becomes the initial one.
 """
 
 from __future__ import annotations

@@ -153,7 +153,7 @@ def _accelerations(place: MotionView) -> SymbolValues:
 def meanings_at(place: MotionView, known: Meanings, state: SymbolValues) -> Meanings:
     """The meanings where some coordinates and velocities have given values, for what is too large in general.
 
-    state  with expressions in parameters; what is left out stays
+    state  with expressions in parameters; what is omitted stays
     """
     law, configuration = place.law, place.configuration
     frictions = friction_forces(law.frictions, law.newton, law.configuration, configuration)

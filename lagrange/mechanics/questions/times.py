@@ -5,7 +5,7 @@
     e^{λt}, cosh λt, sinh λt            a polynomial in E = e^{λt}; t = log(E)/λ
     A log(u(t)) + B = 0                 u(t) = e^{−B/A}
 
-Roots of which it is certain that they are not positive are not listed.
+Roots that are certainly not positive are not listed.
 """
 
 from __future__ import annotations

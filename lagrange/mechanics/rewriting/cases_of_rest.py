@@ -1,7 +1,7 @@
 """Results about rest and steady motion in the form in which the head of a page has them.
 
-Of several cases of rest those are left that the given values do not exclude, and of inequalities a ≤ x, b ≤ x the
-stronger one. A constant velocity is given by its square where it is a root: φ'² = 2 a g.
+Only the cases of rest that the given values do not exclude are kept, and only the stronger of two inequalities a ≤ x, b
+≤ x. A constant velocity is given by its square where it is a root: φ'² = 2 a g.
 """
 
 from __future__ import annotations

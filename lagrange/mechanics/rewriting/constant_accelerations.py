@@ -1,4 +1,4 @@
-"""Accelerations that are constant, as in Atwood's machine: what the equations of motion say is then a number for each.
+"""Constant accelerations, as in Atwood's machine: the equations of motion then give one value for each.
 
 With dependent coordinates the constraints, differentiated twice, join the equations; a nonlinear constraint gives the
 square of one velocity by the others, which may leave the parameters alone.

@@ -1,7 +1,7 @@
 """The differential form Σ a_k dq_k + a_t dt of a constraint, without the factors that all of its terms share.
 
-2x dx + 2y dy = 0 is x dx + y dy = 0. Whoever divides a form by a number divides its partial derivatives by it; and
-Frobenius' product ω ∧ dω ∧ ... by the numbers of all the forms in it.
+2x dx + 2y dy = 0 is x dx + y dy = 0. Dividing a form by a number divides its partial derivatives by it, and Frobenius'
+product ω ∧ dω ∧ ... by the numbers of all the forms in it.
 
 A constraint on velocities that forbids the one along a unit vector n is v·n = 0, up to a factor.
 """
@@ -15,7 +15,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.integrability import WedgeComponent, frobenius_form
+from lagrange.algebra.forms.frobenius import WedgeComponent, frobenius_form
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record

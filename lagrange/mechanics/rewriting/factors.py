@@ -1,4 +1,4 @@
-"""Common factors in front of a sum: m l (l θ'' + g sin θ), H = J ω; without those that are constant where 0 follows."""
+"""Common factors in front of a sum: m l (l θ'' + g sin θ), H = J ω; constant ones are dropped in equations to zero."""
 
 from __future__ import annotations
 

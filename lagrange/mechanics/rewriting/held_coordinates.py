@@ -1,6 +1,7 @@
-"""Equations of motion without what constraints give: coordinates that are held, r = R, and velocities of others.
+"""Equations of motion with everything eliminated that constraints give: coordinates held fixed, r = R, and other
+velocities.
 
-A ball in a bowl keeps r = R, and rolling gives its spin, (R − r) φ' + r ψ' = 0: what is left is an equation in φ alone.
+A ball in a bowl keeps r = R, and rolling gives its spin, (R − r) φ' + r ψ' = 0: this leaves an equation in φ alone.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Numbers for a pocket calculator, as they are put to a reader: what matters, angles within a turn, short formulas."""
+"""Numbers for a pocket calculator as a reader sees them: only the relevant ones, angles within a turn, short terms."""
 
 from __future__ import annotations
 

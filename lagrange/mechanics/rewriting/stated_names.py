@@ -1,7 +1,7 @@
 """Equations as they were stated, in the names that the file gives: quasi-velocities, and ω·n with a vector of `let`.
 
 Where an answer says A p' = (B − C) q r, or dot(omega_ball, out), these have been replaced by what they mean before it
-was judged. What is printed has them again: a sum that is such a quantity or its time derivative, exactly, is replaced.
+was judged. For printing they are restored: a sum that is exactly such a quantity or its time derivative is replaced.
 """
 
 from __future__ import annotations

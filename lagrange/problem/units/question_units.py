@@ -16,7 +16,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
-from lagrange.core.units import Dimension, Unit, in_si, split_number, unit_of
+from lagrange.core.units import Dimension, Unit, si_unit, split_number, unit_of
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Condition, InitialValue, Measured, Problem, Question
 from lagrange.problem.values import known_dimensions
 from lagrange.values.limits import LARGEST_COEFFICIENT
@@ -126,7 +126,7 @@ def _term(measured: Measured) -> TermWithUnit:
 
 
 def _in_words(dimension: Dimension) -> str:
-    unit = in_si(Unit(sp.S.One, dimension))
+    unit = si_unit(Unit(sp.S.One, dimension))
     return "a number or an angle" if unit == "1" else f"in {unit}"
 
 

@@ -6,9 +6,9 @@ reported and repaired, so that reading goes on. Depth, aliases and the number of
 read: no file can exhaust memory. Nodes are built from the events of YAML, because an alias must be counted, and a split
 list joined again, before anything is built on it.
 
-Where a text is not YAML, the library says where it gave up and what it expected; the mistake is often earlier: a quote
-that is not closed, a colon without a space. `yaml_mistake` finds its place and explains it to those who do not know
-YAML. The two implementations of the library (C and Python) word their messages differently; both are understood.
+Where a text is not YAML, the library reports where it gave up and what it expected; the mistake is often earlier: a
+quote that is not closed, a colon without a space. `yaml_mistake` finds its place and explains it to those who do not
+know YAML. The two implementations of the library (C and Python) word their messages differently; both are understood.
 """
 
 from __future__ import annotations

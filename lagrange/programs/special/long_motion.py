@@ -1,4 +1,4 @@
-"""The first-order equations of a system whose equations of motion nobody would print, such as a bicycle.
+"""The first-order equations of a system whose equations of motion are too long to print, such as a bicycle.
 
 D'Alembert's principle for each coordinate, without multiplying out, is affine in the accelerations:
 

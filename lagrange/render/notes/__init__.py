@@ -1,1 +1,1 @@
-"""Derivations for notebooks, notes and lessons: what the formats of `render` are put together to."""
+"""Derivations for notebooks, notes and lessons, composed of the formats of `render`."""

@@ -1,4 +1,4 @@
-"""What readers of Markdown write differently: labels of equations, references, figures, folds, exercises.
+"""Where dialects of Markdown differ: labels of equations, references, figures, folds, exercises.
 
     github   numbers are part of the formulas, which is what GitHub, Jupyter, pandoc and all others show alike
     myst     Sphinx with myst-parser, Jupyter Book: `$$ ... $$ (label)`, `` {eq}`label` ``, `{figure}`, `{exercise}`

@@ -13,21 +13,9 @@ from lagrange.algebra.exact.zero_test import (
     ZeroDivisorError,
 )
 from tests.algebra.exact.test_sampler import SURFACES
+from tests.support.points import field_point
 
 x, y, theta, u, v, w = sp.symbols("x y theta u v w", real=True)
-
-
-def field_point() -> Point:
-    return Surface(fields=Fields(2)).point()
-
-
-def real_point() -> Point:
-    return Surface(fields=Fields(2)).real_point()
-
-
-@pytest.fixture(params=[field_point, real_point], ids=["field", "reals"])
-def point(request: pytest.FixtureRequest) -> Point:
-    return request.param()
 
 
 def test_a_vanishing_denominator_names_its_node(point: Point) -> None:

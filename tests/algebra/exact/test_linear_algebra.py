@@ -2,32 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.algebra.exact.zero_test import Fields, InadmissibleError, Point, Surface
+from lagrange.algebra.exact.zero_test import InadmissibleError, Point
 from tests.support.chance import examples
-
-
-def field_point() -> Point:
-    return Surface(fields=Fields(2)).point()
-
-
-def real_point() -> Point:
-    return Surface(fields=Fields(2)).real_point()
-
-
-@pytest.fixture(params=[field_point, real_point], ids=["field", "reals"])
-def point(request: pytest.FixtureRequest) -> Point:
-    return request.param()
-
-
-def close(point: Point, a: Any, b: Any) -> bool:
-    return point.arithmetic.vanishes(point.arithmetic.reduce(a - b))
+from tests.support.points import close, field_point, real_point
 
 
 def test_linear_algebra(point: Point) -> None:

@@ -2,33 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Fields, Point, Surface, UnsupportedError
+from lagrange.algebra.exact.zero_test import Point, UnsupportedError
 from lagrange.core.symbols import Unspecified
+from tests.support.points import close
 
 x, y, theta, u, v, w = sp.symbols("x y theta u v w", real=True)
 m, l, R = sp.symbols("m l R", positive=True)
-
-
-def field_point() -> Point:
-    return Surface(fields=Fields(2)).point()
-
-
-def real_point() -> Point:
-    return Surface(fields=Fields(2)).real_point()
-
-
-@pytest.fixture(params=[field_point, real_point], ids=["field", "reals"])
-def point(request: pytest.FixtureRequest) -> Point:
-    return request.param()
-
-
-def close(point: Point, a: Any, b: Any) -> bool:
-    return point.arithmetic.vanishes(point.arithmetic.reduce(a - b))
 
 
 def test_values_are_consistent(point: Point) -> None:

@@ -2,34 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.real_points import _rough_step, _smallest_step
-from lagrange.algebra.exact.zero_test import Fields, InadmissibleError, Point, Surface
+from lagrange.algebra.exact.zero_test import InadmissibleError, Point, Surface
 from lagrange.core.symbols import Sign
+from tests.support.points import close, real_point
 
 x, y, theta, u, v, w = sp.symbols("x y theta u v w", real=True)
 m, l, R = sp.symbols("m l R", positive=True)
-
-
-def field_point() -> Point:
-    return Surface(fields=Fields(2)).point()
-
-
-def real_point() -> Point:
-    return Surface(fields=Fields(2)).real_point()
-
-
-@pytest.fixture(params=[field_point, real_point], ids=["field", "reals"])
-def point(request: pytest.FixtureRequest) -> Point:
-    return request.param()
-
-
-def close(point: Point, a: Any, b: Any) -> bool:
-    return point.arithmetic.vanishes(point.arithmetic.reduce(a - b))
 
 
 def test_signs_of_symbols_are_respected(point: Point) -> None:

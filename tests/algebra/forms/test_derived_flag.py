@@ -11,8 +11,7 @@ from itertools import pairwise
 import pytest
 import sympy as sp
 
-from lagrange.algebra.forms.derived_flag import manoeuvre
-from lagrange.algebra.forms.integrability import derived_flag
+from lagrange.algebra.forms.derived_flag import derived_flag, manoeuvre
 from lagrange.core.symbols import Slots, Unspecified, prime, t
 from tests.support.exterior import flag_by_brackets
 

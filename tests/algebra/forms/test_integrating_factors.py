@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.algebra.forms.integrability import is_integrable
+from lagrange.algebra.forms.frobenius import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.core.symbols import Slots, Unspecified, prime, t
 from lagrange.explain.report import report
@@ -19,6 +19,7 @@ from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support.chance import examples
 from tests.support.exterior import concrete, real_point
+from tests.support.integrability_text import HEAD, words
 
 x, y, z, w, r, theta, phi = sp.symbols("x y z w r theta phi", real=True)
 a, b, length, omega, k = sp.symbols("a b l omega k", positive=True)
@@ -356,8 +357,6 @@ def test_names_do_not_matter(order, form):
 
 # -- the stages ---------------------------------------------------------------------------------------------------
 
-HEAD = "title: T\nparameters: [a, k, omega, l]\ncoordinates: [x, y, z]\nfind: constraints\nconstraints: "
-
 
 def of_constraint(problem: Callable[[str], Problem], text: str, last: str) -> dict[str, object]:
     result = as_object(report(problem(HEAD + text)))
@@ -391,14 +390,6 @@ def test_no_factor_where_none_is_known(problem):
     assert (skate["integrable"], "integrating_factor" in skate, "integral" in skate) == (False, False, False)
     riccati = of_constraint(problem, "{c: \"y' - (x^2 + y^2)*x' = 0\"}", "c")
     assert (riccati["integrable"], "integrating_factor" in riccati) == (True, False)
-
-
-def words(problem: Callable[[str], Problem], text: str) -> str:
-    step = next(s for s in as_object(report(problem(HEAD + text)))["steps"] if s["rule"] == "integrability")
-    lines = []
-    for block in step["body"]:
-        lines.append(block.get("prose") or " ".join(e.get("text", "") for e in block["equations"]))
-    return "\n".join(lines)
 
 
 def test_the_derivation_shows_factor_form_pairs_relation_and_validity(problem):

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.restrictions import finite_form, restriction
 from lagrange.core.symbols import Slots, Unspecified, t
-from lagrange.explain.report import report
-from lagrange.problem.model import Problem
-from lagrange.render.json import as_object
 from tests.support.exterior import real_point
+from tests.support.integrability_text import words
 
 x, y, z, w, r, theta, phi = sp.symbols("x y z w r theta phi", real=True)
 a, b, length, omega, k = sp.symbols("a b l omega k", positive=True)
@@ -84,17 +80,6 @@ def test_a_factor_that_is_infinite_on_the_surface_is_not_taken():
 def test_a_surface_that_is_not_solved_by_hand():
     assert restriction(coefficients({x: 1}), [x + sin(x) + exp(y) * y], SLOTS) is None
     assert finite_form(coefficients({x: y, y: -x, z: 1}), Surface([f - c], SLOTS.coordinates), SLOTS) is None
-
-
-HEAD = "title: T\nparameters: [a, k, omega, l]\ncoordinates: [x, y, z]\nfind: constraints\nconstraints: "
-
-
-def words(problem: Callable[[str], Problem], text: str) -> str:
-    step = next(s for s in as_object(report(problem(HEAD + text)))["steps"] if s["rule"] == "integrability")
-    lines = []
-    for block in step["body"]:
-        lines.append(block.get("prose") or " ".join(e.get("text", "") for e in block["equations"]))
-    return "\n".join(lines)
 
 
 def test_the_derivation_restricts_the_form(problem):

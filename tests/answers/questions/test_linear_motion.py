@@ -29,4 +29,4 @@ def test_published_matrices_as_an_answer(
     problem, _, found = bicycle()
     reference = SimpleNamespace(scope=problem.scope, declared=problem.scope.names(), values={})
     monkeypatch.setattr(answers_about, "reference_of_solution", lambda _: reference)
-    assert answers_about.check_linear_motion(answer, SimpleNamespace(linear_motion=found)).verdict is verdict
+    assert answers_about.check_linear_motion_answers(answer, SimpleNamespace(linear_motion=found)).verdict is verdict

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.written.approximations import results
+from lagrange.answers.written.approximations import exact_results
 from lagrange.core.diagnostics import Fragment
 
 
@@ -19,4 +19,4 @@ from lagrange.core.diagnostics import Fragment
     ],
 )
 def test_what_stands_beside_a_result(lines: list[str], kept: list[str]) -> None:
-    assert [f.text.strip() for f in results([Fragment.of(line) for line in lines])] == kept
+    assert [f.text.strip() for f in exact_results([Fragment.of(line) for line in lines])] == kept

@@ -6,15 +6,15 @@ import pytest
 
 from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import Source
-from lagsolve.grading.division import Asked, divided
+from lagsolve.grading.division import AssignedProblem, divided
 
 ASKED = (
-    Asked("ex11", "Ideal pendulum", Source("problems/chapter6/ex11-ideal-pendulum.yaml", "")),
-    Asked("bead", "Bead on a parabola", Source("bead.yaml", "")),
+    AssignedProblem("ex11", "Ideal pendulum", Source("problems/chapter6/ex11-ideal-pendulum.yaml", "")),
+    AssignedProblem("bead", "Bead on a parabola", Source("bead.yaml", "")),
 )
 
 
-def parts(*files: tuple[str, str], asked: tuple[Asked, ...] = ASKED) -> list[str] | str:
+def parts(*files: tuple[str, str], asked: tuple[AssignedProblem, ...] = ASKED) -> list[str] | str:
     """What each problem gets: the lines that are not empty, of all its files."""
     found = divided(Submission("s", tuple((name, text.encode()) for name, text in files)), asked)
     if isinstance(found, str):

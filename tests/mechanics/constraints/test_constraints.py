@@ -13,7 +13,7 @@ from lagrange.core.symbols import Slots
 from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Constraint, Problem
-from lagsolve.command_group import status_of_error
+from lagsolve.exit_statuses import status_of_error
 
 Read = Callable[[str], Problem]
 

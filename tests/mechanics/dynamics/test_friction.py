@@ -17,7 +17,7 @@ from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
-from lagsolve.command_group import status_of_error
+from lagsolve.exit_statuses import status_of_error
 
 Read = Callable[[str], Problem]
 
@@ -241,7 +241,7 @@ forces: {{rub: {{friction: mu, {rest}}}}}
         ("constraint: wall, on: Q", "friction-place", "does not act on `Q`"),
         ("constraint: floor, on: P", "friction-undetermined", "not determined"),
         ("constraint: [wall, floor], on: P", "friction-undetermined", "not determined"),
-        ("constraint: [wall, wall], on: P", "declared-twice", "stands twice"),
+        ("constraint: [wall, wall], on: P", "declared-twice", "occurs twice"),
         ("constraint: [], on: P", "empty-value", "is empty"),
     ],
 )

@@ -10,46 +10,18 @@ from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBod
 
 from lagrange.algebra.exact.zero_test import rank
 from lagrange.core.symbols import prime
-from lagrange.document.math_writer import text
-from lagrange.explain.report import notation_of
-from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations, QuasiVelocityForm, check_speeds
+from lagrange.mechanics.dynamics.quasi_equations import check_speeds
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
+from tests.support.quasi_velocities import SLED, equations_of, speeds_of, written
 from tests.support.shared import solved
 
 Read = Callable[[str], Problem]
-SLED = """
-title: A sled
-parameters: [m, I, a]
-coordinates: [x, y, theta]
-bodies: {B: {mass: m, inertia: I, position: x*i + y*j + a*e1_B, angle: theta}}
-constraints: {blade: "y'*cos(theta) = x'*sin(theta)"}
-"""
-
-
-def shipped(name: str) -> Solution:
-    return solved(name)
-
-
-def speeds_of(solution: Solution) -> QuasiVelocityForm:
-    assert solution.own.in_speeds is not None
-    return solution.own.in_speeds
-
-
-def equations_of(solution: Solution) -> QuasiEquations:
-    found = speeds_of(solution).equations
-    assert found is not None
-    return found
-
-
-def written(solution: Solution) -> list[str]:
-    notation = notation_of(solution)
-    return [f"{text(e, notation)} = 0" for e in equations_of(solution).expressions]
 
 
 def test_eulers_equations_come_out_without_angles() -> None:
-    solution = shipped("euler-rigid-body")
+    solution = solved("euler-rigid-body")
     assert written(solution) == [
         "A*p' - (B - C)*q*r = 0",
         "B*q' + (A - C)*p*r = 0",
@@ -164,7 +136,7 @@ def test_the_rolling_disc_against_kane() -> None:
     ]
     method = KanesMethod(frame, list(angles), list(u), kinematic)
     fr, frstar = method.kanes_equations([body], [(centre, -m * g * frame.z)])
-    assert agree(shipped("rolling-disc"), list(fr + frstar), named(angles, u))
+    assert agree(solved("rolling-disc"), list(fr + frstar), named(angles, u))
 
 
 def test_the_check_sees_a_wrong_equation_and_wrong_velocities(problem: Read) -> None:

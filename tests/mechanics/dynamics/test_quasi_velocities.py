@@ -15,50 +15,21 @@ from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.core.symbols import prime
 from lagrange.document.math_writer import text
-from lagrange.explain.report import notation_of, report
-from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations, QuasiVelocityForm
-from lagrange.mechanics.results import Solution
+from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
+from tests.support.quasi_velocities import SLED, equations_of, speeds_of, written
 from tests.support.shared import reported, solved
 
 Read = Callable[[str], Problem]
-
-SLED = """
-title: A sled
-parameters: [m, I, a]
-coordinates: [x, y, theta]
-bodies: {B: {mass: m, inertia: I, position: x*i + y*j + a*e1_B, angle: theta}}
-constraints: {blade: "y'*cos(theta) = x'*sin(theta)"}
-"""
-
-
-def shipped(name: str) -> Solution:
-    return solved(name)
-
-
-def speeds_of(solution: Solution) -> QuasiVelocityForm:
-    assert solution.own.in_speeds is not None
-    return solution.own.in_speeds
-
-
-def equations_of(solution: Solution) -> QuasiEquations:
-    found = speeds_of(solution).equations
-    assert found is not None
-    return found
-
-
-def written(solution: Solution) -> list[str]:
-    notation = notation_of(solution)
-    return [f"{text(e, notation)} = 0" for e in equations_of(solution).expressions]
 
 
 # -- what books print ------------------------------------------------------------------------------------------------
 
 
 def test_the_sleigh_in_speed_and_rate_of_turning() -> None:
-    solution = shipped("sleigh")
+    solution = solved("sleigh")
     assert written(solution) == ["u' - a*omega^2 = 0", "(m*a^2 + I_G)*omega' + m*a*u*omega = 0"]
     kinematic = {str(v): text(e) for v, e in speeds_of(solution).velocities.kinematic.items()}
     assert kinematic == {"x'": "u*cos(theta)", "y'": "u*sin(theta)", "theta'": "omega"}
@@ -66,7 +37,7 @@ def test_the_sleigh_in_speed_and_rate_of_turning() -> None:
 
 
 def test_the_rolling_disc_in_its_angular_velocity() -> None:
-    solution = shipped("rolling-disc")
+    solution = solved("rolling-disc")
     assert written(solution) == [
         "(m*R^2 + A)*omega_1' - A*omega_2^2*cot(theta) + (m*R^2 + C)*omega_2*omega_3 + m*g*R*cos(theta) = 0",
         "A*omega_2' + A*omega_1*omega_2*cot(theta) - C*omega_1*omega_3 = 0",
@@ -75,7 +46,7 @@ def test_the_rolling_disc_in_its_angular_velocity() -> None:
 
 
 def test_the_six_equations_of_an_aircraft() -> None:
-    solution = shipped("aircraft")
+    solution = solved("aircraft")
     assert written(solution) == [
         "m*u' - m*v*r + m*w*q + m*g*sin(theta) - F = 0",
         "v' + u*r - w*p - g*cos(theta)*sin(phi) = 0",
@@ -265,7 +236,7 @@ speeds: {u: x'}
     ],
 )
 def test_answers_in_quasi_velocities(equations: list[str], verdict: Verdict) -> None:
-    reference = reference_of_solution(shipped("sleigh"))
+    reference = reference_of_solution(solved("sleigh"))
     assert check_equations([Fragment.of(e) for e in equations], reference).verdict is verdict
 
 

@@ -16,7 +16,7 @@ from mpmath import diff, matrix, mp, mpc, mpf, polyroots
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.explain.rest.oscillations import explain_omitted
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagsolve.command_group import status_of_error
+from lagsolve.exit_statuses import status_of_error
 from tests.support import shared
 from tests.support.linearized_systems import (
     CART,

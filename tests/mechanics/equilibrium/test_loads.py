@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import lagrange
-from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.mechanics.solution import solve
 
 COLUMN = """
@@ -18,7 +18,7 @@ find: equilibrium
 
 def test_the_size_of_a_force_and_no_stiffness() -> None:
     configuration = solve(lagrange.loads(COLUMN), complete=False).own.configuration
-    assert [s.name for s in loads(configuration)] == ["P"]
+    assert [s.name for s in load_parameters(configuration)] == ["P"]
 
 
 def test_a_given_lagrangian_has_no_accelerations_at_rest() -> None:

@@ -8,7 +8,7 @@ import lagrange
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.in_numbers import branches_with
 from lagrange.mechanics.solution import solve
-from lagrange.mechanics.valued import values_in
+from lagrange.mechanics.solution_values import values_in
 
 STONE = """
 title: Stone

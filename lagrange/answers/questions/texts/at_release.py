@@ -1,8 +1,8 @@
 """Equations for the instant of release: m y'' = T − m g for a rod that hangs level on a vertical string.
 
 Where the questions of a problem are about its initial state, working may be written for that state alone, with the
-angles and rates that it has put in. Such equations do not follow from the equations of motion. They are judged at the
-initial state, where accelerations and reactions have one value each.
+angles and rates substituted. Such equations do not follow from the equations of motion. They are judged at the initial
+state, where accelerations and reactions have definite values.
 """
 
 from __future__ import annotations

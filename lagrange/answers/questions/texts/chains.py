@@ -1,7 +1,7 @@
 """Chains of values, `v = sqrt(2 a d) = sqrt(2*3*4) = 4.9 m/s`: whether their sides agree.
 
-The sides that contain parameters alone are numbers once these have their values; without values they are expressions,
-which must be equal. A decimal stands for all numbers that round to it.
+Sides that contain only parameters are numbers once these have values; without values they are expressions, which must
+be equal. A decimal stands for all numbers that round to it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.limits import MOST_IN_CHAIN
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
-from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import tried
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import Decimal
@@ -50,7 +50,7 @@ def _is_name(value: sp.Expr) -> bool:
 
 
 def _same(a: sp.Expr, b: sp.Expr) -> bool | None:
-    if decimals_in([a, b]) and rounded([a - b]) is not None:
+    if decimals_in([a, b]) and numbers_rounding_to([a - b]) is not None:
         return True
     try:
         return is_zero(as_written(a - b))

@@ -2,8 +2,8 @@
 
     The upright position is stable for W l < c b^2 and unstable for W l > c b^2.      stable as long as Ω² < g/R
 
-They are right if they are true at one of the equilibria, at random values of the parameters; which one is then said. A
-condition alone is meant to decide: where it fails, the equilibrium is unstable.
+They are right if they are true at one of the equilibria, at random values of the parameters; the feedback says which. A
+condition alone is meant to be decisive: where it fails, the equilibrium is unstable.
 """
 
 from __future__ import annotations
@@ -54,7 +54,9 @@ def is_about_stability(text_: str) -> bool:
     return said.WORD.search(text_) is not None and is_inequality(Fragment.of(text_))
 
 
-def check_stability(answer: Sequence[Fragment], solution: Solution, reference: Reference) -> AnswerVerdict | None:
+def check_stability_sentences(
+    answer: Sequence[Fragment], solution: Solution, reference: Reference
+) -> AnswerVerdict | None:
     """The verdict on such sentences; None if they are none, or cannot be understood."""
     places = [*_places(solution)]
     parts: list[EquationVerdict] = []

@@ -1,6 +1,6 @@
 """The forces of two smooth supports of a rod, N_A and N_B, as the page calls them, among the lines of an answer.
 
-They belong to no constraint of the file, and are right if they hold at every equilibrium:  R_1 n_1 + R_2 n_2 + Σ F = 0.
+No constraint of the file has them; they are right if they hold at every equilibrium:  R_1 n_1 + R_2 n_2 + Σ F = 0.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Decimal commas, `2,5 R` for 2.5 R: a comma between two digits, without a space, outside lists and indices.
 
 Each is replaced by a point, so that the text keeps its length and every place in it. A comma in the brackets of a
-function of several arguments, in a list `[1,2]`, in braces `x_{1,2}` or in an enumeration `1,2,3` is none; nor is that
-of `10,000`, which may separate thousands.
+function of several arguments, in a list `[1,2]`, in braces `x_{1,2}` or in an enumeration `1,2,3` is not a decimal
+comma, and neither is that of `10,000`, which may separate thousands.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 r"""Answers as HTML, as Moodle stores what is typed into its editor: the text, one line for each paragraph.
 
-Tags are left out, line breaks and paragraphs end lines, raised and lowered characters get their `^` and `_`. One pass
+Tags are omitted, line breaks and paragraphs end lines, raised and lowered characters get their `^` and `_`. One pass
 over the text; nothing of it is ever shown as HTML.
 
 A row of a table in Markdown, `| radial | m r'' = ... |`, is its cells; lines of which all begin with a dash are a list.

@@ -1,6 +1,6 @@
 """The time derivative as an operator D: `D^2 x`, `D x`, `(D phi)^2`, `D(m r^2 D phi)`, `(m D^2 + b D + c) x`.
 
-An operator before brackets is applied to what is in them; one before a name, to that name; a sum with operators in
+An operator before brackets is applied to their contents; one before a name, to that name; a sum with operators in
 brackets is applied to the name or the brackets after it, term by term. D is an operator only where the problem declares
 no `D`.
 """

@@ -170,7 +170,7 @@ def _exponentials(text: str, scope: Scope) -> Iterator[Edit]:
 
 
 def _displacements(draft: Draft, scope: Scope) -> None:
-    """`δx` as delta(x), and `dx` as d(x); of a name that the answer defines, as the differential of its value."""
+    """`δx` as delta(x), and `dx` as d(x); for a name that the answer defines, as the differential of its value."""
     moving = {q.name for q in scope.slots.coordinates} | {"t"}
 
     def displaced(match: re.Match[str], sign: str) -> str | None:

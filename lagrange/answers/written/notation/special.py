@@ -1,4 +1,4 @@
-r"""Notations of names and functions that are rare in equations of motion, and common in values.
+r"""Notations of names and functions that are rare in equations of motion but common in values.
 
 m1, θ1                              m_1, theta_1, where these are declared and the others are not
 ∛(c/b)                              (c/b)^(1/3)

@@ -1,10 +1,10 @@
 """Constraints that integrate at sight, in one section: a wheel rolling along a line, or several that move.
 
-R θ' = x' is R dθ − dx = 0, which is exact and integrates to R θ − x = const. Nothing is to be learned there about
-integrability that would be worth three sections: the relations, their forms, the finite relation, classification and
-freedom share one. A form that is exact only where the geometric constraints hold, ds − h dψ with h = R, belongs here
-too; one that needs an integrating factor does not. Of several geometric constraints with time in them each is the
-differential of a relation as well; a single one keeps its sections, which show what time changes.
+R θ' = x' is R dθ − dx = 0, which is exact and integrates to R θ − x = const. It teaches nothing about integrability
+that would justify three sections: the relations, their forms, the finite relation, classification and freedom share
+one. A form that is exact only where the geometric constraints hold, ds − h dψ with h = R, belongs here too; one that
+needs an integrating factor does not. Of several geometric constraints with time in them each is the differential of a
+relation as well; a single one keeps its sections, which show what time changes.
 """
 
 from __future__ import annotations

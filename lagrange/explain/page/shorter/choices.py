@@ -1,7 +1,7 @@
 """A choice of coordinates that leaves a constraint, in fewer lines.
 
 The full derivation states the constraint that is left for velocities, for displacements, solved for a displacement, and
-solved for a velocity. Each follows from the one before at sight: the page has the first and what is solved.
+solved for a velocity. Each follows from the one before at sight: the page has the first and the solved one.
 """
 
 from __future__ import annotations

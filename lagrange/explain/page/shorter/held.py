@@ -1,8 +1,8 @@
 """Bodies in bearings: vectors and laws written for the values at which constraints hold coordinates.
 
 A shaft has two more angles, so that its bearings have moments; the constraints keep both at zero. Angular momentum and
-the laws of motion in all three angles fill a page, and with the two at zero they are a line each, which is all that the
-result needs: displacements in which reactions do work are those of the constraints, whatever the rest.
+the laws of motion in all three angles fill a page; with the two at zero they are a line each, and the result needs no
+more, since the reactions do work only in the displacements that the constraints exclude.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Small motions about an equilibrium or a steady motion, one box each: that of the frequency.
 
-The linear equation is a step on the way to it, as a book prints it, and what its solutions are is said in a line.
+The linear equation is a step on the way to it, as a book prints it; a line states its solutions.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Conditions with the quantity that they limit on the left: μ ≥ ½ tan φ, P ≥ M a/(l r), as a reader asks for them."""
+"""Conditions with the quantity that they limit on the left, as a reader expects: μ ≥ ½ tan φ, P ≥ M a/(l r)."""
 
 from __future__ import annotations
 

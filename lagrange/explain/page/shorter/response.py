@@ -1,7 +1,7 @@
 """Forced oscillations of systems that are linear by themselves, and resonances that are roots of a quadratic.
 
 About x = 0 the linear equations of a system with linear springs are its equations of motion: they are not printed
-again. Squares of frequencies that fill two lines each are better said to be the roots of the denominator.
+again. Squares of frequencies that would fill two lines each are given as the roots of the denominator.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Sentences of the full derivation that a page says in fewer words, and short equations side by side.
 
-The full derivation says what Newton's law and multipliers are wherever they occur. A page says once what it needs.
+The full derivation explains Newton's law and multipliers wherever they occur. A page explains once what it needs.
 """
 
 from __future__ import annotations

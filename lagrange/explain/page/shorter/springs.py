@@ -1,7 +1,7 @@
 """The length of a spring as the letter that the statement gives it, where it is a long root when written out.
 
 d = √(a² + 2a l (sin θ₂ − sin θ₁) + ...) occurs in the potential energy, in every equation of motion and in those of
-rest: all of them are read more easily with d, as the force of a spring is c (d − a).
+rest: all of them are easier to read with d, like the force of a spring, c (d − a).
 """
 
 from __future__ import annotations

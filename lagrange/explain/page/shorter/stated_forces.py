@@ -1,7 +1,7 @@
 """Reactions in the form of the file's answers, if these are right and shorter, or by quantities of its equations.
 
-A ball that rolls on a ball has forces of friction that are products of five angular velocities each; by the spin ω·out
-about the line of centres, in which the equations of motion are stated, they are two terms.
+The forces of friction on a ball that rolls on a ball contain products of five angular velocities each; in terms of the
+spin ω·out about the line of centres, in which the equations of motion are stated, they have two terms.
 """
 
 from __future__ import annotations

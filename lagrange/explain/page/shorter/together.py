@@ -1,7 +1,7 @@
-"""Coordinates that constraints hold together, as the height and tilt of a car on two axles: their values put in.
+"""Coordinates that constraints hold together, as the height and tilt of a car on two axles: their values substituted.
 
 The constraints are stated in general, with their differentials; after that every line is written for the constant
-values that they leave. Displacements in which the reactions do work are those of the constraints, whatever the rest.
+values that they leave: the reactions do work only in the displacements that the constraints exclude.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ def put_in(held: HeldTogether | None, step: Step) -> Step:
 
 def _announced(held: HeldTogether) -> Prose:
     values = listed(math(q, e) for q, e in held.values.items())
-    words = plural(len(held.values), " constant. From here on its value is put in: ",
-                   " constant. From here on their values are put in: ")  # fmt: skip
+    words = plural(len(held.values), " constant. From here on its value is substituted: ",
+                   " constant. From here on their values are substituted: ")  # fmt: skip
     return prose("Together the constraints keep ", *listed(map(math, held.values)), words, *values, ".")
 
 

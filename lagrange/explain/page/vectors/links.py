@@ -207,7 +207,7 @@ def _reaction(link: RodLink, step: Step) -> Step:
     body: list[Block] = [
         prose("Differentiated twice, ", Ref(f"constraint-{link.reaction.name}"), " is"),
         display(twice),
-        prose("With ", laws[1], " and ", laws[0], ", each divided by its mass, put into it:"),
+        prose("Substituting ", laws[1], " and ", laws[0], ", each divided by its mass, gives"),
         display(link.tension, boxed=True),
     ]
     bounds: list[Block] = [b for b in step.body if has_purpose(b, Purpose.MAY_PUSH)]

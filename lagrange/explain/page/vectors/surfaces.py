@@ -394,7 +394,9 @@ def _energy(s: OnSurface, step: Step) -> Step:
     rate = TimeDerivative(sp.Mul(sp.Rational(1, 2), s.mass, s.velocity**2))
     called = constraints_called([r.name])
     if s.row.drift != 0:
-        words = f"Though the reaction does no virtual work, it works on {the(s.name)}: {called} moves. Along the motion"
+        words = (
+            f"Though the reaction does no virtual work, it does work on {the(s.name)}: {called} moves. Along the motion"
+        )
     elif s.friction is not None:
         words = "The reaction does no work, but friction takes energy. Along the motion"
     else:

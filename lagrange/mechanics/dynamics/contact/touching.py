@@ -34,7 +34,7 @@ def point_on(configuration: Configuration, name: str, place: Vector) -> Vector:
 
 
 def velocity_at(configuration: Configuration, name: str, place: Vector) -> Vector:
-    """The velocity of the point of a body at a place; of a particle its own."""
+    """The velocity of the point of a body at a place; for a particle its own."""
     point = next(p for p in configuration.points if p.name == name)
     rotation = next((r for r in configuration.rotations if r.name == name), None)
     if rotation is None:
@@ -43,7 +43,7 @@ def velocity_at(configuration: Configuration, name: str, place: Vector) -> Vecto
 
 
 def partials_at(configuration: Configuration, name: str, place: Vector) -> list[Vector]:
-    """∂r_A/∂q_k, shape (n,), in i, j, k, of the point of a body at a place; of a particle its own."""
+    """∂r_A/∂q_k, shape (n,), in i, j, k, of the point of a body at a place; for a particle its own."""
     point = next(p for p in configuration.points if p.name == name)
     rotation = next((r for r in configuration.rotations if r.name == name), None)
     moved = [p.fixed() for p in point.partials]

@@ -299,7 +299,7 @@ def _in_front(coefficient: sp.Expr) -> sp.Expr:
     return sp.Mul(-1, -together, evaluate=False) if together.is_Add and all(minus) else together
 
 
-def extremes(response: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
+def limiting_amplitudes(response: Response) -> tuple[sp.Expr | None, sp.Expr | None]:
     """What the amplitude of the only coordinate tends to as ω → 0 and as ω → ∞; None where it has no limit."""
     w = response.drive.frequency
     if len(response.amplitudes) != 1 or not w.is_Symbol:

@@ -87,7 +87,7 @@ class SolvedBalance:
     presupposed: tuple[sp.Expr, ...]
 
 
-class Balance:
+class ForceBalance:
     """The equations of balance, in the coordinates of a configuration."""
 
     def __init__(

@@ -5,8 +5,8 @@ dN = T dφ at the limit, the tensions satisfy
 
     T_1 ≤ T_2 e^(μ β) ,     T_1 ≥ 0 ,
 
-T_1 being that of the side towards which it would slip. At the limit the two sides are equal. What the tensions act on
-is said by other forces of the file, or by constraints that they keep.
+T_1 being that of the side towards which it would slip. At the limit the two sides are equal. Other forces of the file,
+or the constraints that they keep, say what the tensions act on.
 
 Reference: Euler, 1769; Eytelwein, 1808.
 """

@@ -39,7 +39,7 @@ from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rou
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
-from lagrange.mechanics.equilibrium.friction.balance import Balance, RoughContact, SolvedBalance
+from lagrange.mechanics.equilibrium.friction.balance import ForceBalance, RoughContact, SolvedBalance
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws, sought_forces, tensions_between
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
@@ -65,7 +65,7 @@ from lagrange.mechanics.equilibrium.limits import (
     MOST_ROUGH_CONTACTS,
     UNITS_OF_REST,
 )
-from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.loads import load_parameters
 from lagrange.problem.keys import Find
 from lagrange.problem.model import Friction, Problem
 
@@ -208,7 +208,7 @@ def _vanishes(e: sp.Expr, configuration: Configuration) -> bool:
     return e == 0 or configuration.surface.is_zero(e) is True
 
 
-def at_rest(
+def rest_with_friction(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
 ) -> AtRest:
     """Where the system can be at rest.
@@ -240,8 +240,8 @@ def _at_rest(
     held = {**equal, **held_coordinates(configuration)}
     contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
-    system = Balance(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
-    wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
+    system = ForceBalance(newton, contacts, original, configuration, work, problem.unknowns, sought, held)
+    wanted = SolvedFor(sought, tuple(c.coefficient for c in contacts), load_parameters(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
 
@@ -318,13 +318,13 @@ def _limits_of(
 def rest_within(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
 ) -> tuple[AtRest | None, str]:
-    """`at_rest` with an allowance of its own, and why nothing was found, empty otherwise.
+    """`rest_with_friction` with an allowance of its own, and why nothing was found, empty otherwise.
 
     Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
     """
     with allowed(UNITS_OF_REST) as allowance:
         try:
-            return at_rest(problem, newton, original, configuration, work), ""
+            return rest_with_friction(problem, newton, original, configuration, work), ""
         except GivenUpError:
             if allowance.left >= 0:
                 raise  # the time is over, and not this allowance used up

@@ -1,5 +1,5 @@
-"""What the constraints say of the position where a system with rough contacts rests: coordinates that they hold, and
-angles that they make equal.
+"""What the constraints imply for the position in which a system with rough contacts rests: coordinates that they fix,
+and angles that they make equal.
 """
 
 from __future__ import annotations

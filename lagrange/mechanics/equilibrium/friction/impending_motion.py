@@ -3,9 +3,9 @@
     F_i = μ_i N_i against the direction in which the point that touches is about to slip.
 
 With this law the reactions follow from as many of the equations of balance as there are constraints, those of the
-dependent coordinates. Put into F, they make friction a force that depends on the position alone; what remains is an
-equilibrium of applied forces, found by the principle of virtual work. At an equilibrium all equations of balance hold,
-so that the reactions found there are those of the system.
+dependent coordinates. Substituted into F, they make friction a force that depends on the position alone; what remains
+is an equilibrium of applied forces, found by the principle of virtual work. At an equilibrium all equations of balance
+hold, so that the reactions found there are those of the system.
 
 Where the file gives no direction, both are tried, in several contacts those that a displacement can have at once: a rod
 that slides out below slides down above. Several contacts are all taken to slip at once. Belts slip with them:

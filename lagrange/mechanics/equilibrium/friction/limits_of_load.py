@@ -1,4 +1,4 @@
-"""Between which limits one unknown force must be, so that a system with several rough contacts can be at rest.
+"""The limits between which one unknown force must lie for a system with several rough contacts to be at rest.
 
 With the equations of balance solved, all bounds are linear in the forces s that remain and in the force P:
 
@@ -9,11 +9,11 @@ A set of as many bounds as there are s, and one, has one such y: its minors. The
 the forces at which these bounds are equalities satisfy all the others; then P may have every value between the two
 limits, since what is admissible is convex.
 
-Which sets these are is seen at numbers: acute angles and coefficients of friction that are not large, or the values of
-the file. That y and the other bounds are not negative is then proved in letters, as far as it holds for all angles;
-what is left of it are conditions under which the limits are these. Different numbers may lead to different sets: these
-are the cases of the result. Elimination by pairs (`linear_inequalities`) would need
-the signs of all coefficients on the way; with three contacts these have dozens of cases.
+These sets are chosen at sampled numbers: acute angles and coefficients of friction that are not large, or the values of
+the file. That y and the other bounds are not negative is then proved symbolically, as far as it holds for all angles;
+the rest becomes conditions under which these are the limits. Different numbers may lead to different sets: these are
+the cases of the result. Elimination by pairs (`linear_inequalities`) would need the signs of all coefficients on the
+way; with three contacts these have dozens of cases.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Rolling without slipping: as long as what the friction that it takes is available.
+"""Rolling without slipping: as long as the friction that it needs is available.
 
 Where constraints keep the point that touches at rest relative to what it touches, friction does no work and is the
 reaction of these constraints. It is that of a contact at rest, so that
@@ -69,7 +69,7 @@ class Rolling:
 
 
 def rolling(problem: Problem, law: NewtonLaw, motion: Motion, configuration: Configuration) -> Rolling | None:
-    """The conditions under which the contacts that roll do not slip; None if none rolls, or reactions are left out."""
+    """The conditions under which the contacts that roll do not slip; None if none rolls, or reactions are omitted."""
     reactions = motion.reactions
     if not law.rolling or reactions is None:
         return None

@@ -98,7 +98,7 @@ def confirmed(f: NumericalFunctions, guess: Sequence[float]) -> list[Number] | N
         return None
 
 
-def rank(rows: Sequence[Sequence[Number]]) -> int:
+def numerical_rank(rows: Sequence[Sequence[Number]]) -> int:
     """The rank of a matrix of numbers, counting what is not small."""
     return len(_pivots([list(r) for r in rows]))
 

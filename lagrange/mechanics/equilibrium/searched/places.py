@@ -1,7 +1,7 @@
-"""Places of rest found in numbers, against the list of equilibria in closed form.
+"""Places of rest found numerically, against the list of equilibria in closed form.
 
-What loses an equilibrium is a step of solving: a division by sin θ, a factor that is dropped, a pivot. So parameters
-are drawn, and the conditions as they were before any step,
+An equilibrium is lost in a step of solving: a division by sin θ, a factor that is dropped, a pivot. So parameters are
+drawn, and the conditions as they were before any such step,
 
     Q + Aᵀ λ = 0 ,     f = 0 ,
 
@@ -10,8 +10,8 @@ zero must satisfy the printed relations and conditions of a branch. One that sat
 to many digits and the constraints are regular there; then the conditions join the list as unsolved, so that it is
 stated to be incomplete wherever it is used.
 
-That nothing is found proves nothing: the search is short. What is only of the coordinates, a pole of a chart or a place
-outside of a range, is no equilibrium that is lost, and neither is one where a force has no value.
+Finding nothing proves nothing: the search is short. An artefact of the coordinates, a pole of a chart or a place
+outside of a range, is not a lost equilibrium, and neither is one where a force has no value.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_STARTS,
     SPREADS,
 )
-from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
-from lagrange.mechanics.equilibrium.searched.newton import confirmed, rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.newton import confirmed, numerical_rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
 
@@ -96,7 +96,7 @@ class _Search:
         random = Random(2)
         any_zero = False
         for spread in SPREADS:
-            numbers = [drawn(s, spread, random) for s in self.parameters]
+            numbers = [random_value(s, spread, random) for s in self.parameters]
             for tape, place in self._zeros(numbers, random):
                 any_zero = True
                 if not self._is_listed(place, numbers) and self._is_lost(tape, place, numbers):
@@ -116,7 +116,7 @@ class _Search:
                     return tape.values([*x, *numbers])
 
                 angles = self.e.solution.letters.angles
-                places = [drawn_place(u, self.coordinates, angles, random) for u in self.unknowns]
+                places = [random_start(u, self.coordinates, angles, random) for u in self.unknowns]
                 start = with_best(f, places, self.linear)
                 place = zero_near(f, start, FARTHEST)
                 spent += tape.carried_out - before
@@ -193,7 +193,7 @@ class _Search:
         ranks = []
         for x in (place, beside):
             flat = tape.values([*x, *numbers], DIGITS)
-            ranks.append(rank([flat[n : n + width] for n in range(0, len(flat), width)]))
+            ranks.append(numerical_rank([flat[n : n + width] for n in range(0, len(flat), width)]))
         return ranks[0] == ranks[1]
 
     def _is_outside(self, place: Sequence[Any], numbers: Sequence[float]) -> bool:

@@ -1,4 +1,4 @@
-"""How far points can be that rods of given lengths hold, and their angles: where equilibria of links are searched.
+"""How far points held by rods of given lengths can be, and their angles: where equilibria of linkages are sought.
 
 A constraint x₁² + y₁² = l₁² bounds x₁ and y₁, and (x₂ − x₁)² + (y₂ − y₁)² = l₂² then bounds x₂ and y₂. In general let
 a constraint be a quadratic function whose squares are completed one after another,

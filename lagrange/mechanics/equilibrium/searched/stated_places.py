@@ -1,8 +1,8 @@
-"""Positions that a branch of equilibria states, found in numbers.
+"""Positions that a branch of equilibria states, found numerically.
 
 A branch states its positions by relations and by equations that are not solved, f(q) = 0 beside the finite constraints,
 where its conditions hold. Parameters are drawn until the conditions on them hold; the coordinates and unknown forces
-follow by Newton's method from drawn places, confirmed to 45 digits. So any form of a relation is read as it stands:
+follow by Newton's method from drawn places, confirmed to 45 digits. So any form of a relation is read as it is printed:
 r³ = K/(3 n²), a root, tan α = 3/2 with a triangle that has to close. An undefined function is a drawn polynomial.
 
 At such a position the forces balance if Q is a combination of the rows A of the constraints,
@@ -35,8 +35,8 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_OPERATIONS,
     STATED_SAMPLES,
 )
-from lagrange.mechanics.equilibrium.searched.drawing import drawn, drawn_place
 from lagrange.mechanics.equilibrium.searched.newton import confirmed, zero_near
+from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
 Number = Any
@@ -87,13 +87,13 @@ class StatedPlaces:
     def _numbers(self) -> list[float] | None:
         """Drawn parameters for which the conditions on them hold."""
         for n in range(MOST_STATED_DRAWS):
-            numbers = [drawn(s, 1 + n % 3, self.random) for s in self.parameters]
+            numbers = [random_value(s, 1 + n % 3, self.random) for s in self.parameters]
             if _hold(*self.before, numbers):
                 return numbers
         return None
 
     def _place(self, numbers: Sequence[float]) -> list[Number] | None:
-        start = [drawn_place(u, self.unknowns, self.turning, self.random) for u in self.unknowns]
+        start = [random_start(u, self.unknowns, self.turning, self.random) for u in self.unknowns]
         guess = zero_near(lambda x: self.equations.values([*x, *numbers]), start, FARTHEST)
         if guess is None:
             return None
@@ -101,7 +101,7 @@ class StatedPlaces:
 
 
 def holds_in_numbers(e: Equilibrium, b: Branch) -> bool | None:
-    """Whether the forces balance at positions of a branch that are found in numbers; None: none is found."""
+    """Whether the forces balance at positions of a branch that are found numerically; None: none is found."""
     rows = [list(row.coefficients) for row in e.binding]
     size = len(e.work.forces)
     tried = [*e.work.forces, *chain(*rows), *e.laws]

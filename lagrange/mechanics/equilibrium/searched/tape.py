@@ -1,4 +1,4 @@
-"""Expressions as one list of operations, for evaluation many times over, in floating point or with many digits.
+"""Expressions as one list of operations, to be evaluated many times, in floating point or with many digits.
 
 A subexpression that occurs several times is one operation. The second arithmetic is the judge of the first: a zero of
 floats is only a guess, which `newton.confirmed` follows to sixty digits.

@@ -1,4 +1,4 @@
-"""Questions about a system at rest: which couple holds a crank at 60°, which force a bar bears in a given position.
+"""Questions about a system at rest: the couple that holds a crank at 60°, the force in a bar in a given position.
 
 At rest the forces balance for each coordinate of the file,
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.questions.texts.stability_alone import check_stability, is_about_stability
+from lagrange.answers.questions.texts.stability_alone import check_stability_sentences, is_about_stability
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
@@ -26,6 +26,6 @@ def test_the_upright_pendulum_between_springs(line: str, verdict: Verdict) -> No
     """V'' = b² c − W l at the top."""
     solution = solved("inverted-pendulum-springs")
     assert is_about_stability(line)
-    answer = check_stability([Fragment.of(line)], solution, reference_of_solution(solution))
+    answer = check_stability_sentences([Fragment.of(line)], solution, reference_of_solution(solution))
     assert answer is not None
     assert answer.verdict is verdict

@@ -13,7 +13,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from lagrange.core.diagnostics import ProblemError
-from lagrange.mechanics.equilibrium.driven.response import Response, extremes
+from lagrange.mechanics.equilibrium.driven.response import Response, limiting_amplitudes
 from lagrange.mechanics.solution import solve
 from lagrange.render.json import as_object
 from tests.support.problem_texts import read
@@ -234,7 +234,7 @@ def test_what_the_amplitude_tends_to_at_low_and_at_high_frequency(
 ) -> None:
     found = reported(name).solution.own.response
     assert found is not None
-    for value, expected in zip(extremes(found), ends, strict=True):
+    for value, expected in zip(limiting_amplitudes(found), ends, strict=True):
         assert (value is None) == (expected is None)
         if value is not None and expected is not None:
             symbols = {s.name: s for s in found.amplitudes[0].free_symbols}

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.floats import FUNCTIONS
-from lagrange.mechanics.equilibrium.searched.newton import Number, confirmed, rank, with_best, zero_near
+from lagrange.mechanics.equilibrium.searched.newton import Number, confirmed, numerical_rank, with_best, zero_near
 from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
 
 x, y = sp.symbols("x y", real=True)
@@ -55,9 +55,9 @@ def test_unknowns_that_occur_linearly_start_at_their_best() -> None:
 
 
 def test_rank() -> None:
-    assert rank([[1, 2, 3], [2, 4, 6.0000000001]]) == 1
-    assert rank([[1, 2], [3, 4]]) == 2
-    assert rank([]) == 0
+    assert numerical_rank([[1, 2, 3], [2, 4, 6.0000000001]]) == 1
+    assert numerical_rank([[1, 2], [3, 4]]) == 2
+    assert numerical_rank([]) == 0
 
 
 @pytest.mark.parametrize("function", FUNCTIONS)

@@ -1,10 +1,10 @@
 """The outer limits of one command: `--timeout` and `--memory`.
 
-What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. Beside
-it stand these, for those who run files of strangers: an alarm after so many seconds of processor time, which gives up
-the running stage, and a limit of the address space beyond what is in use at the start, where the system has them. What
-is known by then is still explained, in a quarter of the time. A limit on the clock would give up a right answer when
-the machine is busy with something else.
+What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. In
+addition, for running untrusted files, there are two limits where the system supports them: an alarm after so many
+seconds of processor time, which gives up the running stage, and a bound on the address space beyond what is in use at
+the start. What is known by then is still explained, in a quarter of the time. A limit on the clock would give up a
+right answer when the machine is busy with something else.
 """
 
 from __future__ import annotations

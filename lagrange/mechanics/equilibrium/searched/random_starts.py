@@ -11,7 +11,7 @@ from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.equilibrium.limits import BOX
 
 
-def drawn(s: sp.Symbol, spread: float, random: Random) -> float:
+def random_value(s: sp.Symbol, spread: float, random: Random) -> float:
     """A number for a parameter, of the sign or in the range that is declared."""
     if isinstance(s, Sign):
         return random.choice((-1.0, 1.0))
@@ -23,7 +23,9 @@ def drawn(s: sp.Symbol, spread: float, random: Random) -> float:
     return random.choice((-size, size))
 
 
-def drawn_place(u: sp.Symbol, coordinates: Collection[sp.Symbol], angles: Collection[sp.Expr], random: Random) -> float:
+def random_start(
+    u: sp.Symbol, coordinates: Collection[sp.Symbol], angles: Collection[sp.Expr], random: Random
+) -> float:
     """Where the search for an unknown begins: an angle anywhere, a force at 0."""
     if u not in coordinates:
         return 0.0

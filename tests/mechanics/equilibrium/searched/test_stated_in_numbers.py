@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.symbols import Decimal, Unspecified
-from lagrange.mechanics.equilibrium.searched.covered import are_covered
+from lagrange.mechanics.equilibrium.searched.stated_in_numbers import are_covered
 
 THETA = sp.Symbol("theta", real=True)
 A, B = sp.symbols("a b", positive=True)

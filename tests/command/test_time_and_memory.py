@@ -15,9 +15,9 @@ from click.testing import CliRunner
 
 from lagrange.core.diagnostics import GaveUpError
 from lagrange.core.effort import allowed, spare_memory
-from lagsolve.bounds import bounded
 from lagsolve.limits import SPARE_MEMORY
 from lagsolve.main import main
+from lagsolve.time_and_memory import bounded
 from tests.support.processes import PATIENCE
 
 pytestmark = pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="the system has no alarms")
@@ -81,7 +81,7 @@ def test_the_stack_is_taken_in_advance() -> None:
     code = r"""
 import re, sys
 from pathlib import Path
-from lagsolve.bounds import bounded
+from lagsolve.time_and_memory import bounded
 size = lambda: int(re.search(r"VmStk:\s+(\d+) kB", Path("/proc/self/status").read_text())[1])
 before = size()
 with bounded(None, 256):

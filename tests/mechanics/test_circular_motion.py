@@ -8,7 +8,7 @@ import sympy as sp
 import lagrange
 from lagrange.core.symbols import t
 from lagrange.explain.report import report
-from lagrange.mechanics.turning import turning
+from lagrange.mechanics.circular_motion import turning
 from lagrange.render import terminal
 from tests.support.shared import solved
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import lagrange
 from lagrange.core.units import unit_of
 from lagrange.mechanics.solution import solve
-from lagrange.mechanics.valued import values_in
+from lagrange.mechanics.solution_values import values_in
 from tests.support.shared import solved
 
 PENDULUM = """
