@@ -29,6 +29,7 @@ from lagrange.explain.limits import (
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations
+from lagrange.explain.page.shorter.along_axes import LABEL
 from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -247,7 +248,7 @@ def _from_steps(
             yield from _in_speeds(steps, stated)
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
-        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
+        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol) or _is_sum(e)]
         lines = [
             replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
         ]
@@ -264,6 +265,11 @@ def _from_steps(
         if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _is_sum(e: Equation) -> bool:
+    """Whether it is the sum of reactions along unit vectors that turn."""
+    return (e.label or "").startswith(LABEL)
 
 
 def _is_better(stated: StatedEquations, lines: Sequence[Equation]) -> bool:
