@@ -30,9 +30,10 @@ from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations
 from lagrange.explain.page.shorter.along_axes import LABEL
-from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
+from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.by_one_velocity import by_one_velocity
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import (
     given_rates,
@@ -346,11 +347,18 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     motion = solution.impact
     if motion is None:
         return
-    velocities = [Equation((prime(q), v)) for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)]
-    yield from (replace(e, condition=("just after",)) if n == 0 else e for n, e in enumerate(velocities))
-    for i in motion.impulses:
-        if i.value is not None:
-            yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
+    after = {prime(q): v for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)}
+    given = {i.symbol: i.value for i in motion.impulses if i.value is not None}
+    for n, pair in enumerate(by_one_velocity(after).items()):
+        yield Equation(pair, condition=("just after",) if n == 0 else ())
+    called = {i.symbol: spoken(i.name) for i in motion.impulses}
+    none = [s for s, value in given.items() if value == 0]
+    for symbol, value in given.items():
+        if value != 0:
+            yield Equation((symbol, value), condition=("the impulse of ", called[symbol]))
+    if none:
+        of = joined(called[s] for s in none)
+        yield Equation((*none, sp.S.Zero), condition=(plural(len(none), "the impulse of ", "the impulses of "), of))
     struck = motion.full.loads or motion.full.torques
     if not motion.is_driven and not struck and motion.energy_lost != 0:
         kinetic = energy_symbols(solution).kinetic
