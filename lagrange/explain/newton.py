@@ -460,9 +460,8 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
     for w in works:
         body += _shares(w)
     body += works_when_moving(works)
-    return Step(
-        Rule.WORKLESS, "The reactions do no virtual work" if good else "The virtual work of the reactions", tuple(body)
-    )
+    none = plural(len(works), "The reaction does no virtual work", "The reactions do no virtual work")
+    return Step(Rule.WORKLESS, none if good else "The virtual work of the reactions", tuple(body))
 
 
 def _shares(work: WorkOfReaction) -> list[Block]:

@@ -89,7 +89,7 @@ from lagrange.explain.page.quasi_velocities import (
     reaction_as_a_whole,
     short_in_speeds,
 )
-from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.result import explain_result, rest_has_roots
 from lagrange.explain.page.shorter.along_axes import with_sums_along_axes
 from lagrange.explain.page.shorter.at_sight import explain_at_sight, integrates_at_sight
 from lagrange.explain.page.shorter.choices import in_few_lines
@@ -166,7 +166,7 @@ def _arranged(
     solution: Solution, steps: Iterable[Step], stated: StatedEquations, forces: StatedEquations, *, every_choice: bool
 ) -> Iterator[Step]:
     """The steps in the order of the page, the result first, those last that are folded."""
-    first = solution.choices[0].name if solution.choices else ""
+    first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
     link = links.linked(solution)
     stated = in_names(solution, stated)

@@ -76,8 +76,12 @@ def explain_result(
     """
     kept = dict(_from_steps(solution, steps, stated))
     kept[Rule.WORKLESS] = [*work]
-    for view in (solution.own, *solution.choices[:1]):  # the last is in the coordinates that are chosen, and shorter
+    roots = rest_has_roots(solution)
+    for view in (solution.own, *solution.choices[: 0 if roots else 1]):  # the last: in chosen coordinates, and shorter
         kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
+    if roots and Rule.EQUILIBRIUM in kept:
+        related = [Equation((c.lhs, c.rhs)) for c in solution.problem.constraints]
+        kept[Rule.EQUILIBRIUM] = [*kept[Rule.EQUILIBRIUM], *related]
     kept[Rule.IMPACT] = [*_impact(solution)]
     kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
     kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
@@ -106,6 +110,22 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def rest_has_roots(solution: Solution) -> bool:
+    """Whether forces at rest are shorter in the file's own coordinates than with a root of either sign for one of them.
+
+    P = Q (x − r cos θ)/(x sin θ) of a crank, with x² − 2r x cos θ + r² = l².
+    """
+    view, choice = solution.own, solution.choices[0] if solution.choices else None
+    if choice is None or not choice.signs or view.equilibrium is None or choice.equilibrium is None:
+        return False
+    own, chosen = (
+        sum(count_operations(r.rhs) for b in e.branches for r in b.equations)
+        for e in (view.equilibrium, choice.equilibrium)
+    )
+    given = view.equilibrium.given and choice.equilibrium.given
+    return given and len(view.equilibrium.branches) == 1 and 0 < own < chosen and len(solution.problem.constraints) == 1
 
 
 def _has_long_roots(lines: Sequence[Equation]) -> bool:
