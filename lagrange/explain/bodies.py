@@ -36,8 +36,7 @@ def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Blo
 def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
     """The triads that the statement uses."""
     positions = (p.position.triad for p in configuration.points)
-    links = (*configuration.springs, *configuration.dampers)
-    ends = (end.triad for link in links for end in link.ends if isinstance(end, Vector))
+    ends = (end.triad for link in configuration.links for end in link.ends if isinstance(end, Vector))
     return (*positions, *(r.angular_velocity.triad for r in configuration.rotations), *ends)
 
 

@@ -13,14 +13,9 @@ import sympy as sp
 
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.pictures.floats import NoValueError
-from lagrange.pictures.limits import SAME_SHAPE
+from lagrange.pictures.limits import LEAST_SLOPE, SAME_SHAPE, SLOPE_ARC, STEEPEST_SLOPE
 from lagrange.pictures.sketch import Sketch, apart, beyond, toward
 from lagrange.pictures.systems import SystemPicture
-
-LEAST_SLOPE, STEEPEST_SLOPE = math.radians(4), math.radians(80)
-"""A flatter plane has no room for an arc, and a steeper one is a wall."""
-SIZE = 0.85
-"""Radius of the arc, in centimetres."""
 
 
 def mark_slopes(system: SystemPicture, sketch: Sketch, down: PagePoint) -> None:
@@ -53,7 +48,7 @@ def _is_slope(system: SystemPicture, symbol: sp.Symbol, low: PagePoint, high: Pa
     except NoValueError:
         return False
     slope = _slope(low, high, down)
-    return LEAST_SLOPE < slope < STEEPEST_SLOPE and abs(slope - size) < SAME_SHAPE and apart(low, high) > 2 * SIZE
+    return LEAST_SLOPE < slope < STEEPEST_SLOPE and abs(slope - size) < SAME_SHAPE and apart(low, high) > 2 * SLOPE_ARC
 
 
 def _mark(sketch: Sketch, symbol: sp.Symbol, low: PagePoint, high: PagePoint, down: PagePoint) -> None:
@@ -64,7 +59,7 @@ def _mark(sketch: Sketch, symbol: sp.Symbol, low: PagePoint, high: PagePoint, do
     slope = _slope(low, high, down)
     ways = [(level[0] * math.cos(a) - down[0] * math.sin(a), level[1] * math.cos(a) - down[1] * math.sin(a))
             for a in (slope * k / 12 for k in range(13))]  # fmt: skip
-    sketch.line([low, beyond(low, level, SIZE + 0.35)], StrokeKind.REFERENCE)
-    arc = [beyond(low, way, SIZE) for way in ways]
+    sketch.line([low, beyond(low, level, SLOPE_ARC + 0.35)], StrokeKind.REFERENCE)
+    arc = [beyond(low, way, SLOPE_ARC) for way in ways]
     sketch.arc(arc, StrokeKind.ANGLE)
     sketch.label(symbol, arc[6], toward(low, arc[6]), optional=True)

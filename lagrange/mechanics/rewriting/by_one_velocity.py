@@ -1,7 +1,7 @@
 """Velocities after an impact as multiples of one velocity, where they are long by themselves.
 
-After an impact that leaves one degree of freedom all velocities are multiples of one: x' = (R − h) θ' of a disc that turns
-about an edge.
+After an impact that leaves one degree of freedom all velocities are multiples of one: x' = (R − h) θ' of a disc that
+turns about an edge.
 """
 
 from __future__ import annotations
@@ -29,7 +29,11 @@ def by_one_velocity(velocities: Values) -> dict[sp.Symbol, sp.Expr]:
 
 def _multiples(velocity: sp.Symbol, known: sp.Expr, values: Values) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     for name, value in values.items():
-        if name == velocity or SHORTEST_BY_VELOCITY > count_operations(value) or count_operations(value) > LONGEST_RATIO:
+        if (
+            name == velocity
+            or count_operations(value) < SHORTEST_BY_VELOCITY
+            or count_operations(value) > LONGEST_RATIO
+        ):
             yield name, value
             continue
         ratio = sp.factor(sp.cancel(value / known))

@@ -1,7 +1,7 @@
 """The sum of several reactions along unit vectors that turn with a body, where that is shorter than each by itself.
 
-The two forces that keep a coin from slipping, along i and j of the plane, are sums of products of sin θ and cos θ. Along
-the heading and the axle of the coin each is one term: R = Σ λ_j g_j = Σ (R·e) e for perpendicular unit vectors e.
+The two forces that keep a coin from slipping, along i and j of the plane, are sums of products of sin θ and cos θ.
+Along the heading and the axle of the coin each is one term: R = Σ λ_j g_j = Σ (R·e) e for perpendicular unit vectors e.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Axes = Sequence[tuple[sp.Symbol, Vector]]
 
 
 def turning_axes(solution: Solution) -> Axes:
-    """The unit vectors that turn and have names: those of the file and of its frame, the axes of bodies; and i, j, k."""
+    """The unit vectors that turn and have names: those of the file and its frame, axes of bodies; and i, j, k."""
     named = {n: (VectorSymbol(n), v) for n, v in unit_directions(solution.problem).items()}
     for rotation in solution.own.configuration.rotations:
         triad = rotation.angular_velocity.triad
