@@ -36,7 +36,8 @@ def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Blo
 def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
     """The triads that the statement uses."""
     positions = (p.position.triad for p in configuration.points)
-    return (*positions, *(r.angular_velocity.triad for r in configuration.rotations))
+    ends = (end.triad for link in configuration.links for end in link.ends if isinstance(end, Vector))
+    return (*positions, *(r.angular_velocity.triad for r in configuration.rotations), *ends)
 
 
 def directions_of(triads: Iterable[Triad], problem: Problem) -> dict[str, Equation]:

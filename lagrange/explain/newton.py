@@ -305,7 +305,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str], turning: C
         if terms:
             total = sum((g * r.force for r, g in terms), Vector.zero(terms[0][1].triad))
             lines.append(Equation((VectorSymbol(f"{kind}_{name}"), total), label=f"{label}-{name}"))
-    its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "it", "their sum")
+    its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "the reaction", "their sum")
     moment = f"{its} moment about the mass centre"
     what = f"{force} and {moment} are" if body.reactions and body.moments else f"{moment if body.moments else force} is"
     words = f"{sentence} In terms of {_unknowns(body.bound)}, {what}"
@@ -460,9 +460,8 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
     for w in works:
         body += _shares(w)
     body += works_when_moving(works)
-    return Step(
-        Rule.WORKLESS, "The reactions do no virtual work" if good else "The virtual work of the reactions", tuple(body)
-    )
+    none = plural(len(works), "The reaction does no virtual work", "The reactions do no virtual work")
+    return Step(Rule.WORKLESS, none if good else "The virtual work of the reactions", tuple(body))
 
 
 def _shares(work: WorkOfReaction) -> list[Block]:

@@ -254,7 +254,8 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
         if right.is_number and right.formula != 0 and not sides[0].is_number:
             number, unit = right.formula_shown(digits), _unit(sides[0], right, values, (sides[0], sides[-1]) in bare)
             shown = with_unit(number, unit) if unit else number
-            return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+            degrees = (with_unit(rounded(right.formula * 180 / sp.pi, digits), "°"),) if unit == "rad" else ()
+            return Equation((sides[0], shown, *degrees), relation="=" if is_exact(right.formula, number) else "≈")
         left = values.quantity(sides[0])
         if left is None:
             return None

@@ -59,3 +59,10 @@ direction that is a function taken twenty times of itself, over a thousand, is m
 MOST_EXPANDED_TERMS = 2_000
 """Terms of a form whose common number is sought: forms in books have a dozen, an arc tangent taken twenty times of
 itself a million."""
+
+SHORTER_ALONG_AXES = 0.7
+"""Reactions are added up along unit vectors that turn if that takes at most so much of the operations: below this the
+vector of a coin or of a disc is the form of the textbooks, above it one list has just been replaced by another."""
+
+SHORTEST_BY_VELOCITY = 7
+"""A velocity of fewer operations is written out and not as a multiple of another: m v/((M + m) l) has four."""

@@ -55,3 +55,9 @@ SAME_SHAPE = 1e-6
 SAME_ON_PAGE = 1e-6
 """Centimetres by which two places on the page that are one may differ: a micrometre is invisible, and the constraints
 hold to 1e-11."""
+
+LEAST_SLOPE, STEEPEST_SLOPE = 0.07, 1.4
+"""The angles of planes that are drawn at their foot, 4 to 80 degrees: a flatter plane has no room for an arc, and a
+steeper one is a wall."""
+SLOPE_ARC = 0.85
+"""Radius of that arc, in centimetres: there the letter is clear of the hatching down to 15 degrees."""

@@ -45,6 +45,7 @@ from lagrange.pictures.sketch import (
     touches,
     toward,
 )
+from lagrange.pictures.slopes import mark_slopes
 from lagrange.pictures.solids import Solids
 from lagrange.pictures.space import InSpace, constraints_in_space
 from lagrange.pictures.springs_dampers import SpringsDampers
@@ -115,6 +116,8 @@ class _Drawing:
             arrows.loads()
         arrows.impulses()
         declared.marks()
+        if with_inferred:
+            mark_slopes(self.system, self.sketch, self.downward)
         coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
         coordinates.all()
         if "axes" not in self.hidden:

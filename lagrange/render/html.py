@@ -144,6 +144,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
     --box: #fff; }
   main { max-width: none; padding: 0; }
   article + article { break-before: page; border: 0; }
+  h2, p:has(+ .display), p:has(+ figure) { break-after: avoid; }
 }
 """.strip()
 

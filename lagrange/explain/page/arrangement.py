@@ -89,7 +89,8 @@ from lagrange.explain.page.quasi_velocities import (
     reaction_as_a_whole,
     short_in_speeds,
 )
-from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.result import explain_result, rest_has_roots
+from lagrange.explain.page.shorter.along_axes import with_sums_along_axes
 from lagrange.explain.page.shorter.at_sight import explain_at_sight, integrates_at_sight
 from lagrange.explain.page.shorter.choices import in_few_lines
 from lagrange.explain.page.shorter.counts import counted_shortly
@@ -165,7 +166,7 @@ def _arranged(
     solution: Solution, steps: Iterable[Step], stated: StatedEquations, forces: StatedEquations, *, every_choice: bool
 ) -> Iterator[Step]:
     """The steps in the order of the page, the result first, those last that are folded."""
-    first = solution.choices[0].name if solution.choices else ""
+    first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
     link = links.linked(solution)
     stated = in_names(solution, stated)
@@ -195,7 +196,8 @@ def _arranged(
     if not every_choice:
         open_, tested = without_test(solution, open_)
         folded += tested
-        open_ = [*with_values_put_in(solution, with_stated_forces(solution, open_, named, stated))]
+        open_ = [*with_sums_along_axes(solution, with_stated_forces(solution, open_, named, stated))]
+        open_ = [*with_values_put_in(solution, open_)]
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)

@@ -34,7 +34,7 @@ def _of_vectors(solution: Solution, used: Collection[str]) -> Iterator[tuple[str
     if not any(letter in scope.vectors for letter in VECTORS):
         yield from ((f"{letter}_{name}", letter) for letter in VECTORS)
     for rotation in configuration.rotations:
-        for unit in rotation.angular_velocity.triad.names:
+        for unit in dict.fromkeys((*rotation.angular_velocity.triad.names, *(f"e{n}_{name}" for n in (1, 2, 3)))):
             stem = unit.removesuffix(f"_{name}")
             if stem not in scope.vectors and stem not in used:
                 yield unit, stem

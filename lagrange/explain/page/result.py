@@ -29,9 +29,11 @@ from lagrange.explain.limits import (
 from lagrange.explain.page.coordinates import explain_independence
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations_of_equations
-from lagrange.explain.words import as_stated, constraints_called, in_words, plural, sign_conditions, spoken
+from lagrange.explain.page.shorter.along_axes import LABEL
+from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.rewriting.by_one_velocity import by_one_velocity
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import (
     given_rates,
@@ -74,8 +76,12 @@ def explain_result(
     """
     kept = dict(_from_steps(solution, steps, stated))
     kept[Rule.WORKLESS] = [*work]
-    for view in (solution.own, *solution.choices[:1]):  # the last is in the coordinates that are chosen, and shorter
+    roots = rest_has_roots(solution)
+    for view in (solution.own, *solution.choices[: 0 if roots else 1]):  # the last: in chosen coordinates, and shorter
         kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
+    if roots and Rule.EQUILIBRIUM in kept:
+        related = [Equation((c.lhs, c.rhs)) for c in solution.problem.constraints]
+        kept[Rule.EQUILIBRIUM] = [*kept[Rule.EQUILIBRIUM], *related]
     kept[Rule.IMPACT] = [*_impact(solution)]
     kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
     kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
@@ -104,6 +110,22 @@ def explain_result(
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     step = Step(Rule.RESULT, "", body)
     yield with_named_denominators(step, {*solution.problem.scope.names()}) if Rule.RESPONSE in kept else step
+
+
+def rest_has_roots(solution: Solution) -> bool:
+    """Whether forces at rest are shorter in the file's own coordinates than with a root of either sign for one of them.
+
+    P = Q (x − r cos θ)/(x sin θ) of a crank, with x² − 2r x cos θ + r² = l².
+    """
+    view, choice = solution.own, solution.choices[0] if solution.choices else None
+    if choice is None or not choice.signs or view.equilibrium is None or choice.equilibrium is None:
+        return False
+    own, chosen = (
+        sum(count_operations(r.rhs) for b in e.branches for r in b.equations)
+        for e in (view.equilibrium, choice.equilibrium)
+    )
+    given = view.equilibrium.given and choice.equilibrium.given
+    return given and len(view.equilibrium.branches) == 1 and 0 < own < chosen and len(solution.problem.constraints) == 1
 
 
 def _has_long_roots(lines: Sequence[Equation]) -> bool:
@@ -247,7 +269,7 @@ def _from_steps(
             yield from _in_speeds(steps, stated)
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
-        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
+        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol) or _is_sum(e)]
         lines = [
             replace(e, sides=(e.sides[0], e.sides[-1])) if isinstance(e.sides[0], DotProduct) else e for e in lines
         ]
@@ -264,6 +286,11 @@ def _from_steps(
         if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(stated, lines):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _is_sum(e: Equation) -> bool:
+    """Whether it is the sum of reactions along unit vectors that turn."""
+    return (e.label or "").startswith(LABEL)
 
 
 def _is_better(stated: StatedEquations, lines: Sequence[Equation]) -> bool:
@@ -340,11 +367,18 @@ def _impact(solution: Solution) -> Iterator[Equation]:
     motion = solution.impact
     if motion is None:
         return
-    velocities = [Equation((prime(q), v)) for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)]
-    yield from (replace(e, condition=("just after",)) if n == 0 else e for n, e in enumerate(velocities))
-    for i in motion.impulses:
-        if i.value is not None:
-            yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
+    after = {prime(q): v for q, v in zip(motion.slots.coordinates, motion.velocities, strict=True)}
+    given = {i.symbol: i.value for i in motion.impulses if i.value is not None}
+    for n, pair in enumerate(by_one_velocity(after).items()):
+        yield Equation(pair, condition=("just after",) if n == 0 else ())
+    called = {i.symbol: spoken(i.name) for i in motion.impulses}
+    none = [s for s, value in given.items() if value == 0]
+    for symbol, value in given.items():
+        if value != 0:
+            yield Equation((symbol, value), condition=("the impulse of ", called[symbol]))
+    if none:
+        of = joined(called[s] for s in none)
+        yield Equation((*none, sp.S.Zero), condition=(plural(len(none), "the impulse of ", "the impulses of "), of))
     struck = motion.full.loads or motion.full.torques
     if not motion.is_driven and not struck and motion.energy_lost != 0:
         kinetic = energy_symbols(solution).kinetic

@@ -148,8 +148,50 @@ def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
     rhs = without_leading_minus(with_whole_contents(without_roots_below(b.rhs)))
+    rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
     rhs = under_one_root(with_known_signs(rhs, b.conditions))
     return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
+
+
+def with_tanh(e: sp.Expr) -> sp.Expr:
+    """tanh for sinh/cosh of the same: the speed √(m g/c) tanh(√(c g/m) t) of a fall through air."""
+    for sine in e.atoms(sp.sinh) if e.is_Mul else ():
+        if sine in e.args and 1 / sp.cosh(sine.args[0]) in e.args:
+            e = e * sp.cosh(sine.args[0]) / sine * sp.tanh(sine.args[0])
+    return e
+
+
+def with_half_angle(e: sp.Expr) -> sp.Expr:
+    """2 arctan(F/(m g)) for arccos((m² g² − F²)/(m² g² + F²)): tan²(θ/2) = (1 − cos θ)/(1 + cos θ), a square here."""
+    if (
+        not isinstance(e, sp.acos)
+        or not e.args[0].is_rational_function()
+        or count_operations(e) > LONGEST_MULTIPLIED_OUT
+    ):
+        return e
+    cosine = e.args[0]
+    squares = sp.factor(sp.cancel((1 - cosine) / (1 + cosine)))
+    tangent = sp.sqrt(squares)
+    if not tangent.is_rational_function() or tangent.is_positive is not True:
+        return e
+    short = 2 * sp.atan(tangent)
+    return short if count_operations(short) < count_operations(e) else e
+
+
+def with_number_apart(e: sp.Expr) -> sp.Expr:
+    """1 − m² v²/(2 (M + m)² g l) for (2 (M + m)² g l − m² v²)/(2 (M + m)² g l), where that is shorter."""
+    above, below = sp.fraction(e)
+    if (
+        not above.is_Add
+        or below.is_number
+        or not e.is_rational_function()
+        or count_operations(e) > LONGEST_MULTIPLIED_OUT
+    ):
+        return e
+    terms, divisor = (sp.expand(part).as_coefficients_dict() for part in (above, below))
+    numbers = {terms[m] / divisor[m] for m in divisor if m in terms}
+    forms = (sp.Add(n, sp.factor(above - n * below) / below, evaluate=False) for n in numbers)
+    return min((e, *forms), key=count_operations)
 
 
 def with_known_signs(e: sp.Expr, conditions: Iterable[SignCondition]) -> sp.Expr:

@@ -35,6 +35,10 @@ def box(r: Report) -> str:
         ("conical-pendulum", ("steady motions", "cos θ = g/(l φ̇²)    where l φ̇² ≥ g; stable ")),
         ("double-pendulum-small-oscillations", ("small oscillations", "ω₁² = g (2 − √2)/l", "stable")),
         ("spherical-pendulum-by-routh", ("Hamilton's and Routh's functions", "H = p_θ²", "R = ½ m l² θ̇²")),
+        ("slider-crank", ("P = Q (x − r cos θ)/(x sin θ)", "x² − 2r x cos θ + r² = l²")),
+        ("disc-against-a-step", ("ẋ = (R − h) θ̇",)),
+        ("ballistic-pendulum", ("S_rod = S_caught₂ = 0",)),
+        ("door-closer", ("a c h (1 − l/d) sin θ = 0", "d² = a² + h² − 2a h cos θ")),
         ("rolling-without-slip", ("ẍ = ⅔ g sin α", "F = ⅓ m g sin α")),
         ("double-atwood", ("= (m₁ − M − m₂ − m₃) g",)),  # whose accelerations are longer
     ],

@@ -9,7 +9,10 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.forms import (
     settled,
     under_one_root,
+    with_half_angle,
     with_known_signs,
+    with_number_apart,
+    with_tanh,
     without_roots_below,
     without_roots_in_logarithms,
 )
@@ -58,3 +61,26 @@ def test_what_a_value_is_divided_by_is_not_zero() -> None:
     assert strict.relation == ">"
     [open_] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), sp.sqrt(g * sp.cos(theta)))
     assert open_.relation == "≥"
+
+
+def test_an_angle_by_the_tangent_of_its_half() -> None:
+    """A swing that is pushed by F from rest turns at 2 arctan(F/(m g)); F = h here."""
+    cosine = m**2 * g**2 / (m**2 * g**2 + h**2) - h**2 / (m**2 * g**2 + h**2)
+    assert with_half_angle(sp.acos(cosine)) == 2 * sp.atan(h / (m * g))
+    assert float(sp.acos(cosine).subs({g: 2, h: 3, m: 5})) == pytest.approx(
+        float((2 * sp.atan(h / m / g)).subs({g: 2, h: 3, m: 5}))
+    )
+    assert with_half_angle(sp.acos(g / h)) == sp.acos(g / h)
+
+
+def test_a_number_apart_from_a_quotient() -> None:
+    whole = (2 * (h + m) ** 2 * g * x - m**2).expand() / (2 * (h + m) ** 2 * g * x)
+    apart = with_number_apart(whole)
+    assert sp.S.One in apart.args
+    assert sp.simplify(apart - whole) == 0
+    assert with_number_apart((h + m) / (h - m)) == (h + m) / (h - m)
+
+
+def test_a_hyperbolic_tangent() -> None:
+    assert with_tanh(m * sp.sinh(g * x) / sp.cosh(g * x)) == m * sp.tanh(g * x)
+    assert with_tanh(sp.sinh(g * x) / sp.cosh(h * x)) == sp.sinh(g * x) / sp.cosh(h * x)

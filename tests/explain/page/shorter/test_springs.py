@@ -51,3 +51,21 @@ def test_twice_the_radicand_is_the_same_length() -> None:
     double = Step(Rule.EQUATIONS_OF_MOTION, "", (display(Equation((a / sp.sqrt(sp.expand(2 * RADICAND)), sp.S.Zero))),))
     _, moving = lines({}, STATEMENT, double)
     assert moving.sides[0] == a / (sp.sqrt(2) * sp.Symbol("d_spring", positive=True))
+
+
+def test_the_head_says_what_the_letter_is() -> None:
+    head = Step(Rule.RESULT, "", MOTION.body)
+    moving, defined, *_ = lines({}, head, STATEMENT)
+    letter = sp.Symbol("d_spring", positive=True)
+    assert moving.sides[0] == c * (1 - a / letter) * sp.sin(u)
+    assert defined.sides == (letter**2, RADICAND)
+
+
+def test_a_spring_and_a_damper_of_one_length_share_its_letter() -> None:
+    oil, rate = sp.Symbol("d_oil", real=True), sp.Symbol("d_oil'", real=True)
+    both = Step(
+        Rule.STATEMENT, "", (*STATEMENT.body, display(Equation((oil, sp.sqrt(RADICAND))), Equation((c * rate, c))))
+    )
+    _, second, pull = lines({}, both)
+    assert second.sides == (sp.Symbol("d_spring", positive=True),)
+    assert pull.sides[0] == c * sp.Symbol("d_spring'", real=True)
