@@ -182,7 +182,9 @@ def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tu
 def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
     if sign := re.search("[<>≤≥]", scalar.text):
         message = f"the `when` of {what} has equations only, and no `{sign[0]}`"
-        help_ = "leave it out: the initial state is no answer, and of several states that which is reached first is given"
+        help_ = (
+            "leave it out: the initial state is no answer, and of several states that which is reached first is given"
+        )
         raise ProblemError(Diagnostic("inequality", message, scalar.span, help=help_))
     lhs, rhs, measured = _sides(scalar.fragment, what, context, scope)
     if isinstance(lhs, Vector) or isinstance(rhs, Vector):

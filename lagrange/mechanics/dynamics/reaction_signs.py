@@ -285,8 +285,9 @@ def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
     if e not in configuration.slots.coordinates:
         return False
     column = configuration.slots.coordinates.index(e)
-    parts = (*configuration.points, *configuration.rotations)
-    return all(part.partials[column].is_zero for part in parts)
+    moved = (p.partials[column] for p in configuration.points)
+    turned = (r.partials[column] for r in configuration.rotations)
+    return all(partial.is_zero for partial in (*moved, *turned))
 
 
 def _between_two(

@@ -9,7 +9,10 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.forms import (
     settled,
     under_one_root,
+    with_factors,
+    with_joined_logarithms,
     with_known_signs,
+    without_weaker,
     without_roots_below,
     without_roots_in_logarithms,
 )
@@ -58,3 +61,23 @@ def test_what_a_value_is_divided_by_is_not_zero() -> None:
     assert strict.relation == ">"
     [open_] = settled((SignCondition(sp.cos(theta), "≥", sp.S.Zero),), sp.sqrt(g * sp.cos(theta)))
     assert open_.relation == "≥"
+
+
+def test_values_with_factors() -> None:
+    assert with_factors(x * (g * (h**2 + m**2) - g * h**2 - m * x) / h) == -x * m * (x - g * m) / h
+    assert str(under_one_root(m / sp.sqrt(g) / sp.sqrt(h + x))) == "m/sqrt(g*(h + x))"
+
+
+def test_what_stands_in_a_logarithm_is_a_number() -> None:
+    e = h * x + g * sp.log(g) - g * sp.log(g + h * x)
+    joined = with_joined_logarithms(e)
+    assert [f.args[0] for f in joined.atoms(sp.log)] == [(g + h * x) / g]
+    numbers = {g: 2, h: 3, x: 5}
+    assert float(joined.xreplace(numbers)) == pytest.approx(float(e.xreplace(numbers)))
+
+
+def test_no_condition_beside_a_stronger_one() -> None:
+    strong, weak = SignCondition(g, ">", h), SignCondition(g - h, "≥", sp.S.Zero)
+    turned = SignCondition(h, "≤", g)
+    assert without_weaker([weak, strong, turned, strong]) == (strong,)
+    assert without_weaker([weak]) == (weak,)

@@ -257,8 +257,8 @@ def _at_limit(
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
-    beside = {} if resting.given else held
-    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, beside)
+    unstated = {} if resting.given else held
+    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated)
 
 
 def _pressed_by(
