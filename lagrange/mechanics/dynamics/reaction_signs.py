@@ -12,7 +12,8 @@ The tension does the work −T Σ n_i δℓ_i = λ δf, so that
 ℓ = |d| is the distance between two points, each at rest or on a particle or body, if d depends on the places of the
 particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
-mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight tells which, because a string that passes over a pulley holds it up. A constraint that is
+mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
+tells which, because a string that passes over a pulley holds it up. A constraint that is
 called a string, or is kept `by` one, may have terms of both signs, z − x = L.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,

@@ -428,8 +428,9 @@ def test_a_force_of_any_power_of_the_distance() -> None:
     text = ORBIT.replace("[m, K]", "{m: positive, K: positive, n: real}").replace("-m*K/r", "K*r^(n + 1)/(n + 1)")
     motions = solve(read("title: Orbit\n" + text + "find: steady\n")).views[0].steady
     assert motions is not None
-    [oscillations] = motions.families[0].about.oscillations
+    [oscillations] = motions.families[0].about.at
     assert oscillations is not None
     [frequency] = oscillations.frequencies
+    assert frequency.square is not None
     r, n, k, m = (next(s for s in frequency.square.free_symbols if s.name == name) for name in ("r", "n", "K", "m"))
     assert is_zero(frequency.square - (n + 3) * k * r ** (n - 1) / m) is True

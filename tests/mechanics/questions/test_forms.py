@@ -12,9 +12,9 @@ from lagrange.mechanics.questions.forms import (
     with_factors,
     with_joined_logarithms,
     with_known_signs,
-    without_weaker,
     without_roots_below,
     without_roots_in_logarithms,
+    without_weaker,
 )
 
 g, h, m, x = sp.symbols("g h m x", positive=True)

@@ -292,7 +292,7 @@ def _pressed_by(
 
 
 def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium | None:
-    """The equilibria in the position that the constraints hold: a drawer would fit askew, too. None if none is there."""
+    """The equilibria in the position that the constraints hold: a drawer would fit askew. None if none is there."""
 
     waves = {str(f(q)): f(v) for q, v in held.items() for f in (sp.sin, sp.cos)}
     there = waves | {q.name: v for q, v in held.items()}

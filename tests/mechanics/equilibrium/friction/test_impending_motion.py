@@ -87,4 +87,4 @@ forces:
 find: impending
 """
     written = in_json.as_object(report(problem(text)))
-    assert [["h/d = mu"]] == [[e for e in branch if "mu" in e] for branch in written["equilibrium"]]
+    assert [[e for e in branch if "mu" in e] for branch in written["equilibrium"]] == [["h/d = mu"]]
