@@ -83,7 +83,6 @@ _SUGGESTIONS = {
     "≡": "an equation is written with `=`",
     "_": "a name begins with a letter",
     "%": "write a percentage as a fraction: `10/100`",
-    "°": "angles are in radians: `30*pi/180`",
     "!": "there are no factorials; write the number",
     "—": "a minus is written `-`",
     "±": "declare a sign: `parameters: {sigma: sign}` is +1 or -1",

@@ -5,7 +5,7 @@
     term     := factor { ("*" | "/" | "⋅" | "⨯") factor | factor }    juxtaposition multiplies, from left to right
     factor   := { "-" | "+" } base [ "^" factor ]
     base     := atom { primes }
-    atom     := number | name | name "(" sum { "," sum } ")" | function [ "^" number ] argument
+    atom     := number [ "deg" ] | name | name "(" sum { "," sum } ")" | function [ "^" number ] argument
               | "(" sum ")" | "[" sum { "," sum } "]" | "|" sum "|"
 
 A function without parentheses takes the product that follows, as books print it: numbers and constants, up to and
@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.expressions.limits import MAX_NESTING
 from lagrange.expressions.syntax_tree import (
+    DEGREES,
     FUNCTIONS,
     OPERATIONS,
     Bars,
@@ -276,7 +277,8 @@ class Parser:
         token = self._token
         if token.kind is TokenKind.NUMBER:
             self._advance()
-            return NumberLiteral(token.text, token.start, token.end)
+            number = NumberLiteral(token.text, token.start, token.end)
+            return self._in_degrees(number) if self._token.text in DEGREES else number
         if token.kind is TokenKind.NAME:
             return self._named()
         if self._is("("):
@@ -287,6 +289,15 @@ class Parser:
         if self._is("|"):
             return self._between_bars()
         raise self._unexpected()
+
+    def _in_degrees(self, number: NumberLiteral) -> Tree:
+        """`30 deg` is 30 pi/180, where no symbol is called `deg`."""
+        if self._role(self._token.text) is not Role.UNDECLARED:
+            return number
+        self._advance()
+        start, end = number.start, self._last_end
+        half_turn = NumberLiteral("180", start, end)
+        return Product((("*", number), ("*", Name("pi", start, end)), ("/", half_turn)), start, end)
 
     def _named(self) -> Tree:
         token = self._token

@@ -16,7 +16,7 @@ from lagrange.expressions.bounded_arithmetic import TooExpensiveError
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.limits import MAX_LISTED, MAX_NAME, MAX_SPLIT
 from lagrange.expressions.scope import RESERVED, UNITS, Scope
-from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Call, Name, Role, Tree
+from lagrange.expressions.syntax_tree import DEGREES, FUNCTIONS, OPERATIONS, Call, Name, Role, Tree
 
 _OTHER_NAMES = {
     "ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2", "arctg": "atan",
@@ -54,6 +54,8 @@ def help_for_symbol(name: str, scope: Scope) -> str:
     if force := scope.reactions.get(name):
         named = "" if force.startswith("lambda") else " force"
         return f"`{name}` is a constraint; its reaction{named} is `{force}`".replace("reaction force", "force")
+    if name in DEGREES:
+        return "degrees follow a number, `30 deg`; symbols and functions have radians"
     if (split := _split(name, scope)) and name not in GREEK.values():
         return f"did you mean `{split}`? Symbols are multiplied with a space or `*` between them"
     near = nearest(name[:MAX_NAME], names)

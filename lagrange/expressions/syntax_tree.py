@@ -40,6 +40,10 @@ class Lexicon(Protocol):
         """The role of a name."""
 
 
+DEGREES = frozenset({"deg", "degrees", "°"})
+"""After a number, and not declared: `30 deg` is 30 pi/180."""
+
+
 @record
 class NumberLiteral:
     """A number, as it was written."""

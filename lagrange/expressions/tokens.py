@@ -69,7 +69,7 @@ _NAME = (
 )
 _TOKEN = re.compile(
     rf"(?P<space>\ +)|(?P<name>{_NAME})|(?P<number>[0-9]+\.?[0-9]*|\.[0-9]+)|(?P<primes>{_any_of(PRIMES)}+)"
-    rf"|(?P<superscript>{_any_of(SUPERSCRIPTS)}+)|(?P<fraction>{_any_of(FRACTIONS)})|(?P<root>√)"
+    rf"|(?P<superscript>{_any_of(SUPERSCRIPTS)}+)|(?P<fraction>{_any_of(FRACTIONS)})|(?P<root>√)|(?P<degree>°)"
     r"|(?P<inequality><=|>=|!=|[<>≤≥≠≪≫⩽⩾])|(?P<double>\*\*|==)|(?P<operator>[-+*/^=()\[\],|])"
 )
 _INDEX = re.compile(r"_[0-9]{1,3}(?![A-Za-z0-9_])")
@@ -123,6 +123,8 @@ class _Lexer:
                 self._add(TokenKind.NUMBER, FRACTIONS[text], start)
             case "root":
                 self._add(TokenKind.NAME, "sqrt", start, tight=True)
+            case "degree":
+                self._add(TokenKind.NAME, text, start)
             case "double":
                 self._double(text, start)
             case "inequality":

@@ -22,6 +22,7 @@ constraints differ from those of the others, which go on.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -179,6 +180,12 @@ def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tu
 
 
 def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
+    if sign := re.search("[<>≤≥]", scalar.text):
+        message = f"the `when` of {what} has equations only, and no `{sign[0]}`"
+        help_ = (
+            "leave it out: the initial state is no answer, and of several states that which is reached first is given"
+        )
+        raise ProblemError(Diagnostic("inequality", message, scalar.span, help=help_))
     lhs, rhs, measured = _sides(scalar.fragment, what, context, scope)
     if isinstance(lhs, Vector) or isinstance(rhs, Vector):
         message = f"the `when` of {what} is an equation between vectors"

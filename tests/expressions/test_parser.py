@@ -155,7 +155,7 @@ REFUSED: dict[str, tuple[str, int, str]] = {
     "x₊": ("unexpected-character", 2, "write"),
     "x ± y": ("unexpected-character", 3, "sign"),
     'x"': ("unexpected-character", 2, "apostrophes"),
-    "30°": ("unexpected-character", 3, "pi/180"),
+    "x°": ("unknown-symbol", 2, "30 deg"),
     "∂x": ("unexpected-character", 1, "diff"),
     "__import__('os').system('id')": ("unexpected-character", 1, "letter"),
     "S('__import__(\"os\").getpid()')": ("unexpected-character", 4, "letter"),

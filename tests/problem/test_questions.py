@@ -56,6 +56,7 @@ answers: {ask: {one: T = 3*m*g}}
         ("ask: {a: {quantity: N}}", "unknown-symbol"),
         ("ask: {a: {quantity: d(x)}}", "not-allowed-here"),
         ("ask: {a: {quantity: x, when: x}}", "no-equals-sign"),
+        ("ask: {a: {quantity: x, when: [x' = 0, 't > 0']}}", "inequality"),
         ("ask: {a: {quantity: x, when: r_P = 0}}", None),
         ("ask: {a: {quantity: x, by: m}}", "no-variable"),
         ("ask: {a: {quantity: x}}\nanswers: {ask: {b: 1}}", "unknown-name"),

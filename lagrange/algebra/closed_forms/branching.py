@@ -62,7 +62,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     without_repetitions,
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
-from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.effort import GivenUpError, allowed
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
@@ -154,7 +154,11 @@ def _with_origin(
     branches: Sequence[Branch], equations: Sequence[sp.Expr], u: sp.Symbol, letters: TrigLetters
 ) -> list[Branch]:
     """The branches with u = 0 beside them where equations without letters hold: sin θ = c sin((1 + b/a) θ)."""
-    if any(is_zero(e.xreplace({u: sp.S.Zero})) is not True for e in equations):
+    try:
+        is_solution = all(is_zero(e.xreplace({u: sp.S.Zero})) is True for e in equations)
+    except DivisionByZeroError:  # u^(n − 1)
+        is_solution = False
+    if not is_solution:
         return [*branches]
     values: dict[sp.Symbol, sp.Expr] = {u: sp.S.Zero}
     if u in letters.angles:

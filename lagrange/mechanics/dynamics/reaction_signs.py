@@ -11,8 +11,9 @@ The tension does the work −T Σ n_i δℓ_i = λ δf, so that
 
 ℓ = |d| is the distance between two points, each at rest or on a particle or body, if d depends on the places of the
 particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
-straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d. It grows or decreases
-toward the pulley; a weight tells which, because a string that passes over a pulley holds it up. A constraint that is
+straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
+mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
+tells which, because a string that passes over a pulley holds it up. A constraint that is
 called a string, or is kept `by` one, may have terms of both signs, z − x = L.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
@@ -273,9 +274,21 @@ def _tension(
     bar = _between_two(constant, terms, configuration)
     if bar is not None:
         return bar
-    if by not in (Keeper.STRING, Keeper.ROD) and not _is_seen(constant, known) and not _is_called_string(row.name):
+    ends = [x for x, (_, e) in zip(known, terms, strict=True) if x.on or not _moves_nothing(e, configuration)]
+    seen = _is_seen(constant, ends) and (len(ends) == len(known) or (ends and constant != 0))
+    if by not in (Keeper.STRING, Keeper.ROD) and not seen and not _is_called_string(row.name):
         return None
     return _pulling(constant, known)
+
+
+def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
+    """Whether a term is a coordinate on which no position depends: the place of a pulley without mass."""
+    if e not in configuration.slots.coordinates:
+        return False
+    column = configuration.slots.coordinates.index(e)
+    moved = (p.partials[column] for p in configuration.points)
+    turned = (r.partials[column] for r in configuration.rotations)
+    return all(partial.is_zero for partial in (*moved, *turned))
 
 
 def _between_two(

@@ -112,20 +112,26 @@ def _forces(problem: Problem, moves: bool) -> Iterable[Diagnostic]:
 
 
 _AT_REST_ON_IT = "`find: linearization` finds where it rests relative to what moves; a parameter for t holds that still"
+_FORCE_OF_INERTIA = (
+    "write positions without time, in axes that move along, and add the force of inertia under `forces`: "
+    "`inertia: {on: P, vector: -m*a*i}`, or `m*Omega^2*r*e_r` where the axes turn"
+)
 
 
 def _moving(problem: Problem, configuration: Configuration) -> Iterable[Diagnostic]:
     """Constraints and positions that depend on time."""
     spans = {c.name: c.span for c in problem.constraints}
+    rough = any(isinstance(f, Friction) for f in problem.forces)
+    help_ = _FORCE_OF_INERTIA if rough else _AT_REST_ON_IT
     for row in configuration.rows:
         parts = (*row.coefficients, row.drift, row.finite or sp.S.Zero)
         if row.drift != 0 or any(_has_time(p, problem) for p in parts):
             message = f"the constraint `{row.name}` moves"
-            yield Diagnostic("moving-constraint", message, spans.get(row.name), help=_AT_REST_ON_IT)
+            yield Diagnostic("moving-constraint", message, spans.get(row.name), help=help_)
     for p in problem.masses:
         if any(_has_time(c, problem) for c in p.position.fixed().components):
             message = f"the position of `{p.name}` contains time"
-            yield Diagnostic("moving-constraint", message, p.span, help=_AT_REST_ON_IT)
+            yield Diagnostic("moving-constraint", message, p.span, help=help_)
 
 
 def _has_time(e: sp.Expr, problem: Problem) -> bool:

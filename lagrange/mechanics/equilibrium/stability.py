@@ -185,6 +185,8 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
     try:
         value = resolved(letters.read(expression), b.common)
     except NotAlgebraicError:
+        if not b.relations and not b.common:  # on it all positions are alike: r^n stays what it is
+            return sp.factor_terms(sp.powsimp(sp.expand(expression)))
         return at_numbers(b, expression, e.solution.unknowns)
     for root in letters.roots:
         if root in value.free_symbols:

@@ -26,6 +26,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, s
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Slots, base, prime, t
+from lagrange.mechanics.questions.forms import with_joined_logarithms
 from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Reason
 from lagrange.problem.model import Problem
@@ -323,6 +324,8 @@ def _sign(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
     sign = sign_of(rest, above)
     if sign is None:
         sign = _by_squares(sp.factor_terms(rest), above)
+    if sign is None and rest.has(sp.log):
+        sign = _beside_logarithm(with_joined_logarithms(sp.expand(rest)))
     return None if sign is None else sign * (1 if number.evalf() > 0 else -1)
 
 
@@ -333,6 +336,8 @@ def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
         own = sign_of(f)
         if own is None and isinstance(f, sp.log):  # log u has the sign of u − 1
             own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0], above) == 1 else None
+        if own is None and isinstance(f, sp.asinh):
+            own = sign_of(f.args[0], above)
         if own is None and f.is_Add and len(f.args) == 2:
             a, b = f.args
             of_a, of_b = sign_of(a), sign_of(b)
@@ -342,6 +347,26 @@ def _by_squares(e: sp.Expr, above: Sequence[sp.Expr] = ()) -> int | None:
             return None
         sign *= own
     return sign
+
+
+def _beside_logarithm(e: sp.Expr) -> int | None:
+    """The sign of a + c log w, where 1 − 1/w < log w < w − 1 decides it: k v − g log(1 + k v/g) is positive."""
+    logs = [*e.atoms(sp.log)]
+    if len(logs) != 1:
+        return None
+    [log] = logs
+    w, c = log.args[0], e.coeff(log, 1)
+    a = sp.expand(e - c * log)
+    sign = sign_of(c)
+    if a.has(sp.log) or c.has(sp.log) or sign not in (1, -1) or sign_of(w) != 1:
+        return None
+    if sign_of(sp.factor(w - 1)) not in (1, -1):
+        return None
+    bounds = (factored_quotient(a + c * (w - 1)), factored_quotient(a + c * (1 - 1 / w)))
+    upper, lower = bounds if sign == 1 else bounds[::-1]
+    if sign_of(lower) in (0, 1):
+        return 1
+    return -1 if sign_of(upper) in (0, -1) else None
 
 
 def _with_direction(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch:

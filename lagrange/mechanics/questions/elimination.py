@@ -4,7 +4,8 @@ The equations are solved for the state in closed form, branch by branch (`algebr
 taken at the points of each branch. A velocity that occurs in even powers only is eliminated as its square w, which
 must not be negative; both signs of the velocity are then points. Values that conditions give outright (θ = π) are
 substituted first, so that an angle keeps its number of turns. Where a coordinate occurs in one exponential or tangent
-only, e^(−a x) or tan a x, that is the unknown, y, and x = −log(y)/a: for x between the places where it is infinite.
+only, e^(−a x), tan a x or cosh a x, that is the unknown, y, and x = −log(y)/a: for x between the places where it is
+infinite; of cosh a x = y there are two, sinh a x = ± √(y² − 1), where y > 1.
 """
 
 from __future__ import annotations
@@ -86,17 +87,17 @@ def eliminated(
 def _through_one_function(
     equations: Sequence[sp.Expr], wanted: sp.Expr, given: State, unknowns: Sequence[sp.Symbol], called: sp.Expr
 ) -> Eliminated | None:
-    """The quantity where it is the only unknown, in e^(c x) or tan(c x); None where it is not."""
+    """The quantity where it is the only unknown, in e^(c x), tan(c x) or cosh(c x); None where it is not."""
     used = set().union(*(e.free_symbols for e in equations)) & {*unknowns}
     if used != {wanted} or not isinstance(wanted, sp.Symbol) or wanted != called:
         return None
-    waves = {f for e in equations for f in e.atoms(sp.exp, sp.tan) if wanted in f.free_symbols}
+    waves = {f for e in equations for f in e.atoms(sp.exp, sp.tan, sp.cosh) if wanted in f.free_symbols}
     rates = {f.args[0] / wanted for f in waves}
     if len({f.func for f in waves}) != 1 or any(wanted in r.free_symbols for r in rates):
         return None
     rate = min(rates, key=lambda r: (abs(r.as_coeff_Mul()[0]), str(r)))
-    grows = all(isinstance(f, sp.exp) for f in waves)
-    letter = sp.Dummy("y", positive=True) if grows else sp.Dummy("y", real=True)
+    grows, swings = (all(isinstance(f, kind) for f in waves) for kind in (sp.exp, sp.cosh))
+    letter = sp.Dummy("y", positive=True) if grows or swings else sp.Dummy("y", real=True)
     powers = {f: f.args[0] / wanted / rate for f in waves}
     if not all(n.is_Integer and (grows or n == 1) for n in powers.values()):
         return None
@@ -111,8 +112,18 @@ def _through_one_function(
         if grows and sign in (0, -1):
             continue
         conditions = (*b.conditions, more_than_zero(value)) if grows and sign is None else b.conditions
-        place = (sp.log(value) if grows else sp.atan(value)) / rate
-        branches.append(AnswerBranch(called, place, (place,), ({**given, wanted: place},), conditions))
+        if swings:
+            square = factored_quotient(value**2 - 1)
+            if sign == -1 or sign_of(square) == -1:
+                continue
+            conditions = (*b.conditions, *([] if sign_of(square) == 1 else [more_than_zero(square)]))
+            root = _real_root(square, conditions)
+            stated = [(sp.sinh(rate * wanted), side * root, side * sp.asinh(root) / rate) for side in (1, -1)]
+        else:
+            place = (sp.log(value) if grows else sp.atan(value)) / rate
+            stated = [(called, place, place)]
+        for lhs, rhs, place in stated:
+            branches.append(AnswerBranch(lhs, rhs, (place,), ({**given, wanted: place},), conditions))
     return replace(elimination, branches=tuple(branches), never=elimination.solved and not branches)
 
 

@@ -43,6 +43,22 @@ def without_roots_below(e: sp.Expr) -> sp.Expr:
     return other if count_operations(other) < count_operations(e) and is_zero(other - e) is True else e
 
 
+def with_factors(e: sp.Expr) -> sp.Expr:
+    """A product with its sums multiplied out and factored, where that is shorter: m p (g p − v²) for what is longer."""
+    above, below = (sp.Mul(*map(_factored, sp.Mul.make_args(part))) for part in sp.fraction(e))
+    other = above / below
+    return other if count_operations(other) < count_operations(e) else e
+
+
+def _factored(f: sp.Expr) -> sp.Expr:
+    base, exponent = f.as_base_exp()
+    roots = any(not p.exp.is_Integer for p in base.atoms(sp.Pow))
+    if not base.is_Add or roots or base.has(sp.log, sp.exp) or count_operations(base) > LONGEST_MULTIPLIED_OUT:
+        return f
+    other = sp.factor(sp.expand(base))
+    return other**exponent if count_operations(other) < count_operations(base) else f
+
+
 def _product(e: sp.Expr) -> sp.Expr:
     inside: list[sp.Expr] = []
     outside: list[sp.Expr] = []
@@ -58,6 +74,9 @@ def _product(e: sp.Expr) -> sp.Expr:
     if len(inside) < 2 and not (inside and inside[0].is_Rational is False and _fits(number, inside[0])):
         parts = [under_one_root(f) for f in e.args]
         return e if list(e.args) == parts else sp.Mul(*parts, evaluate=False)
+    if number == 1 and outside and all(1 / b != 1 and sp.fraction(b)[0] == 1 for b in inside):
+        below = sp.Pow(sp.Mul(*(1 / b for b in inside)), -sp.S.Half, evaluate=False)
+        return sp.Mul(*outside, below, evaluate=False)  # m v/√((M + m) k)
     radicand = without_leading_minus(sp.Mul(*inside))
     if _fits(number, radicand):  # √(2/3 g R) for √6/3 √(g R)
         radicand, number = number**2 * radicand, sp.sign(number)
@@ -91,6 +110,31 @@ def with_whole_logarithms(form: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> sp.
             letters[f] = -letter if below else letter
             back[letter] = sp.log(factored_quotient(1 / f.args[0] if below else f.args[0]))
     return form(e.xreplace(letters)).xreplace(back)
+
+
+def with_joined_logarithms(e: sp.Expr) -> sp.Expr:
+    """g log(a/b) for g log a − g log b: what stands in a logarithm is a pure number."""
+    return e.replace(lambda f: f.is_Add and len(f.atoms(sp.log)) > 1, _joined_logarithms)
+
+
+def _joined_logarithms(e: sp.Expr) -> sp.Expr:
+    shares: dict[sp.Expr, list[sp.Expr]] = {}
+    rest: list[sp.Expr] = []
+    for term in e.args:
+        logs = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.log) and f.args[0].is_positive]
+        share = term / logs[0] if len(logs) == 1 else sp.S.Zero
+        if share == 0 or share.has(sp.log):
+            rest.append(term)
+        elif -share in shares:
+            shares[-share].append(1 / logs[0].args[0])
+        else:
+            shares.setdefault(share, []).append(logs[0].args[0])
+    joined = []
+    for share, inner in shares.items():
+        whole = factored_quotient(sp.Mul(*inner))
+        below = len(inner) > 1 and _is_below_one(whole)
+        joined.append(-share * sp.log(factored_quotient(1 / whole)) if below else share * sp.log(whole))
+    return sp.Add(*rest, *joined)
 
 
 def _is_below_one(e: sp.Expr) -> bool:
@@ -147,9 +191,9 @@ def with_real_roots(b: AnswerBranch) -> AnswerBranch:
 def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
-    rhs = without_leading_minus(with_whole_contents(without_roots_below(b.rhs)))
+    rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(b.rhs))))
     rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
-    rhs = under_one_root(with_known_signs(rhs, b.conditions))
+    rhs = under_one_root(with_known_signs(with_joined_logarithms(rhs), b.conditions))
     return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
 
 
@@ -230,7 +274,22 @@ def settled(conditions: Sequence[SignCondition], value: sp.Expr) -> tuple[SignCo
         sides = (c.lhs - c.rhs, c.rhs - c.lhs) if c.relation == "≠" else ()
         return any(sign_of(sp.expand(e - p)) in (0, 1) for e in sides for p in above)
 
-    return tuple(c for c in strict if not is_implied(c))
+    return without_weaker(c for c in strict if not is_implied(c))
+
+
+def without_weaker(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
+    """Each condition once, and no a ≥ b beside a > b."""
+    kept = tuple(dict.fromkeys(conditions))
+
+    def above(c: SignCondition) -> sp.Expr:
+        return sp.expand(c.lhs - c.rhs if c.relation in (">", "≥") else c.rhs - c.lhs)
+
+    strict = {above(c) for c in kept if c.relation in ("<", ">")}
+
+    def is_weaker(c: SignCondition) -> bool:
+        return c.relation in ("≥", "≤") and above(c) in strict
+
+    return tuple(c for c in kept if not is_weaker(c))
 
 
 def given_state(problem: Problem) -> tuple[Substituted, ...]:

@@ -31,7 +31,7 @@ from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_b
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import given_state, shown, under_one_root
+from lagrange.mechanics.questions.forms import given_state, shown, under_one_root, without_weaker
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
 from lagrange.mechanics.questions.quadrature import (
     not_elementary,
@@ -87,7 +87,7 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             if asked.excluded_by(setting.values, {t, *coordinates}):
                 raise ProblemError(never_holds(question))
             starting = setting.known.starting
-            extended = (replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *starting)))) for b in asked.branches)
+            extended = (replace(b, conditions=without_weaker((*b.conditions, *starting))) for b in asked.branches)
             return replace(asked, branches=tuple(extended)) if starting else asked
         tried.append(asked)
     if not tried:

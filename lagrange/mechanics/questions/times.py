@@ -47,7 +47,7 @@ class TimeRoot:
 def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
     """The positive roots, of a periodic function the first; None where they are not found in closed form.
 
-    positive  whether roots of unknown sign get the condition that they are positive
+    positive  whether roots of unknown sign get the condition that they are positive; what is negative is never a root
     """
     if count_operations(equation) > LONGEST_EQUATION:
         return None
@@ -55,15 +55,21 @@ def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
     for form in (sp.expand(equation), sp.expand(above)):
         roots = _without_logarithm(form)
         if roots is not None:
-            return [r for r in map(_positive, roots) if r is not None] if positive else roots
+            if positive:
+                return [r for r in map(_positive, roots) if r is not None]
+            return [r for r in roots if _sign(r) != -1]
     return None
+
+
+def _sign(root: TimeRoot) -> int | None:
+    """The sign of a real root; the square roots in it are not negative."""
+    sign = 1 if root.certain else sign_of_value(root.value)
+    return sign_of_value(_without_square_roots(root.value)) if sign is None else sign
 
 
 def _positive(root: TimeRoot) -> TimeRoot | None:
     """The root with the condition that it is positive, where that is open; None where it is not."""
-    sign = 1 if root.certain else sign_of_value(root.value)
-    if sign is None:
-        sign = sign_of_value(_without_square_roots(root.value))
+    sign = _sign(root)
     if sign in (0, -1):
         return None
     if sign is None:

@@ -371,8 +371,8 @@ constraints: {upper: {equation: L = x + p, reaction: T_1}, lower: {equation: y +
 """
 FROM_ABOVE = """particles: {A: {mass: m_1, position: x*j}, B: {mass: m_2, position: y*j}, C: {mass: m_3, position: z*j}}
 constraints:
-  upper: {equation: %s, reaction: T_1, by: string}
-  lower: {equation: %s, reaction: T_2, by: string}
+  upper: {equation: %s, reaction: T_1}
+  lower: {equation: %s, reaction: T_2}
 """
 
 

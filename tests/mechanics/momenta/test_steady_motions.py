@@ -16,6 +16,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.explain.rest.steady_motions import explain_steady
@@ -420,3 +421,16 @@ def test_a_distance_in_a_steady_motion_gives_the_rate() -> None:
     p, r = (2 * 16 + 5) * sp.sqrt(3), sp.Symbol("r")
     by_hand = (p**2 / (2 * (2 * r**2 + 5)) + 6 * (r - 2) ** 2).diff(r, 2).subs(r, 4) / 2
     assert sp.simplify(square - by_hand) == 0
+
+
+def test_a_force_of_any_power_of_the_distance() -> None:
+    """Goldstein: φ'² = K r^(n − 1)/m, ω² = (n + 3) φ'²."""
+    text = ORBIT.replace("[m, K]", "{m: positive, K: positive, n: real}").replace("-m*K/r", "K*r^(n + 1)/(n + 1)")
+    motions = solve(read("title: Orbit\n" + text + "find: steady\n")).views[0].steady
+    assert motions is not None
+    [oscillations] = motions.families[0].about.at
+    assert oscillations is not None
+    [frequency] = oscillations.frequencies
+    assert frequency.square is not None
+    r, n, k, m = (next(s for s in frequency.square.free_symbols if s.name == name) for name in ("r", "n", "K", "m"))
+    assert is_zero(frequency.square - (n + 3) * k * r ** (n - 1) / m) is True

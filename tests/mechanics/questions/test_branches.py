@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.explain.report import report
+from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.results import Reason
 from lagrange.render import terminal
 from lagrange.render.json import as_object
@@ -43,3 +44,11 @@ def test_a_place_beyond_that_limit_is_under_a_condition(problem: Read) -> None:
     m, b, v, s = (sp.Symbol(n, positive=True) for n in "mbvs")
     [condition] = branch.conditions
     assert sp.cancel((condition.lhs - condition.rhs) / (m * v - b * s)).is_positive
+
+
+def test_the_sign_of_a_sum_with_a_logarithm() -> None:
+    """1 − 1/w < log w < w − 1."""
+    k, v, g = sp.symbols("k v g", positive=True)
+    assert sign_of_value(k * v - g * sp.log((g + k * v) / g)) == 1
+    assert sign_of_value(k * v / (g + k * v) - sp.log((g + k * v) / g)) == -1
+    assert sign_of_value(k - sp.log((g + v) / g)) is None

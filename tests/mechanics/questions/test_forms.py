@@ -9,12 +9,15 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.mechanics.questions.forms import (
     settled,
     under_one_root,
+    with_factors,
     with_half_angle,
+    with_joined_logarithms,
     with_known_signs,
     with_number_apart,
     with_tanh,
     without_roots_below,
     without_roots_in_logarithms,
+    without_weaker,
 )
 
 g, h, m, x = sp.symbols("g h m x", positive=True)
@@ -84,3 +87,23 @@ def test_a_number_apart_from_a_quotient() -> None:
 def test_a_hyperbolic_tangent() -> None:
     assert with_tanh(m * sp.sinh(g * x) / sp.cosh(g * x)) == m * sp.tanh(g * x)
     assert with_tanh(sp.sinh(g * x) / sp.cosh(h * x)) == sp.sinh(g * x) / sp.cosh(h * x)
+
+
+def test_values_with_factors() -> None:
+    assert with_factors(x * (g * (h**2 + m**2) - g * h**2 - m * x) / h) == -x * m * (x - g * m) / h
+    assert str(under_one_root(m / sp.sqrt(g) / sp.sqrt(h + x))) == "m/sqrt(g*(h + x))"
+
+
+def test_what_stands_in_a_logarithm_is_a_number() -> None:
+    e = h * x + g * sp.log(g) - g * sp.log(g + h * x)
+    joined = with_joined_logarithms(e)
+    assert [f.args[0] for f in joined.atoms(sp.log)] == [(g + h * x) / g]
+    numbers = {g: 2, h: 3, x: 5}
+    assert float(joined.xreplace(numbers)) == pytest.approx(float(e.xreplace(numbers)))
+
+
+def test_no_condition_beside_a_stronger_one() -> None:
+    strong, weak = SignCondition(g, ">", h), SignCondition(g - h, "≥", sp.S.Zero)
+    turned = SignCondition(h, "≤", g)
+    assert without_weaker([weak, strong, turned, strong]) == (strong,)
+    assert without_weaker([weak]) == (weak,)

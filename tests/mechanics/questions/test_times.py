@@ -51,6 +51,12 @@ def test_what_has_no_closed_form_is_left_open(function: sp.Expr) -> None:
     assert times(function) is None
 
 
+def test_a_time_as_a_function_of_a_coordinate_is_not_negative() -> None:
+    y = sp.Symbol("y", real=True)
+    [root] = times(a * t**2 - y, positive=False) or ()
+    assert root.value.xreplace({a: 2, y: 8}) == 2
+
+
 def test_the_limit_of_decaying_exponentials() -> None:
     c, m, g, w = sp.symbols("c m g w", positive=True)
     assert limit_in_time(m * g / c * (1 - sp.exp(-c * t / m))) == m * g / c

@@ -30,6 +30,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.terms import normalised
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.records import record
@@ -207,7 +208,7 @@ def _at_limit(
     unknowns = [r.force for r in newton.reactions]
     shares = {c.reaction.force: (c, senses[c.name] * (c.sign or 1) * c.coefficient * c.normal) for c in contacts}
     rows, right = [], []
-    for k in statics.elimination.dependent:
+    for k in range(len(statics.work.forces)):
         row = []
         for r in newton.reactions:
             entry = write(without_root(r.row, statics.original.slots).coefficients[k] * r.per_force)
@@ -217,16 +218,14 @@ def _at_limit(
             row.append(shortest(entry))
         rows.append(row)
         right.append(shortest(write(-statics.work.forces[k])))
-    solved = solved_linear(rows, right, configuration.surface, shortest) if rows else []
-    if solved is None or None in solved:
-        span = contacts[0].friction.span if contacts else belts[0].belt.span
+    span = contacts[0].friction.span if contacts else belts[0].belt.span
+    found = _pressed_by(rows, right, statics.elimination.dependent, configuration)
+    if found is None:
         raise NotCoveredError("impending motion whose normal forces are not determined,", span)
-    pressed = {u: without_leading_minus(shortest(v)) for u, v in zip(unknowns, solved, strict=True) if v is not None}
+    solved, beside = found
+    pressed = {u: without_leading_minus(shortest(v)) for u, v in zip(unknowns, solved, strict=True)}
     loads = []
     for contact, share in shares.values():
-        if pressed[contact.reaction.force] == 0 and not any(right) and any(statics.work.forces):
-            what = "impending motion of what friction alone holds (`find: equilibrium` gives the conditions of rest),"
-            raise NotCoveredError(what, contact.friction.span)
         if pressed[contact.reaction.force] == 0:
             raise ProblemError(unpressed(contact.friction))
         vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
@@ -236,16 +235,17 @@ def _at_limit(
                 Load(contact.name, contact.opposite, -vector, point_on(configuration, contact.opposite, contact.place))
             )
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
-    laws = [shortest(b.reserve.xreplace(pressed)) for b in belts]
+    laws = [*beside, *(shortest(b.reserve.xreplace(pressed)) for b in belts)]
     resting = equilibrium(loaded, elimination, problem.unknowns, laws=laws)
     held: Mapping[sp.Symbol, sp.Expr] = {}
-    if resting.given or len(resting.branches) > 1:
+    if resting.given or beside or len(resting.branches) > 1:
         held = held_coordinates(configuration)
     if resting.given and held:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = at_position(resting, held)
-    elif held:
-        resting = _where_held(resting, held)
+    elif held and (there := _where_held(resting, held)) is not None:
+        pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
+        resting = there
     resting = _possible(resting, contacts, signs)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
@@ -257,12 +257,42 @@ def _at_limit(
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
-    beside = {} if resting.given else held
-    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, beside)
+    unstated = {} if resting.given else held
+    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated)
 
 
-def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
-    """The equilibria in the position that the constraints hold: a drawer would fit askew, too. All if none is there."""
+def _pressed_by(
+    rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], dependent: Sequence[int], configuration: Configuration
+) -> tuple[list[sp.Expr], list[sp.Expr]] | None:
+    """The reactions, and the conditions that they leave; None if the equations of balance do not determine them.
+
+    They follow from the equations of the dependent coordinates. Where no force acts along these, as on the arm of tongs
+    whose load hangs by friction alone, other equations give the reactions, and those that are left are conditions.
+    """
+
+    def solved(chosen: Sequence[int]) -> list[sp.Expr] | None:
+        if not chosen:
+            return []
+        values = solved_linear([rows[k] for k in chosen], [right[k] for k in chosen], configuration.surface, shortest)
+        return None if values is None or None in values else [v for v in values if v is not None]
+
+    reactions = solved(dependent)
+    if not dependent or any(right[k] != 0 for k in dependent) or not any(right):
+        return None if reactions is None else (reactions, [])
+    loaded = [k for k, force in enumerate(right) if force != 0]
+    if len(loaded) != 1:
+        return None if reactions is None else (reactions, [])
+    for left_out in dependent:
+        chosen = [*(k for k in dependent if k != left_out), *loaded]
+        other = solved(chosen)
+        if other is not None:
+            residual = sp.Add(*(entry * value for entry, value in zip(rows[left_out], other, strict=True)))
+            return other, [shortest(residual)]
+    return None if reactions is None else (reactions, [])
+
+
+def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium | None:
+    """The equilibria in the position that the constraints hold: a drawer would fit askew. None if none is there."""
 
     waves = {str(f(q)): f(v) for q, v in held.items() for f in (sp.sin, sp.cos)}
     there = waves | {q.name: v for q, v in held.items()}
@@ -272,11 +302,15 @@ def _where_held(resting: Equilibrium, held: Mapping[sp.Symbol, sp.Expr]) -> Equi
 
     here = [n for n, b in enumerate(resting.branches) if not all(map(is_elsewhere, b.points))]
     if not here:
-        return resting
+        return None
     idle = tuple(resting.idle[n] for n in here if n < len(resting.idle))
     solution = resting.solution
     left = tuple(b for b in solution.branches if not b.points or not all(map(is_elsewhere, b.points)))
     branches = tuple(_without_held(resting.branches[n], held) for n in here)
+    at = [replace(c, expression=normalised(c.expression.xreplace(dict(held)))) for c in resting.conditions]
+    conditions = tuple(c for c in at if c.expression != 0)
+    laws = tuple(law.xreplace(dict(held)) for law in resting.laws)
+    resting = replace(resting, conditions=conditions, laws=laws)
     return replace(resting, branches=branches, idle=idle, solution=replace(solution, branches=left))
 
 

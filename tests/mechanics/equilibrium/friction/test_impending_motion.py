@@ -68,3 +68,23 @@ def test_the_position_that_the_constraints_hold_is_used(problem: Read) -> None:
     assert [v.verdict.value for v in right.answers] == ["equivalent"]
     wrong = report(problem(BRACKET.replace("h/(2*mu)", "h/mu")))
     assert [v.verdict.value for v in wrong.answers] == ["wrong"]
+
+
+def test_what_friction_alone_holds(problem: Read) -> None:
+    """A stone that an arm presses to the wall: the arm's own balance says what μ must be, h N = d μ N."""
+    text = """title: Arm that holds a stone by friction
+parameters: {W: positive, d: positive, h: positive, mu: positive}
+coordinates: [x, y, theta, Y]
+bodies: {arm: {position: x*i + y*j, angle: theta}}
+particles: {stone: {position: Y*j}}
+constraints:
+  across: {equation: x = d*cos(theta) + h*sin(theta), reaction: A_x}
+  up: {equation: y = d*sin(theta) - h*cos(theta), reaction: A_y}
+  grip: {equation: "dot(r_arm - r_stone, i) >= d", reaction: N}
+forces:
+  weight: {on: stone, vector: -W*j}
+  rub: {friction: mu, static: mu, constraint: grip, on: arm, at: r_arm, slip: j}
+find: impending
+"""
+    written = in_json.as_object(report(problem(text)))
+    assert [[e for e in branch if "mu" in e] for branch in written["equilibrium"]] == [["h/d = mu"]]
