@@ -22,6 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.limits import (
+    CLOSE_IN_FLOATS,
     LONGEST_SQUARE,
     MOST_ASKED_TERMS,
     MOST_IN_RATIO,
@@ -38,7 +39,6 @@ _FUNCTIONS: dict[type, Callable[[complex], complex]] = {
     sp.asin: cmath.asin, sp.acos: cmath.acos, sp.atan: cmath.atan, sp.Abs: abs,
     sp.sinh: cmath.sinh, sp.cosh: cmath.cosh, sp.tanh: cmath.tanh,
 }  # fmt: skip
-_CLOSE = 1e-9
 _OTHER_WAVE = {sp.sin: sp.cos, sp.cos: sp.sin}
 
 
@@ -76,7 +76,7 @@ def of_one_place(claim: sp.Expr, right: sp.Expr, fixed: Collection[sp.Basic] = (
         if tested is None:
             continue
         yield from _reduced_masses(tested, letters)
-        for letter in letters:
+        for letter in (s for s in letters if s in form.free_symbols):
             for sign, how in ((1, "has to be added to it"), (-1, "has to be subtracted from it")):
                 if tested.is_sum(-sign * letter):
                     yield f"{letter} {how}"
@@ -215,7 +215,7 @@ class _Tested:
         try:
             for state, wanted in zip(self.states, self.claimed, strict=True):
                 value = _number(self.right, {**state, node: _number(other, state)})
-                if abs(value - wanted) > _CLOSE * (abs(value) + abs(wanted)):
+                if abs(value - wanted) > CLOSE_IN_FLOATS * (abs(value) + abs(wanted)):
                     return False
         except (KeyError, ZeroDivisionError, OverflowError, ValueError):
             return False
@@ -226,7 +226,7 @@ class _Tested:
         try:
             for state, wanted in zip(self.states, self.claimed, strict=True):
                 value = _number(factor, state) * _number(self.right, state)
-                if abs(value - wanted) > _CLOSE * (abs(value) + abs(wanted)):
+                if abs(value - wanted) > CLOSE_IN_FLOATS * (abs(value) + abs(wanted)):
                     return False
         except (KeyError, ZeroDivisionError, OverflowError, ValueError):
             return False
@@ -239,7 +239,9 @@ class _Tested:
             share = _number(term, state)
             found.append((wanted - _number(self.right, state) + share) / share if share else 0j)
         first = Fraction(found[0].real).limit_denominator(MOST_IN_RATIO)
-        small = first != 0 and abs(first) <= MOST_IN_RATIO and all(abs(f - float(first)) < _CLOSE for f in found)
+        small = (
+            first != 0 and abs(first) <= MOST_IN_RATIO and all(abs(f - float(first)) < CLOSE_IN_FLOATS for f in found)
+        )
         return sp.Rational(first.numerator, first.denominator) if small else None
 
     def is_sum(self, more: sp.Expr) -> bool:
@@ -247,7 +249,7 @@ class _Tested:
         try:
             for state, wanted in zip(self.states, self.claimed, strict=True):
                 value = _number(more, state) + _number(self.right, state)
-                if abs(value - wanted) > _CLOSE * (abs(value) + abs(wanted)):
+                if abs(value - wanted) > CLOSE_IN_FLOATS * (abs(value) + abs(wanted)):
                     return False
         except (KeyError, ZeroDivisionError, OverflowError, ValueError):
             return False
@@ -274,7 +276,7 @@ def _number(e: sp.Expr, state: _State) -> complex:
             product *= _number(a, state)
         return product
     if e.is_Pow:
-        return _number(e.base, state) ** _number(e.exp, state)  # type: ignore[no-any-return]
+        return _number(e.base, state) ** _number(e.exp, state)
     if e.is_number and not e.args:
         return float(e)
     return _FUNCTIONS[type(e)](_number(e.args[0], state))
