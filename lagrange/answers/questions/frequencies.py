@@ -564,7 +564,7 @@ def _of_exponents(
         return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}")
     from lagrange.answers.results.one_place import of_damping
 
-    claimed = [as_written(c) for claims in lists for c in claims]
+    claimed = [as_written(c) for claims in lists for c in claims if {p.has(c, squared) for p in places} == {-1}]
     causes = (of_damping(c, e, squared=squared) for p in places for c in claimed if p.exact for e in p.exact)
     return AnswerVerdict(worst, name=name, diagnosis="; ".join(filter(None, [why, next(filter(None, causes), "")])))
 
