@@ -240,7 +240,9 @@ class _Tested:
             found.append((wanted - _number(self.right, state) + share) / share if share else 0j)
         first = Fraction(found[0].real).limit_denominator(MOST_IN_RATIO)
         small = (
-            first != 0 and abs(first) <= MOST_IN_RATIO and all(abs(f - float(first)) < CLOSE_IN_FLOATS for f in found)
+            first not in (0, 1)
+            and abs(first) <= MOST_IN_RATIO
+            and all(abs(f - float(first)) < CLOSE_IN_FLOATS for f in found)
         )
         return sp.Rational(first.numerator, first.denominator) if small else None
 

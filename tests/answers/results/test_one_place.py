@@ -45,6 +45,7 @@ def test_a_change_that_divides_by_zero_does_not_end_the_search() -> None:
 
 def test_nothing_is_said_of_two_changes_or_none() -> None:
     assert not [*of_one_place(2 * c / m + 3 * k / l, c / m + k / m)]
+    assert not [*of_one_place(c / m + k / m, c / m + k / m)]
     assert not [*of_arguments(a * sp.cos(t), a * sp.cos(t))]
 
 
