@@ -301,6 +301,7 @@ def _reasons(
 ) -> Iterator[str]:
     """What wrong alternatives are instead, the likeliest first."""
     from lagrange.answers.results.at_random import AtRandom
+    from lagrange.answers.results.one_place import other_waves
     from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)
@@ -357,6 +358,9 @@ def _reasons(
             yield f"its right side has to be multiplied by {text(factor, Notation())}"
     if problem is not None and (clause := tried.of_one_force(problem)):
         yield f"these are the equilibria {clause}"
+    for sentence, sides in other_waves(wrong, slots.coordinates):
+        if right(sides):
+            yield sentence
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}

@@ -37,6 +37,7 @@ from lagrange.algebra.closed_forms.unit_circle import (
     parts_of_angles,
 )
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
+from lagrange.answers.logarithms import at, in_sums, with_logarithms
 from lagrange.answers.readings import Reading
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import record
@@ -125,7 +126,7 @@ class EquilibriumComparison:
                 beside=asked,
             )
         # What an answer contains is read with letters of its own, so that no answer depends on one before it.
-        self.solution = solution = replace(solution, letters=solution.letters.copy())
+        self.solution = solution = with_logarithms(replace(solution, letters=solution.letters.copy()))
         # Equilibria for particular parameters only need not be in an answer.
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)
@@ -302,7 +303,7 @@ class EquilibriumComparison:
                 if given is not None and given[0] not in angles:
                     angles[given[0]] = given[1]
                 else:
-                    kept.append(self._on_circle(e))
+                    kept.append(self._on_circle(in_sums(e)))
             equations.append(tuple(kept))
         return _Alternative(readings, tuple(equations), angles)
 
@@ -466,7 +467,7 @@ class EquilibriumComparison:
         for u, angle in angles.items():
             residuals += [u - angle] if u in self.mixed and u in point else _of_angles({u: angle})
         try:
-            values = [self.solution.at(point, e) for e in residuals]
+            values = [at(self.solution, point, e) for e in residuals]
         except (NotAlgebraicError, DivisionByZeroError):
             return None
         # A pole is no solution.
@@ -561,16 +562,16 @@ class EquilibriumComparison:
     def _is_balanced(self, own: SolutionSet, point: Values, values: Values) -> bool | None:
         """Whether a solution of the answer is an equilibrium; None: undecided."""
 
-        def at(e: sp.Expr) -> sp.Expr:
-            value = own.at(point, e.xreplace(self.values).xreplace(dict(values)))
+        def value_at(e: sp.Expr) -> sp.Expr:
+            value = at(own, point, e.xreplace(self.values).xreplace(dict(values)))
             if value.has(sp.zoo, sp.nan, sp.oo):
                 raise DivisionByZeroError(e)
             return value
 
         try:
             if not self.equilibrium.given:
-                return is_balanced(self.equilibrium, at)
-            return all_hold([self._vanishes(at(c)) for c in self.equilibrium.required])
+                return is_balanced(self.equilibrium, value_at)
+            return all_hold([self._vanishes(value_at(c)) for c in self.equilibrium.required])
         except DivisionByZeroError:
             return False
         except NotAlgebraicError:

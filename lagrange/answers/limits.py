@@ -382,3 +382,13 @@ MOST_PIECEWISE = 8
 LONGEST_BEFORE_CASE = 60
 """Characters before an equation in which a word such as "for" makes it a special case: two or three words have
 fewer."""
+
+MOST_LETTERS_IN_A_VALUE = 9
+"""Letters of a value of which one is tried for another, term by term: 72 pairs a term, a few milliseconds."""
+
+MOST_NODES_OF_A_VALUE = 200
+"""Nodes of a claim and a right value of which one is changed at a time: larger ones take over 50 ms in all."""
+
+CLOSE_IN_FLOATS = 1e-9
+"""Relative difference of two values in double precision that are taken to be equal, before an exact test: a value of
+200 nodes loses six digits of sixteen at most."""

@@ -100,6 +100,54 @@ def explained_answer(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None, be
     return ""
 
 
+def explained_by_energy(asked: Asked, claim: sp.Expr, of: sp.Expr | None = None) -> str:
+    """Whether one part of the potential energy is lost in a wrong value, or only its value at one end counts."""
+    quantity = asked.question.quantity if of is None else of
+    try:
+        setting = _Setting.of(asked)
+        if setting is None or (setting.reaction is not None and quantity.has(setting.reaction)):
+            return ""
+        settings = [setting]
+        q = base(setting.velocity)
+        places = [dict(s)[q] for b in asked.branches for s in b.states if q in dict(s)]
+        if places and not setting.is_place(quantity):  # at the right place, with a wrong velocity there
+            settings.append(replace(setting, zeros=(), place={q: places[0]}))
+        return next(filter(None, (_of_the_energy(s, claim, quantity) for s in settings)), "")
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        return ""
+
+
+def _of_the_energy(setting: _Setting, claim: sp.Expr, quantity: sp.Expr) -> str:
+    q = base(setting.velocity)
+    start = setting.change - sp.expand(setting.whole)
+    ways = [
+        (change, said)
+        for sign in (1, -1)
+        for change, said in (
+            (
+                sign * setting.whole,
+                "the potential energy at the end is taken for its change: that at the start is missing",
+            ),
+            (sign * start, "the potential energy at the start is taken for its change: that at the end is missing"),
+        )
+    ]
+    terms = sp.Add.make_args(sp.expand(setting.whole))
+    for term in terms if 1 < len(terms) <= MOST_ASKED_TERMS else ():
+        lost = term - term.xreplace({q: setting.origin})
+        ways.append((setting.change - lost, f"the part {_written(_unsigned(term))} of the energy is missing"))
+        ways.append(
+            (setting.change - 2 * lost, f"the part {_written(_unsigned(term))} of the energy has the wrong sign")
+        )
+        ways.append((setting.change + lost, f"the part {_written(_unsigned(term))} of the energy is counted twice"))
+        ways.append(
+            (setting.change - lost / 2, f"only half of the part {_written(_unsigned(term))} of the energy is there")
+        )
+    for change, said in ways:
+        if change != setting.change and replace(setting, change=change).gives(_Change(""), claim, quantity):
+            return said
+    return ""
+
+
 def _of_the_force(setting: _Setting, claim: sp.Expr, quantity: sp.Expr) -> str:
     """Whether the work of a force that changes is that of a constant one, or begins at zero; a sentence, or empty."""
     q = base(setting.velocity)
@@ -141,6 +189,7 @@ class _Setting:
     zeros     `when`: each is zero
     place     the coordinates that `when` fixes
     origin    q at the start
+    whole     U
     """
 
     velocity: sp.Symbol
@@ -152,6 +201,7 @@ class _Setting:
     zeros: tuple[sp.Expr, ...]
     place: Mapping[sp.Basic, sp.Basic]
     origin: sp.Expr = sp.S.Zero
+    whole: sp.Expr = sp.S.Zero
 
     @classmethod
     def of(cls, asked: Asked) -> _Setting | None:
@@ -180,7 +230,9 @@ class _Setting:
         ]
         place: Substitution = {base(v): states[0][base(v)]} if fixed and states and base(v) in states[0] else {}
         force = reactions[0].value if reactions else sp.S.Zero
-        return cls(v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place, initial[base(v)])
+        return cls(
+            v, inertia, start, rest - rest.xreplace(initial), reaction, force, zeros, place, initial[base(v)], rest
+        )
 
     def is_place(self, quantity: sp.Expr) -> bool:
         """Whether a quantity depends on the position alone, or on parameters."""
@@ -295,6 +347,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
+    from lagrange.answers.results.one_place import of_arguments, of_one_place
+
+    yield from of_arguments(claim, right)
     yield from _of_one_term(claim, right)
     yield from _of_sums(claim, right)
     ratio = sp.powsimp(sp.powdenest(sp.sqrt(sp.factor(sp.expand(claim**2) / sp.expand(right**2))), force=True))
@@ -321,6 +376,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
     for p, q in combinations(sorted(right.free_symbols & claim.free_symbols - fixed, key=str), 2):
         if _same(claim, right.xreplace({p: q, q: p})):
             yield f"this is the answer with {p} and {q} exchanged"
+    yield from of_one_place(claim, right, fixed)
     for angle in sorted({a for w in claim.atoms(sp.sin, sp.cos, sp.tan) for a in w.free_symbols}, key=str):
         if _same(claim.xreplace({angle: sp.pi / 2 - angle}), right):
             yield f"this is the answer for {angle} measured from the perpendicular direction (sine and cosine)"
@@ -407,7 +463,11 @@ def _unsigned(term: sp.Expr) -> sp.Expr:
 
 
 def _same(a: sp.Expr, b: sp.Expr) -> bool:
-    return is_zero(a - b) is True
+    """Whether two values agree; a change after which one of them divides by zero is no explanation."""
+    try:
+        return is_zero(a - b) is True
+    except DivisionByZeroError:
+        return False
 
 
 def _written(e: sp.Expr) -> str:

@@ -150,6 +150,7 @@ class AskedClaim:
         from lagrange.answers.models.questions import (
             explained_answer,
             explained_by_constant_velocity,
+            explained_by_energy,
             explained_value,
         )
         from lagrange.answers.results.instants import explained_instant
@@ -173,6 +174,8 @@ class AskedClaim:
             uniform := explained_uniform(value, self.asked, self.solution.asked, self.candidates)
         ):
             return uniform
+        if stated is not None and (lost := explained_by_energy(self.asked, stated, of)):
+            return lost
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how

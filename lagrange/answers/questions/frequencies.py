@@ -112,7 +112,7 @@ class EquilibriumPoint:
         from lagrange.answers.models.questions import explained_value
 
         if len(self.oscillations.free) != 1:
-            return ""
+            return self._of_one_root(claim, values)
         system = self.oscillations.system
         [j] = self.oscillations.free if len(system.mass) > 1 else [0]
         try:
@@ -123,6 +123,16 @@ class EquilibriumPoint:
             return ""
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
         return f"in omega^2, {why}" if why else ""
+
+    def _of_one_root(self, claim: sp.Expr, values: Values) -> str:
+        """The same for one of several frequencies that are known in closed form."""
+        squares = [f.square for f in self.oscillations.frequencies if f.square is not None and f.square != 0]
+        from lagrange.answers.results.one_place import wrong_square
+
+        try:
+            return wrong_square(as_written(claim) ** 2, [self.at(s) for s in squares], values)
+        except NotAlgebraicError:
+            return ""
 
     def _is_own(self, claim: sp.Expr, stiffness: sp.Expr, mass: sp.Expr, values: Values) -> bool:
         try:
@@ -553,7 +563,13 @@ def _of_exponents(
         all(any(vanishes_or_not(as_written(c - w)) for w in p.own) for c in claims) for claims in lists for p in places
     )
     why = f"not right: {', '.join(wrong)}" if wrong else _SEVERAL
-    return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}" if undamped else why)
+    if undamped:
+        return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}")
+    from lagrange.answers.results.one_place import of_damping
+
+    claimed = [as_written(c) for claims in lists for c in claims if {p.has(c, squared) for p in places} == {-1}]
+    causes = (of_damping(c, e, squared=squared) for p in places for c in claimed if p.exact for e in p.exact)
+    return AnswerVerdict(worst, name=name, diagnosis="; ".join(filter(None, [why, next(filter(None, causes), "")])))
 
 
 def _of_found(matched: Sequence[int | None], place: _Exponents) -> Verdict:

@@ -22,7 +22,7 @@ QUESTIONS = [
     ("leaving-a-sphere", "leaves", "cos(theta) = 1/2", "is the 1/2 of T missing?"),
     ("leaving-a-sphere", "pressure", "m*g*(2 - cos(theta))", "has the wrong sign"),
     ("released-pendulum", "tension", "m*g*cos(theta)", "that of a body at rest"),
-    ("released-pendulum", "speed", "sqrt(2*g*l)", "2*g*l*cos(alpha) is missing under the root"),
+    ("released-pendulum", "speed", "sqrt(2*g*l)", "that at the start is missing"),
 ]
 
 

@@ -30,3 +30,11 @@ def test_words_on_stability_stay_beside_their_equation(line: str, beside: list[s
 )
 def test_conditions_without_words(text: str, condition: str) -> None:
     assert condition_alone(Fragment.of(text)).text.strip() == condition
+
+
+@pytest.mark.parametrize(
+    ("line", "equation"),
+    [("s = 12 in", "s = 12 in"), ("v = 50 in/s", "v = 50 in/s"), ("s = W/k in the lowest position", "s = W/k")],
+)
+def test_an_inch_is_no_preposition(line: str, equation: str) -> None:
+    assert [f.text.strip() for f in equations_of_line(Fragment.of(line))] == [equation]

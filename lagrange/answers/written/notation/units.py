@@ -95,8 +95,12 @@ def plain_unit(unit: str) -> str:
     return re.sub(r"[{}]", "", unit).strip()
 
 
+_SPELLED_OUT = {"inch": "in", "inches": "in", "foot": "ft", "feet": "ft", "pounds": "lb", "metres": "m", "meters": "m"}
+
+
 def _in_si(number: str, unit: str, *, latex: bool = False) -> str:
     """A number in SI, as text; empty if the unit is not known."""
+    unit = _SPELLED_OUT.get(unit.strip(), unit)
     meant = unit_of(re.sub(r"\^\s?[({]?\s?[-−]\s?([1-4])\s?[)}]?", r"^-\1", unit.strip()))
     if meant is None or not re.fullmatch(r"\s*[-+−]?[0-9.]+\s*(?:\\(?:cdot|times)\s*10\s*\^.*)?", number):
         return ""
