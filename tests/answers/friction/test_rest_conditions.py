@@ -52,6 +52,12 @@ def test_conditions_as_an_answer(problem: Read, text: str, answer: list[str], ve
     assert judged.verdict.value == verdict
 
 
+def test_an_equation_without_sides_is_unreadable(problem: Read) -> None:
+    """It ended with an IndexError beside a limit (the fuzzers' seed 65910076)."""
+    judged = check_answer(problem(ROUGH), (Fragment.of("tan(theta) = 2*mu_A"), Fragment.of("=")))
+    assert judged.verdict.value == "unreadable"
+
+
 CRATE = """title: Crate that is pushed
 axes: {i: right, j: up}
 parameters: {m: 40 kg, g: 9.81 m/s^2, mu: 0.3}
