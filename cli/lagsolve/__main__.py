@@ -1,5 +1,6 @@
 """The program: `lagsolve` and `python -m lagsolve`. Ctrl-C ends it without a traceback from its first line on."""
 
+import gc
 import os
 import sys
 from importlib import import_module
@@ -13,8 +14,11 @@ def run() -> None:
     _leave_tensors_out()
     try:
         _refuse_another_lagrange()
+        gc.disable()  # nothing that is imported becomes garbage
         from lagsolve.main import main
 
+        gc.freeze()
+        gc.enable()
         main(prog_name="lagsolve")
     except KeyboardInterrupt:
         if sys.stderr is not None:

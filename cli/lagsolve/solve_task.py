@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gc
 import os
-import shlex
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
@@ -91,7 +90,7 @@ def look_for_garbage_seldom() -> None:
 
     Collecting as often as Python does would take a tenth of the time; a large problem must still not fill the memory.
     """
-    if not gc.get_freeze_count():
+    if gc.get_threshold()[0] < 200_000:
         gc.freeze()
         gc.set_threshold(200_000, 20, 50)
     gc.enable()
@@ -109,6 +108,8 @@ def watch_for_ever(task: SolveTask, wait: Callable[[], None] = lambda: time.slee
 
     paths = list(dict.fromkeys(problem_path(name) for name in task.problems))
     where = task.destination.path
+    import shlex
+
     watched = f"watching {' '.join(shlex.quote(str(p)) for p in paths)}; Ctrl-C ends it"
     for again in changes(paths, wait):
         if again and where is None and styled():

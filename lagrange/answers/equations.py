@@ -40,7 +40,6 @@ from lagrange.answers.verdicts import (
     EquationVerdict,
     Verdict,
 )
-from lagrange.answers.written.decimals import DecimalValues, remark_on, rounded_in_motion
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Decimal, Slots, base, symbols_in
@@ -51,6 +50,7 @@ from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing,
 if TYPE_CHECKING:
     from lagrange.answers.conventions import Convention
     from lagrange.answers.models.search import Explanation
+    from lagrange.answers.written.decimals import DecimalValues
 
 
 def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnosing: bool = True) -> AnswerVerdict:
@@ -206,6 +206,8 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
         )
         verdict = replace(verdict, equations=tuple(marked))
     if values:
+        from lagrange.answers.written.decimals import remark_on
+
         equations = tuple(
             replace(e, remarks=(*e.remarks, remark))
             if e.verdict is Verdict.EQUIVALENT and (remark := remark_on(values.get(n, {})))
@@ -249,6 +251,8 @@ def _rounded(
     rounded = {}
     for n, r in enumerate(readings):
         if components[n] and Standing.CONTRADICTS in standings[n] and r.with_decimals:
+            from lagrange.answers.written.decimals import rounded_in_motion
+
             values = rounded_in_motion(_compared_parts(r.with_decimals, candidate), candidate.system)
             if values is not None:
                 rounded[n] = values

@@ -30,7 +30,6 @@ from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.principle import given_forces
-from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
@@ -384,6 +383,10 @@ def _potential(solution: Solution) -> dict[str, sp.Expr]:
 def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
     """delta(pi_u) of each quasi-velocity u."""
     problem = solution.problem
+    if not problem.speeds:
+        return {}
+    from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
+
     moving = problem.slots.coordinates
     return {
         quasi_variation(u.symbol).name: sp.Add(*(u.definition.diff(prime(q)) * variation(q) for q in moving))

@@ -48,10 +48,26 @@ class _WhenFirstAsked:
         with _ONE_AT_A_TIME:
             if vars(made)["__dataclass_fields__"] is self:  # still, if no memory or time was left the last time
                 made.__doc__ = made.__doc__ or made.__name__  # otherwise `dataclass` asks for the signature
-                dataclass(eq=False, repr=False, init=False)(made)
+                _with_fields(made)
         fields: dict[str, Any] = made.__dataclass_fields__
         return fields
 
+
+def _with_fields(made: Any) -> None:
+    """Lets `dataclass` read the fields of a class."""
+    # It would search each annotation three times for ClassVar and the like, as they are texts: half of its time.
+    annotations = vars(made).get("__annotations__", {})
+    made.__annotations__ = {n: a if any(w in str(a) for w in _MARKS) else object for n, a in annotations.items()}
+    try:
+        dataclass(eq=False, repr=False, init=False)(made)
+    finally:
+        made.__annotations__ = annotations
+    for f in fields(made):
+        f.type = annotations.get(f.name, f.type)
+
+
+_MARKS = ("ClassVar", "InitVar", "KW_ONLY")
+"""What `dataclass` looks for in annotations."""
 
 _ONE_AT_A_TIME = RLock()
 """Held while a class is completed, in which its bases are."""

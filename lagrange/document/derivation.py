@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field
 from enum import IntEnum, StrEnum
 from functools import cached_property
-from typing import TypeAlias, overload
+from typing import TYPE_CHECKING, TypeAlias, overload
 
 import sympy as sp
 
@@ -18,7 +18,9 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.purposes import Purpose
-from lagrange.document.scene import Scene
+
+if TYPE_CHECKING:
+    from lagrange.document.scene import Scene
 
 Mathematics: TypeAlias = sp.Expr | Vector
 

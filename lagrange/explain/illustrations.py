@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import takewhile
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -18,12 +19,14 @@ from lagrange.core.effort import allowed_for
 from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
 from lagrange.document.notation import Notation
-from lagrange.document.scene import Scene
 from lagrange.explain.limits import UNITS_OF_A_PICTURE
 from lagrange.explain.words import bare, plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
+
+if TYPE_CHECKING:
+    from lagrange.document.scene import Scene
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""

@@ -325,8 +325,10 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
         ):
             continue
         static = textbook_form(value.xreplace(at_rest))
+        if static == 0 or count_operations(static) > LONGEST_PART:
+            continue
         added = textbook_form(value - static)
-        if static != 0 and added != 0 and max(count_operations(static), count_operations(added)) <= LONGEST_PART:
+        if added != 0 and count_operations(added) <= LONGEST_PART:
             yield Parts(force, static, added)
 
 

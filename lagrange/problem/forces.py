@@ -124,7 +124,7 @@ def _force(
         listed = ", ".join(f"`{k}`" for k in forms)
         message = f"{what} does not say what acts"
         help_ = f"give it one of {listed}"
-        if section.has("static"):
+        if "friction" in forms and section.has("static"):
             help_ = "add `friction: mu`, the coefficient while it slides; at rest only that of `static` is used"
         raise ProblemError(Diagnostic("force-kind", message, key.span, help=help_))
     section.form = forms[kind]

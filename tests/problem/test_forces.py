@@ -87,3 +87,13 @@ def test_a_spring_is_the_same_wherever_it_is(spring: str) -> None:
     [finding] = caught.value.diagnostics
     assert finding.code == "not-allowed-here"
     assert "potential" in finding.help
+
+
+def test_an_impulse_says_what_acts() -> None:
+    """It ended with an AssertionError about `static` (the fuzzers' seed 65670288)."""
+    text = (
+        "title: Blow\nparameters: [m, J]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+        "impact: {before: {x': 0}, impulses: {blow: {on: P}}}\nfind: impact\n"
+    )
+    with pytest.raises(ProblemError, match="the impulse `blow` does not say what acts"):
+        read_problem(Source("blow", text))

@@ -125,7 +125,9 @@ class Surface(Sampler):
         ranks, branches = self.on_all_branches(nodes, at, lambda rank: rank < largest or bool(marks))
         if not branches.signs and not marks & OPAQUE:
             return max(ranks)
-        real = _common_rank(self.sampled(at, ZERO_REAL_POINTS, real=True))
+        # Where all branches in the field have the same rank, real points only confirm it (as in `agreed`).
+        same = len(set(ranks)) == 1 and not marks & OPAQUE
+        real = _common_rank(self.sampled(at, AGREEMENT_REAL_POINTS if same else ZERO_REAL_POINTS, real=True))
         return real if real in ranks else None
 
     def _is_zero(self, e: sp.Expr, derivatives: int) -> bool | None:

@@ -145,8 +145,10 @@ def _as_conditions(stated: Sequence[Fragment], reference: Reference) -> Iterator
     pieces: list[tuple[Fragment, str, Fragment]] = []
     for f in stated:
         sides = _pieces(f, _EQUALS)
+        if not 2 <= len(sides) <= 5:  # none at all in `=`
+            return
         match = _EXTREMUM.fullmatch(sides[0].text.strip(" $"))
-        if len(sides) < 2 or len(sides) > 5 or match is None:
+        if match is None:
             return
         name = scope_name(match["name"], reference)
         if name is None:

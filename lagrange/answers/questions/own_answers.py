@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
-from lagrange.answers.reactions import check_reaction
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import (
@@ -339,6 +338,8 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerd
     if solution.law is None:
         diagnosis = "no reactions are derived for this problem"
         return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
+    from lagrange.answers.reactions import check_reaction
+
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
     at_rest = None

@@ -24,7 +24,6 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import frobenius_on_surface, only_coordinate, without_common_number
-from lagrange.mechanics.rewriting.free_displacements import free_displacements
 from lagrange.mechanics.rewriting.in_speeds import squares_by_constraints, with_squares
 
 
@@ -166,6 +165,8 @@ def without_division(solution: Solution, step: Step) -> Step:
     at = next((n for n, b in enumerate(step.body) if _is_solution(b)), None)
     if at is None or not elimination.pivots or not elimination.solution or solution.own.dynamics is not None:
         return step
+    from lagrange.mechanics.rewriting.free_displacements import free_displacements
+
     chosen = (q.name for c in solution.problem.choices for q in c.coordinates)
     names = {*solution.problem.scope.names(), *(q.name for q in slots.coordinates), *chosen}
     parametric = free_displacements(elimination, slots, names)

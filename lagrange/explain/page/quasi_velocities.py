@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -34,13 +35,14 @@ from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.limits import LONGEST_MULTIPLIER
 from lagrange.explain.words import plural, the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
-from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
-from lagrange.mechanics.integrated_speed import integrated_speed
 from lagrange.mechanics.path_reaction import reaction_along
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import with_common_factor
 from lagrange.mechanics.rewriting.in_speeds import rates_by_speeds, substituted
 from lagrange.problem.model import Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
 
 
 def ends_with_speeds(solution: Solution) -> bool:
@@ -188,7 +190,11 @@ def _across(solution: Solution, reaction: VectorSymbol) -> Iterator[Block]:
 
 def by_quadrature(problem: Problem, form: QuasiVelocityForm | None) -> Iterator[Block]:
     """`Motion: v̇ contains the time only, so v = v₀ + ..., and from ẋ = v cos Ωt`, with the coordinates."""
-    motion = None if form is None else integrated_speed(form, problem.scope.names())
+    if form is None:
+        return
+    from lagrange.mechanics.integrated_speed import integrated_speed
+
+    motion = integrated_speed(form, problem.scope.names())
     if motion is None:
         return
     lines = [Equation((s, value), label=f"quadrature-{s.name}") for s, value in motion.values.items()]

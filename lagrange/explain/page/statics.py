@@ -19,7 +19,6 @@ from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.reactions import explain_reactions_at_rest
 from lagrange.explain.words import joined, plural
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.mechanics.supports import angle_bound
 
 if TYPE_CHECKING:
     from lagrange.mechanics.supports import Supports
@@ -178,6 +177,8 @@ def _ends(solution: Solution, supports: Supports) -> Iterator[Block]:
     if len(chosen.configuration.slots.coordinates) != 1:
         return
     [q] = chosen.configuration.slots.coordinates
+    from lagrange.mechanics.supports import angle_bound
+
     limits = [angle_bound(s, q, solution) for s in supports.at]
     low = [e for e, upper in filter(None, limits) if not upper]
     high = [e for e, upper in filter(None, limits) if upper]

@@ -21,7 +21,6 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.fractions import as_one_quotient, is_quotient_of_sums
 from lagrange.algebra.fourier.limits import MOST_CANCELLED
@@ -90,6 +89,8 @@ class Reactions:
 
     def sign_of_contact(self, name: str) -> int | None:
         """The sign of what must not be negative while contact lasts, if it is always the same."""
+        from lagrange.algebra.closed_forms.signs import sign_of
+
         return sign_of(self.contacts[name])
 
     @cached_property

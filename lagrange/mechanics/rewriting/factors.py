@@ -6,7 +6,6 @@ from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
@@ -87,6 +86,8 @@ def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
 
 def has_one_sign(value: sp.Expr) -> bool:
     """Whether the value is positive wherever it is defined, or negative."""
+    from lagrange.algebra.closed_forms.signs import sign_of
+
     return sign_of(value) in (1, -1)
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -16,7 +17,9 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, t
 from lagrange.mechanics.constraints.constrained_system import Row
-from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
 
 
 def rates_by_speeds(slots: Slots, form: QuasiVelocityForm) -> dict[sp.Expr, sp.Expr]:

@@ -11,7 +11,6 @@ from dataclasses import replace
 from lagrange.document.builders import prose
 from lagrange.document.derivation import Display, Prose, Step
 from lagrange.explain.limits import SHORTER_IN_ACCELERATIONS
-from lagrange.mechanics.nearby.forces_in_turn import forces_in_turn
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 
@@ -28,6 +27,8 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
     accelerations = constant_accelerations(view)
     if len(lines) == len(box.equations) or not accelerations:
         return step  # no denominator has a letter: they are short enough
+    from lagrange.mechanics.nearby.forces_in_turn import forces_in_turn
+
     forces = forces_in_turn(law, solution.own, view, accelerations)
     if forces is None or any(e.sides[0] not in forces for e in lines):
         return step
