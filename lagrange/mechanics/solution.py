@@ -450,10 +450,10 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
-    from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
+    from lagrange.mechanics.equilibrium.valleys_in_numbers import check_minima
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
@@ -475,7 +475,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
         stability = stability_at_rest(resting)
-        checks += check_stability(resting, stability)
+        checks += check_minima(resting, stability)
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(
         solution,

@@ -13,6 +13,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 
+
 def strictest_cases(
     cases: Sequence[Sequence[RestCondition]], values: Mapping[sp.Symbol, sp.Expr]
 ) -> list[list[RestCondition]]:

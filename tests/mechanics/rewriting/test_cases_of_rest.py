@@ -17,7 +17,9 @@ def test_values_exclude_cases_and_the_weaker_of_two_bounds() -> None:
     assert strictest_cases(cases, {}) == cases
     given = {d: sp.Integer(3), h: sp.Integer(6), mu: sp.Rational(1, 4)}
     assert strictest_cases(cases, given) == [[RestCondition(h / (2 * mu), s)]]
-    assert strictest_cases([[RestCondition(h, mu)]], given) == [[RestCondition(h, mu)]]  # nothing is left: the page says what fails
+    assert strictest_cases([[RestCondition(h, mu)]], given) == [
+        [RestCondition(h, mu)]
+    ]  # nothing is left: the page says what fails
 
 
 def test_values_exclude_what_is_strict_at_its_limit() -> None:

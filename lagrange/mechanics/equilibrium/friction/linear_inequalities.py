@@ -195,8 +195,12 @@ def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator
         return
     reached: set[tuple[int, int]] = set()
     for side, case in strict:
-        limits = {(n, m): _is_limit(case, zero, p) for n, (p, zeros) in enumerate(between) for m, zero in enumerate(zeros)}
-        held = [any(limits[n, m] for m in range(len(zeros))) or p.excludes(case) for n, (p, zeros) in enumerate(between)]
+        limits = {
+            (n, m): _is_limit(case, zero, p) for n, (p, zeros) in enumerate(between) for m, zero in enumerate(zeros)
+        }
+        held = [
+            any(limits[n, m] for m in range(len(zeros))) or p.excludes(case) for n, (p, zeros) in enumerate(between)
+        ]
         if all(held) and any(limits.values()):
             reached |= {place for place, is_limit in limits.items() if is_limit}
             yield replace(case, slacks=(side, *case.slacks))
@@ -226,7 +230,12 @@ class _Zero:
     def excludes(self, case: Case) -> bool:
         """Whether a case is impossible there."""
         slacks, positive = ([self.signs.of(self.put(e)) for e in part] for part in (case.slacks, case.positive))
-        return -1 in slacks or -1 in positive or 0 in positive or any(self.signs.of(self.put(e)) in (1, -1) for e in case.zero)
+        return (
+            -1 in slacks
+            or -1 in positive
+            or 0 in positive
+            or any(self.signs.of(self.put(e)) in (1, -1) for e in case.zero)
+        )
 
     def conditions(self, case: Case) -> list[tuple[str, sp.Expr]]:
         """What a case says there, without what always holds."""
