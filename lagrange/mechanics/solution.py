@@ -500,7 +500,7 @@ def _with_numbers(solution: Solution) -> Solution:
     def in_numbers(view: InCoordinates) -> InCoordinates:
         numbers = None
         if view.linearization is not None:
-            numbers = oscillations_in_numbers(view.linearization, values)
+            numbers = oscillations_in_numbers(view.linearization, values, view.equilibrium, view.stability)
         elif view.equilibrium is not None:
             numbers = equilibria_in_numbers(view.equilibrium, view.stability, values)
         return view if numbers is None else replace(view, in_numbers=numbers)
