@@ -113,8 +113,9 @@ def oscillations_in_numbers(
 ) -> EquilibriaInNumbers | None:
     """The equilibria of the equations of motion in numbers, with the frequencies about them.
 
-    resting, second  the equilibria by virtual work, if there are such, and their stability: where V has a strict minimum
-                     the equilibrium is stable, although a frequency is zero and the linear equations decide nothing
+    resting, second  the equilibria by virtual work, if there are such, and their stability: where V has a strict
+                     minimum the equilibrium is stable, although a frequency is zero and the linear equations decide
+                     nothing
     """
     e = linear.equilibrium
     by_energy = (
