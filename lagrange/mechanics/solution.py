@@ -451,9 +451,9 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.searched.places import with_search
+    from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
     from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
-    from lagrange.mechanics.equilibrium.valleys_in_numbers import check_minima
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")

@@ -8,8 +8,8 @@ from functools import cache
 import pytest
 
 from lagrange.core.diagnostics import Source
+from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima, check_valleys
 from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
-from lagrange.mechanics.equilibrium.valleys_in_numbers import check_minima, check_valleys
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
