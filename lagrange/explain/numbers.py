@@ -37,7 +37,7 @@ RESULTS = (
     Rule.IMPACT,
 )
 """The steps whose boxed equations are results."""
-_BOUNDS = ("≤", "≥")
+_BOUNDS = ("≤", "≥", "<", ">")
 Sides = tuple[object, ...]
 Angles = Mapping[Sides, Math]
 """The angle in degrees for an answer by its sides, sin θ = 2/3 sin α."""
@@ -276,10 +276,10 @@ def _is_plain_number(equation: Equation, values: Values) -> bool:
 
 def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
     """An inequality with numbers, solved where one quantity is left: P ≥ 5.767 N."""
-    left, right = equation.sides if equation.relation == "≤" else equation.sides[::-1]
+    left, right = equation.sides if equation.relation in ("≤", "<") else equation.sides[::-1]
     assert isinstance(left, sp.Expr)
     assert isinstance(right, sp.Expr)
-    bound = bound_with(left, right, values)
+    bound = bound_with(left, right, values, "<" if equation.relation in ("<", ">") else "≤")
     if bound is None:
         return None
     try:

@@ -450,8 +450,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
-    from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.searched.places import with_search
+    from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
     from lagrange.mechanics.equilibrium.springs_at_rest import with_spring_forces
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
@@ -475,7 +475,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
         stability = stability_at_rest(resting)
-        checks += check_stability(resting, stability)
+        checks += check_minima(resting, stability)
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(
         solution,
@@ -500,7 +500,7 @@ def _with_numbers(solution: Solution) -> Solution:
     def in_numbers(view: InCoordinates) -> InCoordinates:
         numbers = None
         if view.linearization is not None:
-            numbers = oscillations_in_numbers(view.linearization, values)
+            numbers = oscillations_in_numbers(view.linearization, values, view.equilibrium, view.stability)
         elif view.equilibrium is not None:
             numbers = equilibria_in_numbers(view.equilibrium, view.stability, values)
         return view if numbers is None else replace(view, in_numbers=numbers)

@@ -20,6 +20,7 @@ from lagrange.problem.values import no_values
 from lagrange.render.json_momenta import beside_motion, hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
+    condition_of_rest,
     critical,
     damped_modes,
     equations_in_numbers,
@@ -171,7 +172,7 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 
     equations = [f"{write(e)} = 0" for e in resting.equations]
-    cases = [[*equations, *(f"{write(c.left)} <= {write(c.right)}" for c in case)] for case in resting.cases]
+    cases = [[*equations, *(condition_of_rest(c, write) for c in case)] for case in resting.cases]
     common = [c for c in cases[0] if all(c in case for case in cases)] if cases else equations
     friction = {name: [write(f) for f in forces] for name, forces in resting.friction.items()}
     result: dict[str, Any] = {
@@ -184,13 +185,12 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
         forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
         where = [f"{write(c.left)} < {write(c.right)}" for c in resting.where]
         result |= {"directions": along, "forces": forces} | ({"where": where} if where else {})
+        result |= {"unexamined": [f"{write(e)} = 0" for e in resting.unexamined]} if resting.unexamined else {}
     if len(cases) > 1:
         result["cases"] = cases
     if resting.open:
         result["open"] = [u.name for u in resting.open]
-    if resting.assumed:
-        result["assumed"] = [f"{write(e)} > 0" for e in resting.assumed]
-    return result
+    return result | ({"assumed": [f"{write(e)} > 0" for e in resting.assumed]} if resting.assumed else {})
 
 
 def _named(name: str, choice: str) -> str:

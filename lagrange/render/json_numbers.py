@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 Write = Callable[[Any], str]
 
+_RELATIONS = {"≤": "<=", "≥": ">=", "<": "<", ">": ">", "=": "="}
+
 
 def position(p: Position) -> dict[str, Any]:
     """An equilibrium in numbers; `branch` is the place of its equations in `equilibrium`, counted from 0."""
@@ -155,6 +157,11 @@ def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write
     return {"equations_in_numbers": [f"{write(q.shown(JSON_DIGITS))} = 0" for q in quantities if q is not None]}
 
 
+def condition_of_rest(c: RestCondition, write: Write) -> str:
+    """`tan(alpha) <= mu`."""
+    return f"{write(c.left)} {_RELATIONS[c.relation]} {write(c.right)}"
+
+
 def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | None, write: Write) -> dict[str, Any]:
     """`in_numbers`: what each condition of rest says with the values, `P >= 5.767`; of several cases in order."""
     if values is None or not values.numbers or not cases:
@@ -162,16 +169,15 @@ def rest_in_numbers(cases: Sequence[Sequence[RestCondition]], values: Values | N
     from lagrange.values.bounds import bound_with
     from lagrange.values.quantities import Quantity
 
-    signs = {"≤": "<=", "≥": ">="}
-
     def entry(c: RestCondition) -> dict[str, Any]:
-        bound = bound_with(c.left, c.right, values)
+        bound = bound_with(c.left, c.right, values, c.relation)
         if bound is None:
-            return {"condition": f"{write(c.left)} <= {write(c.right)}"}
+            return {"condition": condition_of_rest(c, write)}
         left = bound.left.formula_shown(JSON_DIGITS) if isinstance(bound.left, Quantity) else bound.left
         right = bound.bound.formula_shown(JSON_DIGITS)
-        low = "" if bound.low is None else f"{write(bound.low.formula_shown(JSON_DIGITS))} <= "
-        said: dict[str, Any] = {"condition": f"{low}{write(left)} {signs[bound.relation]} {write(right)}"}
+        sign = _RELATIONS[bound.relation]
+        low = "" if bound.low is None else f"{write(bound.low.formula_shown(JSON_DIGITS))} {sign} "
+        said: dict[str, Any] = {"condition": f"{low}{write(left)} {sign} {write(right)}"}
         if bound.holds is not None:
             return said | {"holds": bound.holds}
         least = {} if bound.low is None else {"low": float(bound.low.number)}

@@ -18,6 +18,7 @@ from lagrange.values.limits import MOST_DEGREES
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
 _REVERSED = {"≤": "≥", "≥": "≤"}
+_STRICT = {"≤": "<", "≥": ">"}
 _INVERSE = {sp.sin: sp.asin, sp.cos: sp.acos, sp.tan: sp.atan}
 
 
@@ -50,8 +51,20 @@ class Bound:
     low: Quantity | None = None
 
 
-def bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
-    """left ≤ right with the values; None where they change nothing, or it is not real with them."""
+def bound_with(left: sp.Expr, right: sp.Expr, values: Values, relation: str = "≤") -> Bound | None:
+    """left ≤ right, or <, with the values; None where they change nothing, it is not real with them, or an equation."""
+    if relation == "=":
+        return None
+    bound = _bound_with(left, right, values)
+    if relation == "≤" or bound is None:
+        return bound
+    if bound.holds is not None:
+        return replace(bound, relation="<", holds=bound.holds and real_value(values.put_in(right - left)) > 0)
+    angle = bound.angle and replace(bound.angle, relation=_STRICT[bound.angle.relation])
+    return replace(bound, relation=_STRICT[bound.relation], angle=angle)
+
+
+def _bound_with(left: sp.Expr, right: sp.Expr, values: Values) -> Bound | None:
     difference = right - left
     if not difference.free_symbols & values.numbers.keys():
         return None

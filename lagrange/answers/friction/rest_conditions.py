@@ -287,7 +287,11 @@ def _in_parts(
     given = [s for s in given if s not in always] or given
     cases = [
         [
-            *(part for c in case for part in _without_modulus(_Stated("", valued(c.right - c.left), False))),
+            *(
+                part
+                for c in case
+                for part in _without_modulus(_Stated("", valued(c.right - c.left), c.relation == "="))
+            ),
             *(_Stated("", valued(e), True) for e in rest.equations),
         ]
         for case in rest.cases

@@ -124,12 +124,9 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
         number = f"-{n}" if several else ""
         lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(case, start=1)]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    if several:
-        alone = next((case[0] for case in rest.cases if len(case) == 1), None)
-        sides = () if alone is None else sorted((alone.left, alone.right), key=lambda e: not e.is_Symbol)
-        limit: tuple[Part, ...] = (", ", math(*sides), " for instance,") if sides else ()
-        yield prose("Whether it can be at rest exactly at a limit of one case alone", *limit, " is not examined: the "
-                    "forces that this needs may grow without bound there.")  # fmt: skip
+    if rest.unexamined:
+        where = series(((math(e, ZERO),) for e in rest.unexamined), " or ")
+        yield prose("Whether it can be at rest where exactly ", *where, " is not examined.")
     if rest.partly:
         yield prose("The cases are those that occur for angles and coefficients of friction that are not large; each "
                     "is exact, and there may be others.")  # fmt: skip
@@ -140,7 +137,7 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
 
 
 def _line(condition: RestCondition, label: str) -> Equation:
-    return Equation((condition.left, condition.right), relation="≤", label=label)
+    return Equation((condition.left, condition.right), relation=condition.relation, label=label)
 
 
 def explain_rolling(rolling: Rolling) -> Step:

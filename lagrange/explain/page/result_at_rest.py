@@ -18,6 +18,7 @@ from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES
 from lagrange.explain.page.meaning import stability_word
 from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
@@ -96,12 +97,11 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
     bounds: list[set[Mathematics]] = []
     if rest is not None and rest.cases:
         yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
-        pairs = [[(c.left, c.right) for c in case] for case in rest.cases]
-        stated = [*_cases(strictest_cases(pairs, values))]
+        stated = [*_cases(strictest_cases(rest.cases, values))]
         yield from stated
         bounds = [{*e.sides} for e in stated]
     if view.rolling is not None:
-        yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
+        yield from _cases(view.rolling.cases[:1])
     branches = [b for m in view.impending or () for b in m.equilibrium.branches]
     for b in branches:
         lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
@@ -228,11 +228,11 @@ def _branch(b: Branch, *more: Part) -> list[Equation]:
     return [*lines[:-1], replace(lines[-1], condition=words)] if lines else []
 
 
-def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:
+def _cases(cases: Sequence[Sequence[RestCondition]]) -> Iterator[Equation]:
     """Inequalities of which all hold; of several cases, if these are short, with `and` and `or` between them."""
     if len(cases) > 1 and any(len(case) > 1 for case in cases) and sum(map(len, cases)) > MOST_LINES_OF_CASES:
         return
     for n, case in enumerate(cases, start=1):
-        for m, sides in enumerate(case, start=1):
+        for m, c in enumerate(case, start=1):
             beside = ("and",) if len(cases) > 1 and m < len(case) else ("or",) if n < len(cases) else ()
-            yield Equation(sides, relation="≤", condition=beside)
+            yield Equation((c.left, c.right), relation=c.relation, condition=beside)

@@ -18,7 +18,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property
 from itertools import chain
@@ -193,8 +193,10 @@ class Equilibrium:
 
     def turned(self, b: Branch) -> tuple[sp.Symbol, ...]:
         """The angles of a branch at whose full turns the forces balance too, but are others."""
-        given = [q for q in self.configuration.slots.coordinates if q in b.common and all(q not in p for p in b.points)]
-        return tuple(q for q in given if is_outside_circular(q, self.work.forces))
+        given = [q for q in self.configuration.slots.coordinates if q in b.common and any(q not in p for p in b.points)]
+        return tuple(
+            q for q in given if is_outside_circular(q, (*self.work.forces, *self.configuration.finite_constraints))
+        )
 
     @property
     def undetermined(self) -> tuple[sp.Symbol, ...]:
@@ -410,10 +412,10 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     outside = tuple(b for b, inside in zip(branches, restricted, strict=True) if inside is None)
     branches = tuple(b for b in restricted if b is not None)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
-    idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     applied = load_parameters(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
-    branches = tuple(_with_stated_angles(b, solution) for b in branches)
+    branches = _merged((_with_stated_angles(b, solution) for b in branches), {*solution.letters.angles})
+    idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     completed = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
     free = (coordinates[k] for k in e.elimination.independent)
     balances = dict(zip(free, e.independent_forces, strict=True))
@@ -426,11 +428,32 @@ def _for_all(e: Equilibrium) -> Equilibrium:
 def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
     """The branch with the angles that it states: where θ occurs beside sin θ, R θ + l at sin θ = 0 is l at θ = 0.
 
-    A root that is none any more is a modulus: |H − l| where cos θ = −1.
+    At its points so are other unknowns that it gives by the angle: x = R θ, which also holds full turns further, is
+    x = 0 at θ = 0. A root that is none any more is a modulus: |H − l| where cos θ = −1.
     """
-    angles = {r.lhs: r.rhs for r in b.relations if r.lhs in solution.letters.angles and r.lhs not in b.common}
-    common, *points = ({u: without_squares(v) for u, v in values.items()} for values in (b.common, *b.points))
-    return replace(b, common={**common, **angles}, points=tuple(points))
+    angles = {r.lhs: r.rhs for r in b.relations if r.lhs in solution.letters.angles}
+    common, *points = (
+        {u: without_squares(v.xreplace(angles)) for u, v in values.items()} for values in (b.common, *b.points)
+    )
+    return replace(b, common={**angles, **common}, points=tuple(points))
+
+
+def _merged(branches: Iterable[Branch], angles: Set[sp.Symbol]) -> tuple[Branch, ...]:
+    """The branches without those that have the points of another one: x = 0 beside x = R θ, both at θ = 0."""
+    kept: dict[object, Branch] = {}
+    for n, b in enumerate(branches):
+        points = frozenset(frozenset((u, v) for u, v in p.items() if u not in angles) for p in b.points)
+        stated = frozenset((u, v) for u, v in b.common.items() if u in angles)
+        key = (points, stated, frozenset(b.conditions), b.left) if stated and not b.special else n
+        known = kept.get(key)
+        if known is None or _letters_of(b) > _letters_of(known):
+            kept[key] = b
+    return tuple(kept.values())
+
+
+def _letters_of(b: Branch) -> int:
+    """How many letters the unknowns are given by."""
+    return sum(len(r.rhs.free_symbols) for r in b.relations)
 
 
 def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:

@@ -108,9 +108,21 @@ def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values
     return _ordered(e, positions, absent, numerical_equilibria(e, second, values))
 
 
-def oscillations_in_numbers(linear: Linearization, values: Values) -> EquilibriaInNumbers | None:
-    """The equilibria of the equations of motion in numbers, with the frequencies about them."""
+def oscillations_in_numbers(
+    linear: Linearization, values: Values, resting: Equilibrium | None = None, second: SecondVariation | None = None
+) -> EquilibriaInNumbers | None:
+    """The equilibria of the equations of motion in numbers, with the frequencies about them.
+
+    resting, second  the equilibria by virtual work, if there are such, and their stability: where V has a strict
+                     minimum the equilibrium is stable, although a frequency is zero and the linear equations decide
+                     nothing
+    """
     e = linear.equilibrium
+    by_energy = (
+        {}
+        if resting is None or second is None
+        else dict(zip((b.relations for b in resting.branches), second.verdicts, strict=True))
+    )
     used = [*e.expressions, *(x for s in linear.at if s is not None for x in s.equations)]
     if not values.covers(*used):
         return None
@@ -120,6 +132,9 @@ def oscillations_in_numbers(linear: Linearization, values: Values) -> Equilibria
         if b.left or b.special:
             continue
         stability = None if s is None else s.judgement.stability
+        energy = by_energy.get(b.relations)
+        if stability is not None and stability.verdict is StabilityVerdict.UNDECIDED and energy is not None:
+            stability = energy if energy.is_always_stable else stability
         there = [*_positions(n, b, stability, e, values, s)]
         positions += there
         absent += [] if there else [n]

@@ -43,6 +43,17 @@ MOST_COMPARED_POINTS = 4
 MOST_DRAWS = 40
 MOST_DRAWS_FOR_ONE = 400
 SAMPLES_PER_SIDE = 8
+# Where the second variation vanishes V is followed in numbers: points for each verdict, directions around a circle and
+# near the one in which V rises least, the smaller of two steps (V of the sixth order rises with the rate 10⁻²⁵, far
+# above the 10⁻⁴² that rounding leaves, and above what counts as no rate), and how far the logarithm of the ratio of two
+# rates may be from an integer; how far directions near the least are from it, in radians.
+POINTS_OF_A_VALLEY = 2
+DIRECTIONS_OF_A_VALLEY = 16
+DIRECTIONS_NEAR_THE_LEAST = 8
+STEP_IN_A_VALLEY = 1e-5
+NO_RATE = 1e-40
+INTEGER_ORDER = 0.2
+WIDEST_SPREAD = 0.2
 MOST_EXPANDED_ROWS = 4
 
 # Random parameters at which each branch of equilibria is tried as it is stated: forces that do not balance do so to 25

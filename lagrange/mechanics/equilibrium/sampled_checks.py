@@ -17,7 +17,7 @@ Frequencies: det(K + p D + p² M) = det M Π (p² + ω_i²)^{n_i}, exactly, with
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from random import Random
 from typing import Any
@@ -163,7 +163,7 @@ class Samples:
             if number >= MOST_DRAWS and min(left.values()) < SAMPLES_PER_SIDE:
                 return
             try:
-                stable = _claimed(point, b, s)
+                stable = claimed(point, b, s)
                 sign = self._sign(point, bool(s.pole)) if stable is not None and left[stable] else None
             except (InadmissibleError, UnsupportedError, DivisionByZeroError):
                 continue
@@ -201,9 +201,13 @@ class Samples:
             if newton_point(point, equations, unknowns) and not (quarter and abs(point.value(q[0])) > math.pi / 2):
                 yield point
 
-    def point(self, values: Values, number: int) -> RealPoint:
-        """Random parameters and free coordinates, and the other coordinates by the values of a branch's letters."""
+    def point(self, values: Values, number: int, given: Mapping[sp.Symbol, Any] | None = None) -> RealPoint:
+        """Random parameters and free coordinates, and the other coordinates by the values of a branch's letters.
+
+        given  parameters that are not drawn
+        """
         point = RealPoint(self.graph, Reals(Random(number)))
+        point.move(given or {})
         letters = self.resting.solution.letters
         places: dict[sp.Symbol, Any] = {}
 
@@ -237,23 +241,26 @@ class Samples:
 
         at_pole  without the displacement that moves nothing
         """
+        table, _ = self.projected(point)
+        if at_pole:
+            moving = [k for k, row in enumerate(table) if not all(map(point.arithmetic.vanishes, row))]
+            table = [[table[k][j] for j in moving] for k in moving]
+        return definiteness_in_numbers(point, table)
+
+    def projected(self, point: RealPoint) -> tuple[list[list[Any]], list[list[Any]]]:
+        """S, empty where the forces do not balance, and N; the multipliers receive their values."""
         size = len(self.slots.coordinates)
         rows = point.matrix(self.rows)
+        basis = [[point.number(int(n == k)) for n in range(size)] for k in range(size)]
         if rows:
             columns = [list(column) for column in zip(*rows, strict=True)]
             solved = point.solution(columns, point.values(self.forces))
             if solved is None:
-                return None
+                return [], []
             point.move(dict(zip(self.multipliers, solved, strict=True)))
             basis = point.nullspace(rows, size)
-        else:
-            basis = [[point.number(int(n == k)) for n in range(size)] for k in range(size)]
         hessian = point.matrix(self.hessian)
-        table = [[_product(a, hessian, c) for c in basis] for a in basis]
-        if at_pole:
-            moving = [k for k, row in enumerate(table) if not all(map(point.arithmetic.vanishes, row))]
-            table = [[table[k][j] for j in moving] for k in moving]
-        return _definiteness(point, table)
+        return [[_product(a, hessian, c) for c in basis] for a in basis], basis
 
 
 def _product(a: Sequence[Any], matrix: Sequence[Sequence[Any]], b: Sequence[Any]) -> Any:
@@ -261,7 +268,7 @@ def _product(a: Sequence[Any], matrix: Sequence[Sequence[Any]], b: Sequence[Any]
     return sum(x * sum(e * y for e, y in zip(row, b, strict=True)) for x, row in zip(a, matrix, strict=True))
 
 
-def _definiteness(point: RealPoint, table: Sequence[Sequence[Any]]) -> int | None:
+def definiteness_in_numbers(point: RealPoint, table: Sequence[Sequence[Any]]) -> int | None:
     """1, −1 or None for a symmetric matrix of numbers, by completing squares: the signs of xᵀ S x."""
     largest = max([abs(x) for row in table for x in row], default=0)
     if not table or point.arithmetic.vanishes(largest):
@@ -295,7 +302,7 @@ def exists(b: Branch, point: RealPoint) -> bool:
     return all(_sense(point, c) == 1 for c in b.conditions) and all(_sense(point, c) >= 0 for c in b.implied)
 
 
-def _claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:
+def claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:
     """Whether an equilibrium is stated to be stable at a point; None where it does not exist, or nothing is stated."""
     if not exists(b, point):
         return None

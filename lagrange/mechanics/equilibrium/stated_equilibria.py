@@ -244,8 +244,20 @@ def _in_row_space(matrix: list[list[sp.Expr]], forces: list[sp.Expr], on: Surfac
     return None if None in ranks else ranks[0] == ranks[1]
 
 
+def _are_the_conditions(e: Equilibrium, b: Branch) -> bool:
+    """Whether unsolved equations are the conditions of equilibrium themselves, which no denominator multiplies."""
+    if e.binding or len(e.conditions) < len(e.work.forces):
+        return False
+    return all(
+        not c.below.powers and any(is_zero(c.expression - x) or is_zero(c.expression + x) for x in b.left)
+        for c in e.conditions
+    )
+
+
 def _on_surface(e: Equilibrium, b: Branch) -> bool | None:
     """Whether the forces balance at generic points of the surface that unsolved equations define; None: undecided."""
+    if _are_the_conditions(e, b):
+        return True
     coordinates = e.configuration.slots.coordinates
     equations = [r.residual for r in b.equations]
     stated = {s for x in equations for s in x.free_symbols}

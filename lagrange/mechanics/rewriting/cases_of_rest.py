@@ -11,27 +11,33 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
-
-Inequality = tuple[sp.Expr, sp.Expr]
-"""left ≤ right."""
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 
 
 def strictest_cases(
-    cases: Sequence[Sequence[Inequality]], values: Mapping[sp.Symbol, sp.Expr]
-) -> list[list[Inequality]]:
+    cases: Sequence[Sequence[RestCondition]], values: Mapping[sp.Symbol, sp.Expr]
+) -> list[list[RestCondition]]:
     """The cases that the values leave, without what is weaker than another condition; all if none is left."""
-    possible = [case for case in cases if not any(_is_positive(a - b, values) for a, b in case)]
+    possible = [case for case in cases if not any(_fails(c, values) for c in case)]
     return [[one for one in case if not any(_follows(one, o, values) for o in case)] for case in possible or cases]
 
 
-def _follows(weak: Inequality, strong: Inequality, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+def _fails(c: RestCondition, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Whether a condition does not hold with the values."""
+    sense = _sign(c.left - c.right, values)
+    return sense == 1 or (sense == 0 and c.relation == "<") or (sense == -1 and c.relation == "=")
+
+
+def _follows(weak: RestCondition, strong: RestCondition, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
     """Whether a condition holds with another one, s ≥ 4 cm with s ≥ 30 cm, and is not the same."""
-    (a, b), (c, d) = weak, strong
-    return _is_positive(c - a if b == d else b - d if a == c else sp.S.Zero, values)
+    a, b, c, d = weak.left, weak.right, strong.left, strong.right
+    if "=" in (weak.relation, strong.relation):
+        return False
+    return _sign(c - a if b == d else b - d if a == c else sp.S.Zero, values) == 1
 
 
-def _is_positive(e: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
-    return e.free_symbols <= values.keys() and sign_of(e.xreplace(dict(values))) == 1
+def _sign(e: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]) -> int | None:
+    return sign_of(e.xreplace(dict(values))) if e.free_symbols <= values.keys() else None
 
 
 def rate_or_square(v: sp.Symbol, value: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

@@ -9,6 +9,7 @@ from lagrange.document.derivation import Rule
 from lagrange.explain.report import report
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
+from lagrange.render.json import as_object
 from tests.support.derivation_text import said_in
 
 
@@ -47,8 +48,10 @@ find: equilibrium
 """
 
 
-def test_a_limit_of_one_case_alone_is_not_claimed() -> None:
-    """For μ > 1 the corner holds any couple; at μ = 1 no finite forces do for M < 0, and the page does not say so."""
+def test_a_limit_that_no_forces_reach_is_not_admitted() -> None:
+    """For μ > 1 the corner holds any couple; at μ = 1 no finite forces do for M < 0."""
     found = report(read_problem(Source("corner", IN_A_CORNER)))
-    page = " ".join(terminal.text(found.derivation, found.notation, 200).split())
-    assert "Whether it can be at rest exactly at a limit of one case alone, μ = 1 for instance, is not examined" in page
+    assert "1 < μ" in " ".join(terminal.text(found.derivation, found.notation, 200).split())
+    cases = as_object(found)["rest"]["cases"]
+    assert cases[0] == ["1 < mu"]
+    assert all("<=" in condition for condition in cases[1])

@@ -6,7 +6,11 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.in_numbers import condition_holds
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
 
 a, b = sp.symbols("a b", positive=True)
 
@@ -20,3 +24,21 @@ def test_a_condition_with_values(left: sp.Expr, relation: str, right: sp.Expr, e
         condition_holds(SignCondition(left, relation, right), lambda e: e.xreplace({a: sp.Float("1.5", 80)}))
         is expected
     )
+
+
+def test_a_frequency_of_zero_leaves_the_verdict_to_the_energy() -> None:
+    """θ²/2 + cos θ is of the fourth order: stable by V, and the linear equations decide nothing."""
+    text = """title: Critical
+parameters: [m, g, l]
+coordinates: [theta]
+particles: {P: {mass: m, position: "l*sin(theta)*i + l*cos(theta)*j"}}
+gravity: -g*j
+forces: {s: {potential: "m*g*l*theta^2/2"}}
+find: [equilibrium, linearization]
+"""
+    view = solve(read_problem(Source("p", text))).own
+    assert view.linearization is not None
+    assert view.linearization.at[0] is not None
+    assert view.linearization.at[0].judgement.stability.verdict is StabilityVerdict.UNDECIDED
+    assert view.in_numbers is not None
+    assert view.in_numbers.positions[0].stability is StabilityVerdict.STABLE

@@ -93,3 +93,44 @@ def test_positions_left_open() -> None:
     e = found(SKATE)
     assert stated_equilibria_hold(stating(e, (Y, -X / sp.tan(THETA)))) is True
     assert stated_equilibria_hold(stating(e, (X, 0))) is False
+
+
+ROLLING = """
+title: v
+parameters: [k, R]
+coordinates: [x, theta]
+constraints: {c: "x = R*theta"}
+forces: {v: {potential: "k*(x - R*sin(theta))^2"}}
+find: equilibrium
+"""
+COUPLED = """
+title: v
+parameters: [W, c]
+coordinates: [theta, phi]
+forces: {v: {potential: "W*(theta^2/2 + cos(theta) + phi^2/2 + cos(phi)) + c*(cos(theta) - 1)*(cos(phi) - 1)"}}
+find: equilibrium
+"""
+
+
+def test_an_angle_that_a_constraint_has_outside_of_sines() -> None:
+    """x = R θ where cos θ = 1: one branch, of which x = 0 at θ = 0 is a part, and the reaction there is 0."""
+    view = solve(read_problem(Source("problem.yaml", ROLLING))).own
+    e = view.equilibrium
+    assert e is not None
+    assert [{str(r.lhs): str(r.rhs) for r in b.relations} for b in e.branches if not b.left] == [
+        {"x": "R*theta", "theta": "0"}
+    ]
+    assert e.turned(e.branches[0]) == (THETA,)
+    assert stated_equilibria_hold(e) is True
+    assert view.reactions_at_rest is not None
+    assert view.reactions_at_rest.at[0] is not None
+    assert view.reactions_at_rest.at[0].verified is True
+
+
+def test_unsolved_equations_that_are_the_conditions_themselves() -> None:
+    """Two pendulums at their critical stiffness: the only real solution is θ = φ = 0, which no iteration reaches."""
+    assert stated_equilibria_hold(found(COUPLED)) is True
+    less = replace(
+        found(COUPLED), branches=(replace(found(COUPLED).branches[-1], left=found(COUPLED).branches[-1].left[:1]),)
+    )
+    assert stated_equilibria_hold(less) is not True

@@ -8,6 +8,7 @@ same degree in sin θ and cos θ, they are divided by cos θ and written in tan 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -20,10 +21,16 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, s
 
 @record
 class RestCondition:
-    """left ≤ right."""
+    """left ≤ right; left < right or left = right if `relation` says so."""
 
     left: sp.Expr
     right: sp.Expr
+    relation: str = "≤"
+
+    @property
+    def admits_limit(self) -> bool:
+        """Whether it may hold where both sides are equal."""
+        return self.relation != "<"
 
 
 def bounded_by(
@@ -78,6 +85,22 @@ class SolvedFor:
     forces: tuple[sp.Expr, ...] = ()
     coefficients: tuple[sp.Expr, ...] = ()
     loads: tuple[sp.Expr, ...] = ()
+
+
+def positive(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondition]:
+    """slack > 0, as it is written; nothing if it always holds."""
+    return [replace(c, relation="<") for c in not_negative(slack, wanted, signs)]
+
+
+def vanishing(e: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondition]:
+    """e = 0, as it is written, with a letter that it is solved for on the left."""
+    solved = (_letter_first(c) for c in not_negative(e, wanted, signs))
+    return [replace(c, relation="=") for c in solved]
+
+
+def _letter_first(c: RestCondition) -> RestCondition:
+    """The sides exchanged where the right one is a letter, or the left one a number."""
+    return replace(c, left=c.right, right=c.left) if c.right.is_Symbol or c.left.is_number else c
 
 
 def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCondition]:
@@ -159,8 +182,10 @@ def _collected(symbol: sp.Expr, e: sp.Expr) -> RestCondition | None:
 
 def without_weaker(conditions: Sequence[RestCondition], signs: Signs) -> tuple[RestCondition, ...]:
     """The conditions without bounds on a symbol that another bound on it implies."""
-    kept = list(dict.fromkeys(conditions))
+    kept = [c for c in dict.fromkeys(conditions) if c.relation != "≤" or replace(c, relation="<") not in conditions]
     for weak in tuple(kept):
+        if weak.relation == "=":
+            continue
         for c in kept:
             below = c.right == weak.right and c.right.is_Symbol and signs.of(shortest(c.left - weak.left)) == 1
             above = c.left == weak.left and c.left.is_Symbol and signs.of(shortest(weak.right - c.right)) == 1
@@ -177,19 +202,41 @@ def joined_cases(cases: Sequence[tuple[RestCondition, ...]], signs: Signs) -> tu
         for n, case in enumerate(left):
             if case == (alone,):
                 continue
-            kept = [c for c in case if (c.left, c.right) != (alone.right, alone.left)]
+            if alone.relation == "=":
+                continue
+            kept = [c for c in case if not _is_opposite(c, alone)]
             for d in tuple(kept):
                 others = [c for c in kept if c is not d]
-                if others and any(_implies(c, alone, signs.assuming(d.left - d.right)) for c in others):
+                if d.relation != "=" and others and any(_implies(c, alone, d, signs) for c in others):
                     kept = others
             left[n] = tuple(kept)
     return tuple(dict.fromkeys(left))
 
 
-def _implies(c: RestCondition, other: RestCondition, signs: Signs) -> bool:
+def _is_opposite(c: RestCondition, other: RestCondition) -> bool:
+    """Whether one of the two always holds."""
+    both = "=" not in (c.relation, other.relation) and (c.admits_limit or other.admits_limit)
+    return both and (c.left, c.right) == (other.right, other.left)
+
+
+def _implies(c: RestCondition, other: RestCondition, failed: RestCondition, signs: Signs) -> bool:
+    """Whether a condition implies another one where a third fails.
+
+    What is not negative where left > right of the third is not negative at left = right, but what is positive may
+    vanish there.
+    """
+    if c.relation == "=":
+        return False
+    signs = signs.assuming(failed.left - failed.right)
     if c.right == other.right:
-        return signs.of(shortest(c.left - other.left)) in (0, 1)
-    return c.left == other.left and signs.of(shortest(other.right - c.right)) in (0, 1)
+        sense = signs.of(shortest(c.left - other.left))
+    elif c.left == other.left:
+        sense = signs.of(shortest(other.right - c.right))
+    else:
+        return False
+    if other.admits_limit or not c.admits_limit:
+        return sense in (0, 1)
+    return sense == 1 and failed.admits_limit
 
 
 def _without_signed_factors(slack: sp.Expr, signs: Signs) -> sp.Expr | None:

@@ -47,6 +47,8 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     bounded_by,
     joined_cases,
     not_negative,
+    positive,
+    vanishing,
     without_weaker,
 )
 from lagrange.mechanics.equilibrium.friction.held_positions import equal_angles, held_coordinates
@@ -85,6 +87,7 @@ class AtRest:
     where        what must be positive for the conditions to be these, if they are the limits of one force
     partly       whether the cases are those that were seen at drawn numbers, so that there may be others
     equal        angles that the constraints make equal to others, if both are acute
+    unexamined   what is positive or negative in the cases, and may perhaps vanish as well
     """
 
     configuration: Configuration
@@ -101,6 +104,7 @@ class AtRest:
     where: tuple[RestCondition, ...] = ()
     partly: bool = False
     equal: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    unexamined: tuple[sp.Expr, ...] = ()
 
     @property
     def name(self) -> str:
@@ -292,14 +296,15 @@ def _at_rest(
             signs = Signs(acute)
             try:
                 solved = system.solved(signs, order)
-                cases = _cases(solved, contacts, belts, newton, wanted, signs, most)
+                unexamined: list[sp.Expr] = []
+                cases = _cases(solved, contacts, belts, newton, wanted, signs, most, unexamined)
             except NotEliminatedError:
                 if not solved.open:
                     break
                 continue
             if acute is angles and angles != positions and _is_evident(cases, Signs(positions)):
                 break
-            return resting(solved, cases, signs)
+            return replace(resting(solved, cases, signs), unexamined=tuple(dict.fromkeys(unexamined)))
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
 
@@ -348,8 +353,9 @@ def _cases(
     wanted: SolvedFor,
     signs: Signs,
     most: int,
+    unexamined: list[sp.Expr],
 ) -> tuple[tuple[RestCondition, ...], ...]:
-    """The conditions, case by case."""
+    """The conditions, case by case; `unexamined` receives what must not vanish as far as this is known."""
     if any(signs.of(e) in (1, -1) for e in solved.equations):
         return ()
     if not solved.open:
@@ -364,7 +370,12 @@ def _cases(
         signed = [replace(c, sign=settled.get(c.name, c.sign)) for c in contacts]
         inequalities = [*_one_sided(solved, newton), *_in_cones(solved, signed), *_on_drums(solved, belts)]
         for case in solvable(inequalities, signs, most):
-            conditions = tuple(c for slack in case.slacks for c in not_negative(slack, wanted, signs))
+            conditions = (
+                *(c for e in case.zero for c in vanishing(e, wanted, signs)),
+                *(c for e in case.positive for c in positive(e, wanted, signs)),
+                *(c for slack in case.slacks for c in not_negative(slack, wanted, signs)),
+            )
+            unexamined += [e for e in case.unexamined if -e not in unexamined]
             cases.append(without_weaker(conditions, signs))
     return joined_cases(cases, signs)
 

@@ -6,7 +6,9 @@ the c being functions of parameters and position. An unknown s is eliminated by 
 from below, p s ≥ q with p > 0, with each that bounds it from above, u s ≤ v with u > 0, to u q ≤ p v. This needs the
 signs of the coefficients. Where that of u is not known but v ≥ 0, and s ≥ 0 is among the inequalities, u s ≤ v may be
 taken for an upper bound all the same: if u ≤ 0 it says nothing, and u q ≤ p v, q ≥ 0, says nothing either. Otherwise
-the cases u > 0 and u < 0 are taken one by one.
+the cases u > 0, u < 0 and u = 0 are taken one by one. At u = 0 a letter that u is linear in is replaced by its value
+there; if the conditions of a case u > 0 are at u = 0 those found there, the case is one of u ≥ 0. So a condition is
+strict exactly where its limit does not belong to what is admitted.
 
 Signs are exact: of products and of sums of terms of one sign (`closed_forms.signs`). The sine and cosine of an angle
 count as positive where the caller says so; which of these were needed is part of the result.
@@ -14,8 +16,8 @@ count as positive where the caller says so; which of these were needed is part o
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import product
 
@@ -130,9 +132,17 @@ def shortest(e: sp.Expr) -> sp.Expr:
 
 @record
 class Case:
-    """Slacks that are not negative, all of them, where the unknowns exist."""
+    """Slacks that are not negative, all of them, where the unknowns exist.
+
+    positive    what must be positive besides
+    zero        what must vanish besides
+    unexamined  those of `positive` for which it is not known whether the unknowns exist where they vanish
+    """
 
     slacks: tuple[sp.Expr, ...]
+    positive: tuple[sp.Expr, ...] = ()
+    zero: tuple[sp.Expr, ...] = ()
+    unexamined: tuple[sp.Expr, ...] = ()
 
 
 def solvable(inequalities: Sequence[Inequality], signs: Signs, most: int = 0) -> tuple[Case, ...]:
@@ -171,9 +181,121 @@ def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator
     if depth == 0:
         raise NotEliminatedError
     _, coefficient = min(open_, key=lambda o: o[0])
-    for side in (coefficient, -coefficient):
-        for case in _cases(inequalities, signs.assuming(side), depth - 1):
-            yield Case((side, *case.slacks))
+    strict = [
+        (side, case)
+        for side in (coefficient, -coefficient)
+        for case in _cases(inequalities, signs.assuming(side), depth - 1)
+    ]
+    try:
+        places = [*_where_it_vanishes(coefficient, signs)]
+        between = [(p, [*_cases([p.of(i) for i in inequalities], p.signs, depth - 1)]) for p in places]
+    except NotEliminatedError:
+        for side, case in strict:
+            yield replace(case, positive=(side, *case.positive), unexamined=(side, *case.unexamined))
+        return
+    reached: set[tuple[int, int]] = set()
+    for side, case in strict:
+        limits = {
+            (n, m): _is_limit(case, zero, p) for n, (p, zeros) in enumerate(between) for m, zero in enumerate(zeros)
+        }
+        held = [
+            any(limits[n, m] for m in range(len(zeros))) or p.excludes(case) for n, (p, zeros) in enumerate(between)
+        ]
+        if all(held) and any(limits.values()):
+            reached |= {place for place, is_limit in limits.items() if is_limit}
+            yield replace(case, slacks=(side, *case.slacks))
+        else:
+            yield replace(case, positive=(side, *case.positive))
+    for n, (p, zeros) in enumerate(between):
+        yield from (replace(z, zero=(p.factor, *z.zero)) for m, z in enumerate(zeros) if (n, m) not in reached)
+
+
+@record
+class _Zero:
+    """Where a factor of a coefficient vanishes: `rule` gives one letter in terms of the others."""
+
+    factor: sp.Expr
+    rule: Mapping[sp.Symbol, sp.Expr]
+    signs: Signs
+
+    def put(self, e: sp.Expr) -> sp.Expr:
+        """An expression there."""
+        there = e.xreplace(dict(self.rule))
+        return sp.radsimp(sp.expand(there)) if there.is_number else shortest(there)
+
+    def of(self, i: Inequality) -> Inequality:
+        """An inequality there."""
+        return Inequality(tuple(map(self.put, i.coefficients)), self.put(i.constant))
+
+    def excludes(self, case: Case) -> bool:
+        """Whether a case is impossible there."""
+        slacks, positive = ([self.signs.of(self.put(e)) for e in part] for part in (case.slacks, case.positive))
+        return (
+            -1 in slacks
+            or -1 in positive
+            or 0 in positive
+            or any(self.signs.of(self.put(e)) in (1, -1) for e in case.zero)
+        )
+
+    def conditions(self, case: Case) -> list[tuple[str, sp.Expr]]:
+        """What a case says there, without what always holds."""
+        slacks = [("≥", e) for e in map(self.put, case.slacks) if self.signs.of(e) not in (0, 1)]
+        positive = [(">", e) for e in map(self.put, case.positive) if self.signs.of(e) != 1]
+        return [*slacks, *positive, *(("=", e) for e in map(self.put, case.zero) if e != 0)]
+
+
+def _where_it_vanishes(coefficient: sp.Expr, signs: Signs) -> Iterator[_Zero]:
+    """Where the factors of unknown sign of a coefficient are zero. Raises NotEliminatedError where that is not seen."""
+    over, _ = sp.fraction(sp.factor(sp.together(coefficient)))
+    for factor in sp.Mul.make_args(over):
+        base, _ = factor.as_base_exp()
+        if signs.of(base) in (1, -1):
+            continue
+        if len(base.free_symbols) == 1 and (roots := _roots(base, *base.free_symbols)) is not None:
+            for letter, root in roots:
+                known = [shortest(k.xreplace({letter: root})) for k in signs.known]
+                yield _Zero(base, {letter: root}, Signs(signs.acute, tuple(known), signs.used))
+            continue
+        for letter in sorted(base.free_symbols, key=str):
+            rate, rest = _linear_in(letter, base)
+            if rate is None or signs.of(rate) not in (1, -1):
+                continue
+            value = shortest(-rest / rate)
+            if letter.is_positive and signs.of(value) in (0, -1):
+                break  # it never vanishes
+            rule = {letter: value}
+            known = [shortest(k.xreplace(rule)) for k in signs.known]
+            there = Signs(signs.acute, tuple(known), signs.used)
+            yield _Zero(base, rule, there.assuming(value) if letter.is_positive and not value.is_number else there)
+            break
+        else:
+            raise NotEliminatedError
+
+
+def _roots(e: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Symbol, sp.Expr]] | None:
+    """The roots of a quadratic with numbers for coefficients that the letter can have; None if it is none."""
+    if not e.is_polynomial(letter) or sp.degree(e, letter) != 2:
+        return None
+    real = [r for r in sp.roots(e, letter) if r.is_real]
+    return [(letter, r) for r in real if r.is_positive or not letter.is_positive]
+
+
+def _linear_in(letter: sp.Symbol, e: sp.Expr) -> tuple[sp.Expr | None, sp.Expr]:
+    """The slope and the rest of an expression that is linear in a letter; None if it is not."""
+    expanded = sp.expand(e)
+    rate = expanded.coeff(letter, 1)
+    rest = sp.expand(expanded - rate * letter)
+    return (None if letter in rest.free_symbols | rate.free_symbols else rate), rest
+
+
+def _is_limit(case: Case, zero: Case, place: _Zero) -> bool:
+    """Whether a case says there what one says that was found there."""
+    first, second = place.conditions(case), place.conditions(zero)
+
+    def within(some: list[tuple[str, sp.Expr]], others: list[tuple[str, sp.Expr]]) -> bool:
+        return all(any(r == q and place.signs.of(shortest(a / b)) == 1 for q, b in others) for r, a in some)
+
+    return within(first, second) and within(second, first)
 
 
 def _without(

@@ -27,7 +27,7 @@ find: equilibrium
 
 def test_coordinates_that_the_constraints_hold_are_put_in(problem: Read) -> None:
     rest = in_json.as_object(report(problem(SHAFT)))["rest"]
-    assert sorted(case[0] for case in rest["cases"]) == ["h/(2*x_W) <= mu", "h/d <= mu"]
+    assert sorted(case[0] for case in rest["cases"]) == ["h/(2*x_W) <= mu", "h/d < mu"]
 
 
 DRAWER = """title: Drawer
