@@ -41,7 +41,11 @@ def kept_directions(view: InCoordinates) -> Iterator[tuple[sp.Symbol, sp.Symbol]
         for x, y in combinations(own, 2):
             (v, a), (w, b) = rates[x], rates[y]
             # Uniform motion is a straight line, and no result.
-            if vanish_along(motion, [v * b - w * a]) and not vanish_along(motion, [a]) and not vanish_along(motion, [b]):
+            if (
+                vanish_along(motion, [v * b - w * a])
+                and not vanish_along(motion, [a])
+                and not vanish_along(motion, [b])
+            ):
                 yield x, y
 
 

@@ -10,13 +10,14 @@ from lagrange.mechanics.consequences.directions import Hodograph, hodograph, kep
 from lagrange.mechanics.consequences.limit_motion import LimitMotion, limit_motion
 from lagrange.mechanics.consequences.limits import LONGEST_RATE
 from lagrange.mechanics.consequences.modes import Beats, DoubleResonance, beats, double_resonance
+from lagrange.mechanics.consequences.sleeping import SleepingAxis, sleeping_axis
 from lagrange.mechanics.consequences.vectors import ConeVector, ConstantSpin, cone_vector, constant_spins
 from lagrange.mechanics.results import InCoordinates, Solution
 
 
 @record
 class Consequences:
-    """Constant vectors and directions, the hodograph, the motion in the limit, beats, and the resonance 2 : 1."""
+    """Constant vectors and directions, the hodograph, the motion in the limit, beats, the resonance 2 : 1, and what stands upright."""
 
     spins: tuple[ConstantSpin, ...]
     cone: ConeVector | None
@@ -25,6 +26,7 @@ class Consequences:
     limits: tuple[LimitMotion, ...]
     beats: Beats | None
     resonance: DoubleResonance | None
+    sleeping: SleepingAxis | None
 
 
 def consequences(solution: Solution, view: InCoordinates) -> Consequences:
@@ -40,4 +42,5 @@ def consequences(solution: Solution, view: InCoordinates) -> Consequences:
         tuple(limit_motion(view, LONGEST_RATE)),
         beats(view.linearization, parameters),
         double_resonance(view),
+        sleeping_axis(solution, view, free_letter("n", "s", "nu", taken=taken)),
     )

@@ -47,12 +47,18 @@ def limit_motion(view: InCoordinates, longest: int) -> Iterator[LimitMotion]:
         return
     speeds = tuple(form.velocities.definitions)
     rule = rates_by_speeds(slots, form)
-    total = sp.expand(textbook_form(energy.expression.xreplace({k: v for k, v in rule.items() if k in slots.velocities})))
+    total = sp.expand(
+        textbook_form(energy.expression.xreplace({k: v for k, v in rule.items() if k in slots.velocities}))
+    )
     if not _is_positive_definite(total, speeds):
         return
     for way in one_way(form, slots, longest):
         factor = None if way.still is None else sp.cancel(way.rate / way.still**2)
-        if way.still is None or factor is None or factor.free_symbols & {*speeds, *slots.coordinates, *slots.velocities}:
+        if (
+            way.still is None
+            or factor is None
+            or factor.free_symbols & {*speeds, *slots.coordinates, *slots.velocities}
+        ):
             continue
         remaining = textbook_form(total.xreplace({way.still: sp.S.Zero}))
         yield LimitMotion(way.speed, way.still, remaining, _unless(factor), _spin(view, way))

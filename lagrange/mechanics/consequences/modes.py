@@ -62,7 +62,11 @@ def _are_equal(at: SmallOscillations) -> bool:
 def _weakly_coupled(at: SmallOscillations, c: sp.Symbol, linear: Linearization) -> Beats | None:
     squares = [f.square for f in at.frequencies]
     matrices = [at.system.mass, at.system.stiffness]
-    if len(squares) != 2 or not c.is_positive or any(s is None or not s.has(c) and len({*squares}) < 2 for s in squares):
+    if (
+        len(squares) != 2
+        or not c.is_positive
+        or any(s is None or (not s.has(c) and len({*squares}) < 2) for s in squares)
+    ):
         return None
     zero = {c: sp.S.Zero}
     if any(m[0][1].has(sp.zoo) or is_zero(m[0][1].xreplace(zero)) is not True for m in matrices):
@@ -135,7 +139,11 @@ def _resonance(view: InCoordinates, a: sp.Symbol, b: sp.Symbol) -> DoubleResonan
     squares = []
     for e, q in ((of_a, a), (of_b, b)):
         linear = [partial(e, s).xreplace(rest) for s in (q, prime(q), prime(q, 2))]
-        if any(x.has(sp.zoo, sp.nan) for x in linear) or is_zero(linear[1]) is not True or is_zero(linear[2]) is not False:
+        if (
+            any(x.has(sp.zoo, sp.nan) for x in linear)
+            or is_zero(linear[1]) is not True
+            or is_zero(linear[2]) is not False
+        ):
             return None
         squares.append(sp.cancel(linear[0] / linear[2]))
     if not all(s.is_positive for s in squares) or not _drives(of_a, b, rest, squares[1]):
