@@ -50,13 +50,15 @@ def _cone(c: ConeVector, view: InCoordinates) -> Iterator[Block]:
     e = VectorSymbol("e") if c.direction is None else c.direction
     where: tuple[Part, ...] = (", ", math(e), " being the unit vector along ", math(r)) if c.direction is None else ()
     if c.factor == 0:
+        vector = math(J, c.mass * CrossProduct(r, v))
         yield prose(
             *(
                 Emphasis("Plane"),
                 ": the force has no moment about the origin, so ",
-                math(J, c.mass * CrossProduct(r, v)),
+                vector,
+                " is a constant vector, and ",
             ),
-            " is a constant vector, and the path lies in the plane through the origin perpendicular to it.",
+            "the path lies in the plane through the origin perpendicular to it.",
         )
     else:
         moment = math(CrossProduct(r, VectorSymbol("F")), c.factor * TimeDerivative(e))
@@ -209,6 +211,7 @@ def explain_at_rest(view: InCoordinates) -> Step | None:
         whole: tuple[Part, ...] = ()
         if curve.whole is not None:
             whole = (", that is ", math(curve.function, curve.whole + CONSTANT))
-        law = (math(curve.force, sp.S.Zero), " in every position if ", math(curve.derivative, curve.slope), *whole, ".")
-        body.append(prose(Emphasis("Without "), math(curve.force), ": by the constraint ", *law))
+        law = (math(curve.derivative, curve.slope), *whole, ".")
+        says = ": it is zero in every position if, by the constraint, "
+        body.append(prose(Emphasis("Without "), math(curve.force), says, *law))
     return Step(Rule.MEANING, "What it says", tuple(body), view.name) if body else None

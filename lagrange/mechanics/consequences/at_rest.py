@@ -3,9 +3,9 @@
 *Without dependent coordinates.* If the force contains a coordinate that a constraint gives by its square,
 z² = h(θ), then for z > 0 the force is a function of θ alone.
 
-*For which curve.* If a function f(u) of the file is not specified, the force P is zero in every position where f'(u) has
-the value that makes the condition of equilibrium hold with P = 0. With the constraint that value is a function of u
-alone: the curve of the counterweight of a drawbridge (Bernoulli and L'Hôpital 1695).
+*For which curve.* If a function f(u) of the file is not specified, the force P is zero in every position if f'(u) has
+the value that makes the condition of equilibrium hold with P = 0. With the constraint that is a function of u alone:
+the curve of the counterweight of a drawbridge (Bernoulli and L'Hôpital 1695).
 """
 
 from __future__ import annotations

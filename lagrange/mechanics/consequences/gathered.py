@@ -17,7 +17,7 @@ from lagrange.mechanics.results import InCoordinates, Solution
 
 @record
 class Consequences:
-    """Constant vectors and directions, the hodograph, the motion in the limit, beats, the resonance 2 : 1, and what stands upright."""
+    """Constant vectors and directions, hodograph, motion in the limit, beats, resonance, what stays upright."""
 
     spins: tuple[ConstantSpin, ...]
     cone: ConeVector | None

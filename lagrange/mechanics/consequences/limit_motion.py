@@ -1,9 +1,9 @@
 """The motion that a system without friction tends to, in quasi-velocities with constant coefficients.
 
 If u' = c w² with a constant c ≠ 0, u moves in one sense. If the energy is a positive definite quadratic form of the
-quasi-velocities alone, u is bounded by it, so that it has a limit and ∫ w² dt is finite; the rate of w² is bounded too.
-Therefore w → 0 (Barbalat's lemma). Where u and w are the only quasi-velocities, the energy of u remains: the sleigh ends
-straight, Suslov's body turns evenly in the end about an axis that is fixed in it.
+quasi-velocities alone, u is bounded by it, so that it has a limit and ∫ w² dt is finite; the rate of w² is bounded,
+too. Therefore w → 0 (Barbalat's lemma). Where u and w are the only quasi-velocities, the energy of u remains: the
+sleigh ends straight, Suslov's body turns evenly in the end about an axis that is fixed in it.
 """
 
 from __future__ import annotations

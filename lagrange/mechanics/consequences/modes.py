@@ -1,12 +1,13 @@
 """Two small oscillations that affect one another: beats of equal oscillators, and the resonance 2 : 1.
 
-*Beats.* Two equal oscillators with a weak coupling c have the modes (1, 1) and (1, −1), with ω_1 and ω_2 equal at c = 0.
-If one of them alone is displaced at first, ξ_1 = A cos(δt/2) cos(σt/2) and ξ_2 = ±A sin(δt/2) sin(σt/2), with δ = ω_2 − ω_1
-and σ = ω_1 + ω_2: the oscillation passes to the other and back with the frequency δ.
+*Beats.* Two equal oscillators with a weak coupling c have the modes (1, 1) and (1, −1), with ω_1 and ω_2 equal at
+c = 0. If one of them alone is displaced at first, ξ_1 = A cos(δt/2) cos(σt/2) and ξ_2 = ±A sin(δt/2) sin(σt/2), with
+δ = ω_2 − ω_1 and σ = ω_1 + ω_2: the oscillation passes to the other and back with the frequency δ.
 
-*Resonance 2 : 1.* If reversing b, with its velocity and acceleration, leaves the equation of a as it is and reverses that
-of b, the linear equations are those of a and of b alone. In the second order b² and b'² drive a: with b = cos ωt they
-contain cos 2ωt. If ω_a = 2 ω_b, this drive resonates, and the motions exchange their energy (Vitt and Gorelik 1933).
+*Resonance 2 : 1.* If reversing b, with its velocity and acceleration, leaves the equation of a as it is and reverses
+that of b, the linear equations are those of a and of b alone. In the second order b² and b'² drive a: with b = cos ωt
+they contain cos 2ωt. If ω_a = 2 ω_b, this drive resonates, and the motions exchange their energy (Vitt and Gorelik
+1933).
 """
 
 from __future__ import annotations

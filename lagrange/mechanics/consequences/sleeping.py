@@ -5,8 +5,8 @@ Let e be a unit vector with the angle θ from k, turned about k by φ, and n = �
     θ'' − φ'² sin θ cos θ = β sin θ − α n φ' sin θ ,      φ'' sin θ + 2 θ' φ' cos θ = α n θ' ,
 
 with constants α and β, then for ζ = sin θ e^{iφ} to first order ζ'' = i α n ζ' + β ζ, although θ and φ have a pole at
-θ = 0. With ζ ~ e^{iωt}, ω² − α n ω + β = 0: for β > 0 the upright axis is stable if α² n² > 4 β, and falls if α² n² < 4 β.
-The equations have the integrals of the symmetric top, so that what is stable here is stable in the large, too.
+θ = 0. With ζ ~ e^{iωt}, ω² − α n ω + β = 0: for β > 0 the upright axis is stable if α² n² > 4 β, and falls if it is
+less. The equations have the integrals of the symmetric top, so that what is stable here is stable in the large, too.
 Reference: Routh, Advanced Rigid Dynamics, on the stability of a sleeping top.
 """
 

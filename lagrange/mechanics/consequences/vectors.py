@@ -116,7 +116,8 @@ def _direction(point: MassPoint) -> Vector:
     first, *others = point.position.components
     if not any(others) and first.is_Symbol:
         return Vector((sp.S.One, sp.S.Zero, sp.S.Zero), point.position.triad)
-    return point.position / point.position.norm()
+    e: Vector = point.position / point.position.norm()
+    return e
 
 
 def _ratio(configuration: Configuration, turned: Vector) -> sp.Expr | None:
