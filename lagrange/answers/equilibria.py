@@ -300,8 +300,8 @@ def _reasons(
     wrong: Sequence[tuple[Reading, ...]], e: Equilibrium, reference: Reference, problem: Problem | None
 ) -> Iterator[str]:
     """What wrong alternatives are instead, the likeliest first."""
+    from lagrange.answers.models.one_place import other_waves
     from lagrange.answers.results.at_random import AtRandom
-    from lagrange.answers.results.one_place import other_waves
     from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)

@@ -37,7 +37,7 @@ from lagrange.algebra.closed_forms.unit_circle import (
     parts_of_angles,
 )
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
-from lagrange.answers.logarithms import at, in_sums, with_logarithms
+from lagrange.answers.friction.logarithms import at, in_sums, with_logarithms
 from lagrange.answers.readings import Reading
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import record

@@ -28,6 +28,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
 from lagrange.core.units import NO_DIMENSION, unit_of_dimension
 from lagrange.mechanics.circular_motion import Turning, turning
+from lagrange.mechanics.consequences.gathered import Consequences, consequences
 from lagrange.mechanics.dynamics.equations import WithEliminatedRates
 from lagrange.mechanics.limits import (
     LONGEST_LIMIT,
@@ -78,6 +79,7 @@ class ResultMeaning:
     constant  the accelerations, where all of them are constant; those that are, under a nonlinear constraint
     turning   two coordinates that run on a circle, or whose oscillation turns
     freed     the equations of motion without the coordinates whose velocities constraints give
+    consequences  constant vectors, limits in time, beats, resonances
     """
 
     view: InCoordinates
@@ -88,6 +90,7 @@ class ResultMeaning:
     constant: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     turning: Turning | None = None
     freed: WithEliminatedRates | None = None
+    consequences: Consequences | None = None
 
 
 def meaning(solution: Solution) -> ResultMeaning | None:
@@ -105,6 +108,7 @@ def meaning(solution: Solution) -> ResultMeaning | None:
         constant_accelerations(view),
         turning(view),
         without_given_rates(view),
+        consequences(solution, view),
     )
 
 

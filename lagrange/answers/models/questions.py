@@ -347,7 +347,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
-    from lagrange.answers.results.one_place import of_arguments, of_one_place
+    from lagrange.answers.models.one_place import of_arguments, of_one_place
 
     yield from of_arguments(claim, right)
     yield from _of_one_term(claim, right)

@@ -127,7 +127,7 @@ class EquilibriumPoint:
     def _of_one_root(self, claim: sp.Expr, values: Values) -> str:
         """The same for one of several frequencies that are known in closed form."""
         squares = [f.square for f in self.oscillations.frequencies if f.square is not None and f.square != 0]
-        from lagrange.answers.results.one_place import wrong_square
+        from lagrange.answers.models.one_place import wrong_square
 
         try:
             return wrong_square(as_written(claim) ** 2, [self.at(s) for s in squares], values)
@@ -565,7 +565,7 @@ def _of_exponents(
     why = f"not right: {', '.join(wrong)}" if wrong else _SEVERAL
     if undamped:
         return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}")
-    from lagrange.answers.results.one_place import of_damping
+    from lagrange.answers.models.one_place import of_damping
 
     claimed = [as_written(c) for claims in lists for c in claims if {p.has(c, squared) for p in places} == {-1}]
     causes = (of_damping(c, e, squared=squared) for p in places for c in claimed if p.exact for e in p.exact)

@@ -19,6 +19,7 @@ from lagrange.document.builders import has_purpose, index_of, listed, math, para
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Rule, Step, Table
 from lagrange.document.purposes import Purpose
 from lagrange.explain.checks import in_one_line
+from lagrange.explain.consequences import explain_at_rest
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.limits import LONGEST_BEFORE, LONGEST_BESIDE_CHOICE
@@ -242,19 +243,23 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: StatedEquat
     """The steps, with what the result says before questions and checks, and the conserved quantities in it."""
     said = meaning(solution)
     if said is None:
-        yield from steps
+        yield from _before_checks(steps, explain_at_rest(solution.chosen))
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
     shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
     at_sight = integrates_at_sight(solution)
     step = explain_meaning(said, conserved, stated, shown, solution.problem, finite=at_sight)
     step = step and put_in(held_together(solution), step)
+    yield from _before_checks((s for s in steps if s is not conserved), step)
+
+
+def _before_checks(steps: Iterable[Step], step: Step | None) -> Iterator[Step]:
+    """The steps, with another before questions and checks."""
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
             step = None
-        if s is not conserved:
-            yield s
+        yield s
 
 
 def _is_detour(solution: Solution, step: Step) -> bool:

@@ -13,6 +13,7 @@ from lagrange.core.symbols import CONSTANT, CrossProduct, UnitVector, Unspecifie
 from lagrange.document.builders import display, index_of, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.document.purposes import Purpose
+from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
@@ -60,6 +61,8 @@ def explain_meaning(
     body += _one_way(meaning)
     body += by_quadrature(problem, form) if problem is not None else ()
     body += _turning(meaning)
+    if meaning.consequences is not None:
+        body += explain_consequences(meaning.consequences, meaning.view)
     body += _rest(meaning)
     final = () if meaning.view.motion is None else tuple(e.expression for e in meaning.view.motion.final)
     body += (_limit(limit, final) for limit in meaning.limits)

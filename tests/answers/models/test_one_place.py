@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from lagrange.answers.models.one_place import of_arguments, of_damping, of_one_place, wrong_square
 from lagrange.answers.models.questions import explained_value
-from lagrange.answers.results.one_place import of_arguments, of_damping, of_one_place, wrong_square
 
 a, b, c, g, k, l, m, M, alpha = sp.symbols("a b c g k l m M alpha", positive=True)
 t = sp.Symbol("t", real=True)

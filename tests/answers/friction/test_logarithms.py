@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.logarithms import in_sums
+from lagrange.answers.friction.logarithms import in_sums
 from lagrange.core.diagnostics import Fragment
 from tests.support.problem_texts import read
 
