@@ -28,14 +28,15 @@ def units(work: Callable[[], object]) -> float:
 
 def test_walks_are_counted_by_occurrences() -> None:
     small, large = (units(lambda e=twice(n): e.replace(sp.sin, sp.cos)) for n in (10, 12))
-    assert 3 < large / small < 5 and large > 300
+    assert 3 < large / small < 5
+    assert large > 300
     with pytest.raises(GivenUpError), allowed(1_000):
         twice(40).replace(sp.sin, sp.cos)
 
 
 def test_polynomials_are_counted() -> None:
     short, long = (sp.Poly((x + y + 1) ** n * (x - y) ** 3, x, y) for n in (1, 12))
-    assert units(lambda: long.sqf_list()) > 10 * units(lambda: short.sqf_list()) > 0
+    assert units(lambda: long.sqf_list()) > 4 * units(lambda: short.sqf_list()) > 100
 
 
 def test_long_numbers_are_counted() -> None:
