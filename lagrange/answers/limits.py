@@ -257,8 +257,8 @@ SECANT_STEPS = 60
 """Steps of the secant rule. It gains more than half of the digits again in each step near a root; without one it ends
 after these."""
 
-UNITS_OF_OTHER_BODIES = 100_000
-"""Work (`core.effort`) for solving the problem with letters for the moments of inertia: an eighth of that of a
+UNITS_OF_OTHER_BODIES = 200_000
+"""Work (`core.effort`) for solving the problem with letters for the moments of inertia: a quarter of that of a
 solve."""
 
 MOST_OTHER_BODIES = 2
@@ -274,7 +274,7 @@ save time, and whatever passes them by accident is refused by `is_zero`. They de
 has: it is that of the mistake if the slacks have the same sign at all three, and one of the other sense has at
 none."""
 
-UNITS_OF_OTHER_CONTACTS = 100_000
+UNITS_OF_OTHER_CONTACTS = 200_000
 """Work for solving the problem with a coefficient for each contact, as for other bodies."""
 
 MOST_OTHER_CONTACTS = 4

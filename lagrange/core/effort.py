@@ -4,10 +4,18 @@
         ...             # raises GivenUpError after so many units
 
 What is counted is the same on every machine: a unit is one operand of a sum or a product that SymPy puts together, ten
-nodes of an expression evaluated at a random point, or two terms of a Fourier sum. Whatever expands, differentiates,
-solves or substitutes ends up in these; 10,000 to 20,000 units take a second. SymPy has no such count, so its
+nodes of an expression evaluated at a random point, or two terms of a Fourier sum. SymPy has no such count, so its
 `Add.flatten` and `Mul.flatten`, through which every sum and product passes, report here from the first allowance on;
 outside of one their reports are ignored.
+
+Much of SymPy's work puts nothing together: it walks through an expression, whose parts it visits as often as they
+occur in it, although they exist once (`replace`, `free_symbols`, `has`, substitution); it multiplies polynomials as
+lists of numbers (gcd, factors); it evaluates numbers; it asks whether something is positive. Of these every *step* is
+counted, several of them as a unit: each look at the parts of a node (`Basic.args`), each coefficient that a
+polynomial's routine goes over, each node of a number that is evaluated. With them, some 50,000 units take a second.
+
+Memory is counted in the blocks that Python has handed out since the outermost allowance began, which no machine's
+speed changes either.
 
 GivenUpError is not an `Exception`, so that no handler on the way catches it by mistake; the stages of `solve` catch it,
 and keep what is known by then. A limit of time (`--timeout`) raises the same.
@@ -15,14 +23,24 @@ and keep what is known by then. A limit of time (`--timeout`) raises the same.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any
 
 import sympy as sp
+from sympy.core.basic import Basic
 
+from lagrange.core.counted_steps import count_steps
 from lagrange.core.diagnostics import GaveUpError
+from lagrange.core.limits import (
+    MOST_BLOCKS,
+    STEPS_AT_ONCE,
+    STEPS_PER_UNIT,
+    STEPS_PER_UNIT_OF_A_SEARCH,
+    UNITS_BETWEEN_LOOKS,
+)
 
 
 class GivenUpError(BaseException):
@@ -32,19 +50,34 @@ class GivenUpError(BaseException):
 class Allowance:
     """The units that are left.
 
+    steps       how many of them are a unit
+    blocks      of memory, in use when the outermost allowance began
     remembered  what functions keep until the allowance ends: the work to be done then depends on nothing before it
     """
 
-    def __init__(self, units: float) -> None:
+    def __init__(self, units: float, steps: int = STEPS_PER_UNIT, blocks: int = 0) -> None:
         self.units = units
         self.left = units
+        self.steps = steps
         self.remembered: dict[object, Any] = {}
+        self.blocks = blocks or _blocks()
+        self._next_look = max(units - UNITS_BETWEEN_LOOKS, 0)
 
     def spend(self, units: float) -> None:
-        """Takes units away. Raises GivenUpError where there are none left."""
+        """Takes units away. Raises GivenUpError where there are none left, or too much memory is in use."""
         self.left -= units
-        if self.left < 0:
-            raise GivenUpError("the work allowed for one problem is used up")
+        if self.left < self._next_look:
+            if self.left < 0:
+                raise GivenUpError("the work allowed for one problem is used up")
+            self._next_look = max(self.left - UNITS_BETWEEN_LOOKS, 0)
+            if self.units < float("inf") and _blocks() - self.blocks > MOST_BLOCKS:
+                raise GivenUpError("the memory allowed for one problem is used up")
+
+
+def _blocks() -> int:
+    """Blocks of memory that are in use, where Python tells."""
+    count = getattr(sys, "getallocatedblocks", None)
+    return int(count()) if count else 0
 
 
 _current: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
@@ -55,22 +88,41 @@ _counting = False
 class allowed:  # noqa: N801, used as a function is
     """The allowance for what is done within the block; one that is within another has units of its own."""
 
-    def __init__(self, units: float) -> None:
-        _count_arithmetic()
-        self.allowance = Allowance(float("inf") if _lifted.get() else units)
+    def __init__(self, units: float, *, steps: int = STEPS_PER_UNIT) -> None:
+        _count_work()
+        outer = _current.get()
+        self.allowance = Allowance(float("inf") if _lifted.get() else units, steps, outer.blocks if outer else 0)
 
     def __enter__(self) -> Allowance:
         self.token = _current.set(self.allowance)
+        self.outer_steps, _steps.left = _steps.left, STEPS_AT_ONCE
         return self.allowance
 
     def __exit__(self, error: type[BaseException] | None, *_: object) -> None:
         if error is MemoryError:
             spare_memory.clear()
         _current.reset(self.token)
+        self.allowance.left -= (STEPS_AT_ONCE - _steps.left) / self.allowance.steps
+        _steps.left = self.outer_steps
 
 
 spare_memory: list[bytearray] = []
 """Freed when memory runs out: without any, Python 3.11 cannot even raise a MemoryError again (it ends the process)."""
+
+
+@contextmanager
+def allowed_for_a_search(units: float) -> Iterator[Allowance]:
+    """The allowance for one of many searches: what it takes is taken from the current allowance, too.
+
+    Most of its work are steps, signs of conditions above all, of which more are a unit.
+    """
+    outer = _current.get()
+    with allowed(units, steps=STEPS_PER_UNIT_OF_A_SEARCH) as allowance:
+        try:
+            yield allowance
+        finally:
+            if outer is not None and allowance.units < float("inf"):
+                outer.left -= allowance.units - allowance.left
 
 
 @contextmanager
@@ -111,12 +163,40 @@ def remembered() -> dict[object, Any]:
     return {} if allowance is None else allowance.remembered
 
 
-def _count_arithmetic() -> None:
+def ensure(units: float) -> None:
+    """Raises GivenUpError where so many units would be too many, before what takes them is begun."""
+    allowance = _current.get()
+    if allowance is not None and units > allowance.left:
+        allowance.spend(units)
+
+
+class _Steps:
+    """The steps that are left until they are taken from the allowance, many at once."""
+
+    left = STEPS_AT_ONCE
+
+
+_steps = _Steps()
+
+
+def take_steps(number: int) -> None:
+    """Counts steps."""
+    _steps.left -= number
+    if _steps.left < 0:
+        taken, _steps.left = STEPS_AT_ONCE - _steps.left, STEPS_AT_ONCE
+        allowance = _current.get()
+        if allowance is not None:
+            allowance.spend(taken / allowance.steps)
+
+
+def _count_work() -> None:
     global _counting
     if not _counting:
         _counting = True
         for operation in (sp.Add, sp.Mul):
             operation.flatten = classmethod(_counted(vars(operation)["flatten"].__func__))
+        _count_looks()
+        count_steps(take_steps)
 
 
 def _counted(flatten: Callable[..., Any]) -> Callable[..., Any]:
@@ -125,3 +205,17 @@ def _counted(flatten: Callable[..., Any]) -> Callable[..., Any]:
         return flatten(cls, operands)
 
     return counting
+
+
+def _count_looks() -> None:
+    """Each look at the parts of a node is a step: all ways through an expression have it in common."""
+    steps = _steps
+
+    def args(self: Basic) -> tuple[Basic, ...]:
+        steps.left -= 1
+        if steps.left < 0:
+            take_steps(0)
+        parts: tuple[Basic, ...] = self._args
+        return parts
+
+    Basic.args = property(args, doc=Basic.args.__doc__)

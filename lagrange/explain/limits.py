@@ -25,8 +25,8 @@ MOST_MULTIPLES = 6
 LONGEST_INTERMEDIATE = 60
 """Operations of an intermediate line that is still shown without being asked for."""
 
-UNITS_OF_A_PICTURE = 200_000
-"""Work (`core.effort`) for one picture: a quarter of that of a solve."""
+UNITS_OF_A_PICTURE = 100_000
+"""Work (`core.effort`) for one picture: an eighth of that of a solve."""
 
 LONGEST_REACTIONS = 250
 """The most operations of all reactions in terms of accelerations that a page shows without --detail full."""
@@ -125,8 +125,9 @@ LINES_OF_EQUATION = 2
 LONGEST_REACTION = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
 
-UNITS_OF_EXPLAINING = 200_000
-"""Work (`core.effort`) for all steps, half of what solving may take; pictures have their own."""
+UNITS_OF_EXPLAINING = 100_000
+"""Work (`core.effort`) for all steps, an eighth of what solving may take, and ten times what a shipped page takes;
+pictures have their own."""
 
 RESULT_DIGITS = 4
 """The significant digits of results in numbers, where no other number is asked for."""

@@ -1,7 +1,7 @@
 """The work allowed for one problem, in units of `core.effort`."""
 
 UNITS_OF_SOLVING = 800_000
-"""About twenty seconds; 32 links of a chain take most of it, a shipped problem less than a twentieth."""
+"""Ten to twenty seconds; 32 links of a chain take most of it, a bicycle half, other shipped problems an eighth."""
 LONGEST_RATIO = 80
 """The most operations of two equations of which one may be a constant times the other."""
 LONGEST_IN_DIRECTIONS = 120

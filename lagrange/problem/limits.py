@@ -65,7 +65,7 @@ MAX_WRITTEN_OUT = 1_000_000
 Two thousand times the largest shipped file: abbreviations of abbreviations grow exponentially with their number.
 """
 
-UNITS_OF_READING = 50_000
+UNITS_OF_READING = 100_000
 """Of work (`core.effort`) for all of a file."""
 
 MOST_TESTED = 400

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import GaveUpError
-from lagrange.core.effort import GivenUpError, allowed, allowed_for, spend, unlimited
+from lagrange.core.effort import GivenUpError, allowed, allowed_for, allowed_for_a_search, ensure, spend, unlimited
 
 
 def expanded(letters: str) -> sp.Expr:
@@ -57,3 +57,32 @@ def test_the_stage_is_named() -> None:
 def test_allowances_can_be_lifted() -> None:
     with unlimited(), allowed(1):
         spend(1e12)
+
+
+def test_what_a_search_takes_is_taken_from_the_allowance_around_it() -> None:
+    with allowed(100) as allowance:
+        with allowed_for_a_search(100):
+            spend(90)
+        assert allowance.left == 10
+
+
+def fill_memory() -> None:
+    kept: list[object] = []
+    for _ in range(100):
+        kept.append([(n, -n) for n in range(1_000)])
+        with allowed(10**9):  # what is within another begins with what is in use already
+            spend(5_000)
+
+
+def test_more_memory_than_is_allowed_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lagrange.core.effort.MOST_BLOCKS", 20_000)
+    with pytest.raises(GivenUpError, match="memory"), allowed(10**9):
+        fill_memory()
+
+
+def test_too_much_is_refused_before_it_is_begun() -> None:
+    with allowed(100):
+        ensure(100)
+        ensure(100)
+    with pytest.raises(GivenUpError), allowed(100):
+        ensure(101)

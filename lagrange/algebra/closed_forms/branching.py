@@ -63,7 +63,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.effort import GivenUpError, allowed
+from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 
@@ -108,7 +108,7 @@ def solutions(
     Raises NotAlgebraicError where a given angle has no letters.
     """
     letters = TrigLetters((*equations, *origin, *beside, *(sp.cos(u) for u in known or ())), unknowns)
-    with allowed(UNITS_OF_SOLUTIONS) as allowance:
+    with allowed_for_a_search(UNITS_OF_SOLUTIONS) as allowance:
         try:
             return _solutions(equations, unknowns, first, known or {}, origin, letters)
         except (_TooLongError, GivenUpError) as stop:

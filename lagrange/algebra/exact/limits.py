@@ -10,6 +10,9 @@ MOST_NODES = 100_000
 MOST_SYMBOLS = 1_000
 # Nodes evaluated at a point for a unit of work (`core.effort`).
 NODES_PER_UNIT = 10
+# Steps besides for each of them where its value is a number of fifty digits and not a residue: it takes three times as
+# long.
+STEPS_OF_A_DECIMAL = 2
 # Terms of an angle or exponent that is multiplied out [3]; a product of forty sums would have 2^40.
 MOST_ANGLE_TERMS = 200
 # Operations of an angle with a quotient of sums that is cancelled first, which takes a polynomial gcd.

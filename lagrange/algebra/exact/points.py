@@ -17,10 +17,10 @@ import sympy as sp
 
 from lagrange.algebra.exact import linear_algebra
 from lagrange.algebra.exact.expression_graph import Graph, GraphTerm, Op
-from lagrange.algebra.exact.limits import NODES_PER_UNIT
+from lagrange.algebra.exact.limits import NODES_PER_UNIT, STEPS_OF_A_DECIMAL
 from lagrange.algebra.exact.linear_algebra import NumberRow
 from lagrange.algebra.exact.prime_field import InadmissibleError
-from lagrange.core.effort import spend
+from lagrange.core.effort import spend, take_steps
 from lagrange.core.symbols import Sign
 
 _RATIONAL = (Op.SYMBOL, Op.ADD, Op.MULTIPLY, Op.POWER)
@@ -77,6 +77,8 @@ class Point:
             n = node
             order = graph.order(node)
             spend(len(order) / NODES_PER_UNIT)
+            if not self.exact:
+                take_steps(STEPS_OF_A_DECIMAL * len(order))
             try:
                 for n in order:
                     if values[n] is None:

@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.limits import MANY_TERMS, PRODUCTS_PER_UNIT, TERMS_PER_UNIT
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, part_at, unpack
-from lagrange.core.effort import spend
+from lagrange.core.effort import ensure, spend
 from lagrange.core.records import record
 
 WaveKey = tuple[int, int]
@@ -203,6 +203,8 @@ def _product(left: Terms, right: Terms) -> Terms:
     """Twice the product, by product-to-sum."""
     result: Terms = {}
     for (m1, w1), (a1, b1) in left.items():
+        if len(result) > MANY_TERMS:
+            ensure(2 * len(result))  # what `element` takes for them: before they fill the memory
         for (m2, w2), (a2, b2) in right.items():
             m = m1 + m2
             cc, ss, cs, sc = a1 * a2, b1 * b2, a1 * b2, b1 * a2

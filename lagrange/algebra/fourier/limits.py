@@ -79,3 +79,6 @@ MULTIPLIED_IN_A_UNIT = 5
 
 LARGEST_COUNT = 1e9
 """Terms of a product, multiplied out, are counted up to this: more are never multiplied out."""
+# Steps (`core.effort`) for each letter of the name of an angle: SymPy writes a hundred thousand letters a second, and
+# angles of nested sines have hundreds of them.
+STEPS_OF_A_LETTER = 5

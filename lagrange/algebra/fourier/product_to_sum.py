@@ -24,10 +24,11 @@ from lagrange.algebra.fourier.limits import (
     HIGHEST_SEPARATED,
     LONGEST_SEARCHED,
     MOST_SEPARATED_ANGLES,
+    STEPS_OF_A_LETTER,
     TRIED_IN_A_UNIT,
 )
 from lagrange.algebra.fourier.polynomials import WIDTH, unpack
-from lagrange.core.effort import spend
+from lagrange.core.effort import spend, take_steps
 from lagrange.core.records import record
 
 WavePart = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
@@ -98,6 +99,7 @@ class Factoring:
         name = self._names.get(frequency)
         if name is None:
             name = self._names[frequency] = str(self.angle(frequency)[1])
+            take_steps(STEPS_OF_A_LETTER * len(name))
         return name
 
     def _key(self, atom: Atom) -> tuple[str, bool]:

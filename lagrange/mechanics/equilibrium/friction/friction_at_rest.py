@@ -27,7 +27,7 @@ from itertools import islice, permutations, product
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
-from lagrange.core.effort import GivenUpError, allowed
+from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.ranges import without_known_magnitudes
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -327,7 +327,7 @@ def rest_within(
 
     Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
     """
-    with allowed(UNITS_OF_REST) as allowance:
+    with allowed_for_a_search(UNITS_OF_REST) as allowance:
         try:
             return rest_with_friction(problem, newton, original, configuration, work), ""
         except GivenUpError:
