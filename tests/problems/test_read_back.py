@@ -168,10 +168,15 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
         abbreviations |= {f"N_{s.point}": sp.Symbol(f"N_{s.point}", real=True) for s in borne.at}
     spins = [v for name, v in reference.scope.vectors.items() if name.startswith("omega_")]
     named = reference.scope.scalar("omega") is not None  # a parameter or a speed of the file
+    turned = {  # the moment on the only body, and its axes, are printed without its name
+        re.sub(r"([123])$", r"_\1", name.rpartition("_")[0]): v
+        for name, v in reference.scope.vectors.items()
+        if len(spins) == 1 and re.match(r"(Gamma|[en][123])_", name)
+    }
     scope = replace(
         reference.scope,
         scalars={**printed_names(reference), **abbreviations, **reference.scope.scalars},
-        vectors={**({"omega": spins[0]} if len(spins) == 1 and not named else {}), **reference.scope.vectors},
+        vectors={**({"omega": spins[0]} if len(spins) == 1 and not named else {}), **turned, **reference.scope.vectors},
     )
     for display in boxed:
         rows = equations_in_file(Source("answer.tex", display), ".tex")

@@ -6,7 +6,7 @@ Let e be a unit vector with the angle θ from k, turned about k by φ, and n = �
 
 with constants α and β, then for ζ = sin θ e^{iφ} to first order ζ'' = i α n ζ' + β ζ, although θ and φ have a pole at
 θ = 0. With ζ ~ e^{iωt}, ω² − α n ω + β = 0: for β > 0 the upright axis is stable if α² n² > 4 β, and falls if it is
-less. The equations have the integrals of the symmetric top, so that what is stable here is stable in the large, too.
+less. Nothing is said of motions that are not small.
 Reference: Routh, Advanced Rigid Dynamics, on the stability of a sleeping top.
 """
 

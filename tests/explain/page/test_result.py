@@ -19,7 +19,7 @@ def box(r: Report) -> str:
     [display] = [b for b in first.body if isinstance(b, Display)]
     assert display.boxed
     page = terminal.text(r.derivation, r.notation, 120)
-    return page[: page.index(" 1  ")]
+    return page[: page.index("\n 1  ")]
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_a_reaction_that_is_asked_for_stands_there_once(problem: Callable[[str],
 def test_brief_pages_say_what_is_stable(name: str) -> None:
     r = reported(name, complete=False)
     page = terminal.text(r.derivation, r.notation, 80, Detail.BRIEF)
-    assert "stable" in page[page.index(" 1  ") :]
+    assert "stable" in page[page.index("\n 1  ") :]
 
 
 def test_stability_of_the_linear_equations_alone_is_called_so() -> None:
