@@ -126,7 +126,8 @@ class EquilibriumComparison:
                 beside=asked,
             )
         # What an answer contains is read with letters of its own, so that no answer depends on one before it.
-        self.solution = solution = with_logarithms(replace(solution, letters=solution.letters.copy()))
+        own = replace(solution, letters=solution.letters.copy())
+        self.solution, self.has_logarithms = (solution := with_logarithms(own)), solution != own
         # Equilibria for particular parameters only need not be in an answer.
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)
@@ -303,7 +304,7 @@ class EquilibriumComparison:
                 if given is not None and given[0] not in angles:
                     angles[given[0]] = given[1]
                 else:
-                    kept.append(self._on_circle(in_sums(e)))
+                    kept.append(self._on_circle(in_sums(e) if self.has_logarithms else e))
             equations.append(tuple(kept))
         return _Alternative(readings, tuple(equations), angles)
 

@@ -13,6 +13,7 @@ they contain cos 2ωt. If ω_a = 2 ω_b, this drive resonates, and the motions e
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -23,8 +24,10 @@ from lagrange.core.records import record
 from lagrange.core.symbols import partial, prime, t
 from lagrange.mechanics.consequences.along import is_short
 from lagrange.mechanics.consequences.limits import LONGEST_CONSEQUENCE
-from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.results import InCoordinates
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 
 
 @record
