@@ -52,7 +52,7 @@ def test_impending_motion_is_kept_where_rest_is_given_up(problem: Read, monkeypa
     def undecided(*_: object) -> None:
         raise NotCoveredError("friction at rest")
 
-    monkeypatch.setattr(friction_at_rest, "at_rest", undecided)
+    monkeypatch.setattr(friction_at_rest, "rest_with_friction", undecided)
     text = INCLINE.partition("ask:")[0]
     solution = solve(problem(text))
     assert solution.given_up.startswith("friction at rest")

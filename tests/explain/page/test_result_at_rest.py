@@ -88,7 +88,7 @@ find: equilibrium
     [
         (PUSHED.replace("x = 0", "x = 0"), ["the forces:", "S = 0", "N = W"], ["F_rub"]),
         (WHEEL, ["Two degrees of freedom; the system cannot be at rest."], ["= 0"]),
-        (SHAFT.replace("VALUES", "mu: positive, h: positive, d: positive"), ["μ ≥ h/d or", "x_W ≥ d/2 and"], []),
+        (SHAFT.replace("VALUES", "mu: positive, h: positive, d: positive"), ["μ > h/d or", "x_W ≥ d/2 and"], []),
         (
             SHAFT.replace("VALUES", "mu: 0.25, h: 6 in, d: 3 in"),
             ["x_W ≥ h/(2μ) that is x_W ≥ 0.3048 m"],

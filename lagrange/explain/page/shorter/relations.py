@@ -11,7 +11,7 @@ from lagrange.document.derivation import Block, Display, Equation, Rule, Step
 from lagrange.mechanics.rewriting.factors import with_factors_in_fraction
 
 _ASKED = (Rule.RESULT, Rule.QUESTION)
-_TURNED = {Rule.RESULT: {"≤": "≥"}, Rule.FRICTION_AT_REST: {"≤": "≥", "=": "="}}
+_TURNED = {Rule.RESULT: {"≤": "≥", "<": ">"}, Rule.FRICTION_AT_REST: {"≤": "≥", "<": ">", "=": "="}}
 """The relations that are turned round, and what they become: at the head no equations, which may be anything."""
 
 
