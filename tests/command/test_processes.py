@@ -89,7 +89,15 @@ def test_help_loads_click_and_little_more() -> None:
         "lagsolve",
         *(
             f"lagsolve.{m}"
-            for m in ("main", "problem_commands", "command_group", "course_commands", "program_commands", "exit_statuses", "limits")
+            for m in (
+                "main",
+                "problem_commands",
+                "command_group",
+                "course_commands",
+                "program_commands",
+                "exit_statuses",
+                "limits",
+            )
         ),
     }
     assert not more & {"pathlib", "dataclasses", "subprocess", "json", "yaml", "difflib", "importlib.metadata"}
