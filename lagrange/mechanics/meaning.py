@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, kept_surface
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.operations import count_operations
@@ -262,7 +262,7 @@ def _limit(
     if 3 * after > 2 * before or any(count_operations(e) > LONGEST_LIMIT for e in shorter):
         return None
     try:
-        regular = Surface().rank([[partial(e, a) for a in accelerations] for e in shorter]) == len(accelerations)
+        regular = kept_surface().rank([[partial(e, a) for a in accelerations] for e in shorter]) == len(accelerations)
     except DivisionByZeroError:
         return None
     return tuple(shorter) if regular else None

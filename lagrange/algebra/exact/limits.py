@@ -90,3 +90,6 @@ SECANT_STEPS = 40
 FARTHEST_WALL = 10**7
 LINES_PER_WALL = 3
 PARABOLA_ROUNDS = 3
+
+# Nodes of the expressions evaluated on one kept surface [a textbook problem has some hundred]; a new one is taken then.
+MOST_KEPT_NODES = 4000

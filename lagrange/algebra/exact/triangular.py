@@ -113,6 +113,8 @@ def triangular_order(
 
     fresh  draws a random point of the space without constraints, on which solutions are tried
     """
+    if not constraints:
+        return SolutionOrder((), {})
     try:
         search = _OrderSearch(Graph(), constraints, coordinates, fresh)
         while (blocks := search.peeled()) is not None:

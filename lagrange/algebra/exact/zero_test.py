@@ -27,7 +27,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import OPAQUE, DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.field_points import FieldPoint
-from lagrange.algebra.exact.limits import DERIVATIVE_DEPTH
+from lagrange.algebra.exact.limits import DERIVATIVE_DEPTH, MOST_KEPT_NODES
 from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.points_needed import (
     AGREEMENT_POINTS,
@@ -54,6 +54,7 @@ from lagrange.algebra.exact.prime_field import (
 from lagrange.algebra.exact.real_points import RealPoint
 from lagrange.algebra.exact.sampler import NoPointError, Sampler
 from lagrange.algebra.exact.sign_regions import Branches, points_beside_walls
+from lagrange.core.effort import remembered
 
 __all__ = [
     "DivisionByZeroError",
@@ -71,6 +72,7 @@ __all__ = [
     "are_equal",
     "has_real_point",
     "is_zero",
+    "kept_surface",
     "process_fields",
     "rank",
     "reconstructed",
@@ -242,9 +244,22 @@ class _HangsOnDerivativesError(Exception):
     """The value is zero at real points; the derivatives must decide whether it is zero everywhere."""
 
 
+def kept_surface(constraints: Iterable[sp.Expr] = (), coordinates: Iterable[sp.Symbol] = ()) -> Surface:
+    """A surface that is kept as long as the allowance lasts, with its points and what was worked out at them.
+
+    A number of which a field needs a root would restrict the fields of all questions, and so would many expressions
+    fill the memory: then a new one is taken.
+    """
+    key = kept_surface, tuple(constraints), tuple(coordinates)
+    surface: Surface | None = remembered().get(key)
+    if surface is None or surface.graph.squares or len(surface.graph.operations) > MOST_KEPT_NODES:
+        surface = remembered()[key] = Surface(*key[1:])
+    return surface
+
+
 def is_zero(expression: sp.Expr, surface: Surface | None = None) -> bool | None:
     """`Surface.is_zero`, by default on no surface."""
-    return (surface or Surface()).is_zero(expression)
+    return (surface or kept_surface()).is_zero(expression)
 
 
 def vanishes(expression: sp.Expr) -> bool:
@@ -257,12 +272,12 @@ def vanishes(expression: sp.Expr) -> bool:
 
 def are_equal(a: sp.Expr, b: sp.Expr, surface: Surface | None = None) -> bool | None:
     """`Surface.are_equal`, by default on no surface."""
-    return (surface or Surface()).are_equal(a, b)
+    return (surface or kept_surface()).are_equal(a, b)
 
 
 def rank(rows: Rows, surface: Surface | None = None) -> int | None:
     """`Surface.rank`, by default on no surface."""
-    return (surface or Surface()).rank(rows)
+    return (surface or kept_surface()).rank(rows)
 
 
 def has_real_point(surface: Surface) -> bool:

@@ -11,11 +11,13 @@ treats sin θ and cos θ as independent and does not see that C + m R² − m R�
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 import sympy as sp
 
+from lagrange.algebra.fourier.division import exact_quotient
 from lagrange.algebra.fourier.elements import Basis, Element
 from lagrange.algebra.fourier.limits import (
     HIGHEST_HALF_ANGLE,
@@ -28,7 +30,7 @@ from lagrange.algebra.fourier.polynomials import lowest, pack, polynomials_in, u
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.terms import PowerProduct, common_factor
 from lagrange.algebra.fourier.textbook_form import Textbook
-from lagrange.core.effort import spend
+from lagrange.core.effort import remembered, spend
 from lagrange.core.operations import count_operations
 
 
@@ -72,26 +74,47 @@ def in_lowest_terms(value: sp.Expr) -> sp.Expr:
 
 def as_one_quotient(value: sp.Expr) -> sp.Expr:
     """A value with sums below the line as one quotient of two sums; itself where that were no shorter."""
-    if not _denominators(value):
+    if not _denominators(value) or value in remembered().get(one_quotient, ()):
         return value
     ring = FourierRing()
     above, below = _fraction(value, ring)
     if below is None:
         return value
     reduced = lowest_terms(above, below)
-    above, below = reduced or (above, below)
-    textbook = Textbook(ring)
+    shorter = _written(*(reduced or (above, below)), Textbook(ring), turn=reduced is None)
+    return shorter if count_operations(shorter) < count_operations(value) else value
+
+
+def one_quotient(above: Element, below: Element, textbook: Textbook) -> sp.Expr | None:
+    """Two elements that have nothing in common as one quotient of two sums; None where several may be shorter.
+
+    As long as the allowance lasts, `as_one_quotient` knows that it is one.
+    """
+    if not _are_without_roots((above, below)):
+        return None
+    low = lowest(m for e in (above, below) for m, _ in e.terms)
+    above, below = above.over_monomial(low), below.over_monomial(low)
+    sums = [f for f in textbook.product(below).factors if f.is_Add]
+    if len(sums) != 1 or any(exact_quotient(c, below) for c in textbook.coefficients(above)):
+        return None
+    written = _written(above, below, textbook, turn=True)
+    if count_operations(written) > MOST_QUOTIENT_OPERATIONS:
+        return None
+    remembered().setdefault(one_quotient, set()).add(written)
+    return written
+
+
+def _written(above: Element, below: Element, textbook: Textbook, turn: bool) -> sp.Expr:
     numerator = textbook.form(above)
     factor = common_factor(numerator)
     rest = factor.divide(numerator)
     terms = sp.Add.make_args(rest)
     sign = -1 if all(term.could_extract_minus_sign() for term in terms) else 1
     denominator = textbook.product(below)
-    if reduced is None:
+    if turn:
         denominator = _with_its_sign(denominator)
     front = PowerProduct(sign * Fraction(factor.number.p, factor.number.q), dict(factor.powers)) / denominator
-    shorter: sp.Expr = front.to_sympy() * sp.Add(*(sign * term for term in terms))
-    return shorter if count_operations(shorter) < count_operations(value) else value
+    return front.to_sympy() * sp.Add(*(sign * term for term in terms))
 
 
 def _with_its_sign(product: PowerProduct) -> PowerProduct:
@@ -108,8 +131,13 @@ def _fraction(value: sp.Expr, ring: FourierRing) -> tuple[Element, Element | Non
     if count_operations(value) > MOST_QUOTIENT_OPERATIONS:
         return ring.zero, None
     above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
-    related = (e for m, _ in (*above.terms, *below.terms) for i, e in unpack(m) if i in ring.related)
-    return above, below if below and all(e > 0 for e in related) else None
+    return above, below if below and _are_without_roots((above, below)) else None
+
+
+def _are_without_roots(elements: Sequence[Element]) -> bool:
+    """Whether elements of one ring divide by nothing but symbols."""
+    related = elements[0].basis.related
+    return all(e > 0 for element in elements for m, _ in element.terms for i, e in unpack(m) if i in related)
 
 
 def is_quotient_of_sums(value: sp.Expr) -> bool:

@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.division import exact_quotient
 from lagrange.algebra.fourier.elements import Element
-from lagrange.algebra.fourier.fractions import in_lowest_terms, lowest_terms
+from lagrange.algebra.fourier.fractions import in_lowest_terms, lowest_terms, one_quotient
 from lagrange.algebra.fourier.limits import (
     MOST_BY_DETERMINANTS,
     MOST_CANCELLED,
@@ -196,10 +196,10 @@ def _by_determinants(
     below = textbook.form(determinant)
     if surface.is_zero(below) is not False and not below.is_nonzero:
         return None
-    return [*([None] * size), *(_quotient(n, determinant, below, textbook) for n in numerators)]
+    return [*([None] * size), *(_quotient(n, determinant, textbook) for n in numerators)]
 
 
-def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook: Textbook) -> sp.Expr:
+def _quotient(numerator: Element, denominator: Element, textbook: Textbook) -> sp.Expr:
     """A quotient without common factors of the terms; a polynomial where the denominator divides."""
     exact = exact_quotient(numerator, denominator)
     if exact is not None:
@@ -207,7 +207,10 @@ def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook
     reduced = lowest_terms(numerator, denominator)
     if reduced is not None:
         numerator, denominator = reduced
-        below = textbook.form(denominator)
+    written = one_quotient(numerator, denominator, textbook)
+    if written is not None:
+        return written
+    below = textbook.form(denominator)
     above = textbook.form(numerator)
     if above == 0:
         return sp.S.Zero

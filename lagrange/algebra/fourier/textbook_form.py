@@ -303,6 +303,10 @@ class Textbook:
             summands += [SplitProduct(p.number, p.scale, multiplied(p.shape, factors)).to_sympy() for p in parts]
         return sp.Add(*summands)
 
+    def coefficients(self, element: Element) -> Iterable[Element]:
+        """What stands beside each product of accelerations, velocities and unknowns."""
+        return element.by_exponents(self._dynamic.places).values()
+
     def product(self, element: Element) -> PowerProduct:
         """An element that is not zero as one product, such as a denominator: 2m l² (M + m sin²θ)."""
         [part] = self._row(element)

@@ -26,7 +26,13 @@ from itertools import islice, product
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, UnsupportedError, has_real_point
+from lagrange.algebra.exact.zero_test import (
+    DivisionByZeroError,
+    Surface,
+    UnsupportedError,
+    has_real_point,
+    kept_surface,
+)
 from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.combinations import combination, independent_columns
 from lagrange.algebra.forms.first_integrals import is_variable
@@ -357,7 +363,7 @@ def _factors(independent: ConstrainedSystem) -> Iterator[sp.Expr]:
 
 
 def _place(conditions: Sequence[sp.Expr], system: ConstrainedSystem) -> Surface:
-    return Surface([*system.finite_constraints, *conditions], system.slots.coordinates)
+    return kept_surface([*system.finite_constraints, *conditions], system.slots.coordinates)
 
 
 def _rank(rows: Sequence[Row], place: Surface) -> int | None:

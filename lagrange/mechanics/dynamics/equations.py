@@ -30,7 +30,7 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, UnsupportedError, kept_surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import is_acceleration
@@ -279,7 +279,7 @@ def excluding(motion: EquationsOfMotion) -> tuple[sp.Expr, ...]:
     matrix = [*inertia, *(list(r.coefficients) for r in configuration.rows)]
 
     def is_harmless(pivot: sp.Expr) -> bool:
-        there = Surface([*configuration.finite_constraints, pivot], configuration.slots.coordinates)
+        there = kept_surface([*configuration.finite_constraints, pivot], configuration.slots.coordinates)
         try:
             return there.rank(matrix) == len(accelerations)
         except DivisionByZeroError:

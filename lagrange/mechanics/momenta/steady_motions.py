@@ -41,7 +41,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import kept_surface
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
@@ -321,12 +321,12 @@ def _without_poles(resting: Equilibrium, form: MatrixForm, rates: Mapping[sp.Sym
         if _differs_from_zero(mass, b, resting):
             return False
         value = None if b.left or b.special else on_branch(b, mass, resting)
-        return value is not None and Surface().is_zero(value) is True
+        return value is not None and kept_surface().is_zero(value) is True
 
     def failing(b: Branch) -> Branch:
         """A pole with the one relation that makes M singular, where one does: β = π/2, whatever α is."""
         single = (
-            r for r in b.relations if r.lhs.is_Symbol and Surface().is_zero(mass.xreplace({r.lhs: r.rhs})) is True
+            r for r in b.relations if r.lhs.is_Symbol and kept_surface().is_zero(mass.xreplace({r.lhs: r.rhs})) is True
         )
         r = next(single, None)
         return b if r is None else replace(b, relations=(r,))
@@ -340,7 +340,7 @@ def _at_any_rate(general: Equilibrium, slope: sp.Expr) -> Equilibrium:
 
     def holds(b: Branch) -> bool:
         value = None if b.left or b.special else on_branch(b, slope, general)
-        return value is not None and Surface().is_zero(value) is True
+        return value is not None and kept_surface().is_zero(value) is True
 
     return _only(general, holds)
 
@@ -415,7 +415,7 @@ def reduced_matrices(
     mass = matrix(form.mass)
     damping = matrix([[-partial(f, v) for v in slots.velocities] for f in form.force])
     stiffness = matrix([[-partial(f, q) for q in slots.coordinates] for f in form.force])
-    surface = Surface()
+    surface = kept_surface()
     for e in (*stiffness.extract(c, o), *damping.extract(c, c)):  # what changes the momenta
         value = on(e)
         if value is None or surface.is_zero(value) is not True:

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import kept_surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import prime
@@ -45,7 +45,7 @@ def forces_in_turn(
         form = _shorter(textbook_form(e.xreplace(values)))
         size = reactions.sizes.get(r.name, reactions.multipliers.get(r.name))
         number = form.xreplace(dict(accelerations)).xreplace(numbers)
-        if size is None or Surface().is_zero(number - size) is not True:
+        if size is None or kept_surface().is_zero(number - size) is not True:
             return None
         written[r.force], numbers[r.force] = form, size
     return written

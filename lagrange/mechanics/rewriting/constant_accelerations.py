@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import kept_surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.core.operations import count_operations
 from lagrange.core.symbols import Unspecified, prime, t
@@ -37,7 +37,7 @@ def constant_accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
         return {}
     rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
     right = [-e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in equations]
-    accelerations = solved_linear(rows, right, Surface())
+    accelerations = solved_linear(rows, right, kept_surface())
     if accelerations is None or any(x is None for x in accelerations):
         return {}
     pairs = zip(slots.accelerations, accelerations, strict=True)
@@ -63,7 +63,7 @@ def _shorter(solved: dict[sp.Symbol, sp.Expr], others: dict[sp.Symbol, sp.Expr])
     before, after = (sum(map(count_operations, values.values())) for values in (solved, others))
     if {*others} != {*solved} or after >= before:
         return solved
-    same = all(Surface().are_equal(value, others[a]) is True for a, value in solved.items())
+    same = all(kept_surface().are_equal(value, others[a]) is True for a, value in solved.items())
     return {a: others[a] for a in solved} if same else solved
 
 

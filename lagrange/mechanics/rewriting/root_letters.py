@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import kept_surface
 
 FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"))
 """By which radicands may differ where common factors have been divided out."""
@@ -14,7 +14,7 @@ FACTORS = tuple(sp.Rational(n) for n in ("1", "2", "4", "8", "1/2", "1/4", "1/8"
 
 def is_root_of(value: sp.Expr, radicand: sp.Expr) -> bool:
     """Whether the square of a value is the radicand, in whatever form."""
-    return Surface().is_zero(value**2 - radicand) is True
+    return kept_surface().is_zero(value**2 - radicand) is True
 
 
 def roots_by_letters(e: sp.Expr, lengths: Mapping[sp.Expr, sp.Symbol]) -> sp.Expr:
