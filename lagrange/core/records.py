@@ -10,7 +10,7 @@ compiled only for arguments that do not fit, so that they are refused in Python'
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, FrozenInstanceError, dataclass, field, fields
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from functools import cache
 from inspect import Signature, signature
 from threading import RLock
@@ -79,11 +79,11 @@ class _Open:
 
 def _initializer(cls: Any) -> Callable[..., None]:
     """The `__init__` of a class: the values by place and by name, then the defaults."""
-    initial = [f for f in fields(cls) if f.init]
-    places = tuple(f.name for f in initial if not f.kw_only)
-    allowed = {f.name for f in initial}
-    defaults = {f.name: f.default for f in initial if f.default is not MISSING}
-    factories = {f.name: f.default_factory for f in initial if f.default_factory is not MISSING}
+    initial = _declared(cls)
+    places = tuple(n for n, f in initial.items() if f.kw_only is not True)
+    allowed = {*initial}
+    defaults = {n: f.default for n, f in initial.items() if f.default is not MISSING}
+    factories = {n: f.default_factory for n, f in initial.items() if f.default_factory is not MISSING}
     required = allowed - {*defaults, *factories}
     plain = len(places) == len(initial)
 
@@ -109,8 +109,30 @@ def _initializer(cls: Any) -> Callable[..., None]:
     return initialize
 
 
+def _declared(cls: Any) -> dict[str, Any]:
+    """The arguments of a class by name, as it declares its fields: `dataclass` takes three times as long to say it."""
+    declared: dict[str, Any] = {}
+    for base in cls.__mro__[::-1]:
+        for name, annotation in vars(base).get("__annotations__", {}).items():
+            value = vars(base).get(name, MISSING)
+            if any(w in str(annotation) for w in _MARKS) or (isinstance(value, Field) and not value.init):
+                return {f.name: f for f in fields(cls) if f.init}
+            declared[name] = value if isinstance(value, Field) else _WithDefault(value)
+    return declared
+
+
+class _WithDefault:
+    """A field that is declared without `field`."""
+
+    kw_only, default_factory = False, MISSING
+
+    def __init__(self, default: object) -> None:
+        self.default = default
+
+
 def _compiled(cls: Any) -> Any:
     """A class of the same fields with an `__init__` that `dataclass` compiles."""
+    fields(cls)  # completes the class: without a text about it `dataclass` would ask for the signature made here
     names = {"__qualname__": cls.__qualname__, "__module__": cls.__module__, "__doc__": cls.__doc__}
     return dataclass(eq=False, repr=False)(type(cls.__name__, (cls,), names))
 

@@ -208,8 +208,9 @@ def _excluded(meanings: Alternatives) -> list[sp.Expr]:
 
 def _check_no_sum_of_squares(name: str, function: sp.Expr, span: Span, context: LoadContext) -> None:
     """Raises ProblemError for a geometric constraint such as x² + y² = 0, which is a point and has no normal there."""
-    terms = sp.Add.make_args(function)
-    if not function.is_Add or (any(a.is_nonnegative for a in terms) and any(a.is_nonpositive for a in terms)):
+    # Likely terms first: SymPy knows at once that x² is not negative, and whether it is positive after many questions.
+    terms = sorted(sp.Add.make_args(function), key=lambda a: a.could_extract_minus_sign())
+    if not function.is_Add or (any(a.is_nonnegative for a in terms) and any(a.is_nonpositive for a in terms[::-1])):
         return
     slots = context.scope.slots
     linear = all(function.diff(q).free_symbols.isdisjoint(slots.coordinates) for q in slots.coordinates)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from copy import deepcopy
-from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
+from dataclasses import KW_ONLY, FrozenInstanceError, dataclass, field, fields, replace
 from functools import cached_property
 from inspect import signature
 from pickle import dumps, loads
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 
@@ -95,6 +95,27 @@ def test_arguments_that_do_not_fit(classes: tuple[Any, Any]) -> None:
     assert list(signature(space).parameters) == ["x", "y", "note", "z"]
 
 
+def test_fields_are_declared_in_all_ways() -> None:
+    """Without being completed by `dataclass`, and with it where an annotation is special."""
+
+    @record
+    class Plain:
+        x: int
+        many: list[int] = field(default_factory=list)
+        named: int = field(default=3, kw_only=True)
+
+    @record
+    class Special(Plain):
+        shared: ClassVar[int] = 7
+        _: KW_ONLY
+        y: int = 5
+
+    assert (Plain(1).many, Plain(1, [2], named=4).named, Plain(1).named) == ([], 4, 3)
+    assert Special(1, y=6) == Special(1, [], y=6) != Special(1)
+    with pytest.raises(TypeError):
+        Plain(1, [], 4)
+
+
 def test_own_methods_stay() -> None:
     @record
     class Own:
@@ -142,8 +163,10 @@ def test_a_record_that_could_not_be_completed_is_completed_when_it_is_used_again
     class Plane:
         x: int
 
-    with monkeypatch.context() as shortly:
-        shortly.setattr("lagrange.core.records.dataclass", out_of_memory)
-        with pytest.raises(MemoryError):
-            Plane(1)
+    for needed, use in (("_initializer", lambda: Plane(1)), ("dataclass", lambda: fields(Plane))):
+        with monkeypatch.context() as shortly:
+            shortly.setattr(f"lagrange.core.records.{needed}", out_of_memory)
+            with pytest.raises(MemoryError):
+                use()
     assert Plane(1).x == 1
+    assert [f.name for f in fields(Plane)] == ["x"]

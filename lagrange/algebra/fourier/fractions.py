@@ -86,16 +86,18 @@ def as_one_quotient(value: sp.Expr) -> sp.Expr:
 
 
 def one_quotient(above: Element, below: Element, textbook: Textbook) -> sp.Expr | None:
-    """Two elements that have nothing in common as one quotient of two sums; None where several may be shorter.
+    """Two elements that have nothing in common as one quotient of two sums, where there are several velocities above.
 
-    As long as the allowance lasts, `as_one_quotient` knows that it is one.
+    None where their coefficients, each over the denominator, may be shorter. As long as the allowance lasts,
+    `as_one_quotient` knows that it is one.
     """
-    if not _are_without_roots((above, below)):
+    coefficients = textbook.coefficients(above)
+    if len(coefficients) < 2 or not _are_without_roots((above, below)):
         return None
     low = lowest(m for e in (above, below) for m, _ in e.terms)
     above, below = above.over_monomial(low), below.over_monomial(low)
     sums = [f for f in textbook.product(below).factors if f.is_Add]
-    if len(sums) != 1 or any(exact_quotient(c, below) for c in textbook.coefficients(above)):
+    if len(sums) != 1 or any(exact_quotient(c, below) for c in coefficients):
         return None
     written = _written(above, below, textbook, turn=True)
     if count_operations(written) > MOST_QUOTIENT_OPERATIONS:

@@ -303,7 +303,7 @@ class Textbook:
             summands += [SplitProduct(p.number, p.scale, multiplied(p.shape, factors)).to_sympy() for p in parts]
         return sp.Add(*summands)
 
-    def coefficients(self, element: Element) -> Iterable[Element]:
+    def coefficients(self, element: Element) -> Collection[Element]:
         """What stands beside each product of accelerations, velocities and unknowns."""
         return element.by_exponents(self._dynamic.places).values()
 

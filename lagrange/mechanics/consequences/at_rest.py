@@ -10,6 +10,8 @@ the curve of the counterweight of a drawbridge (Bernoulli and L'Hôpital 1695).
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
@@ -18,8 +20,10 @@ from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
 from lagrange.mechanics.consequences.limits import LONGEST_CONSEQUENCE
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 
 @record

@@ -115,10 +115,12 @@ def pulled_back(
         return Row.by_chetaev(row.name, textbook_form(row.nonlinear.xreplace(rule | rates)), slots)
     a = [c.xreplace(rule) for c in row.coefficients]
     coefficients = tuple(
-        textbook_form(sp.Add(*(a[k] * jacobian[k, s] for k in range(len(old)) if jacobian[k, s] != 0)))
+        textbook_form(sp.Add(*(a[k] * jacobian[k, s] for k in range(len(old)) if a[k] != 0 != jacobian[k, s])))
         for s in range(len(slots.coordinates))
     )
-    transport = sp.Add(*(a[k] * slots.frozen_derivative(expressed[q]) for k, q in enumerate(old) if q in expressed))
+    transport = sp.Add(
+        *(a[k] * slots.frozen_derivative(expressed[q]) for k, q in enumerate(old) if q in expressed and a[k] != 0)
+    )
     finite = None if row.finite is None else row.finite.xreplace(rule)
     return Row(row.name, coefficients, textbook_form(row.drift.xreplace(rule) + transport), finite)
 
