@@ -27,7 +27,8 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import Any
+from functools import wraps
+from typing import Any, TypeVar
 
 import sympy as sp
 from sympy.core.basic import Basic
@@ -41,6 +42,9 @@ from lagrange.core.limits import (
     STEPS_PER_UNIT_OF_A_SEARCH,
     UNITS_BETWEEN_LOOKS,
 )
+
+Argument = TypeVar("Argument")
+Result = TypeVar("Result")
 
 
 class GivenUpError(BaseException):
@@ -161,6 +165,21 @@ def remembered() -> dict[object, Any]:
     """What is kept until the current allowance ends; forgotten at once where there is none."""
     allowance = _current.get()
     return {} if allowance is None else allowance.remembered
+
+
+def kept_result(function: Callable[[Argument], Result]) -> Callable[[Argument], Result]:
+    """Has a function keep its result for the same object, not an equal one, until the current allowance ends."""
+
+    @wraps(function)
+    def kept(argument: Argument) -> Result:
+        results = remembered()
+        key = function, id(argument)
+        if key not in results:
+            results[key] = argument, function(argument)  # held, so that no other object gets its id
+        result: Result = results[key][1]
+        return result
+
+    return kept
 
 
 def ensure(units: float) -> None:

@@ -6,7 +6,16 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import GaveUpError
-from lagrange.core.effort import GivenUpError, allowed, allowed_for, allowed_for_a_search, ensure, spend, unlimited
+from lagrange.core.effort import (
+    GivenUpError,
+    allowed,
+    allowed_for,
+    allowed_for_a_search,
+    ensure,
+    kept_result,
+    spend,
+    unlimited,
+)
 
 
 def expanded(letters: str) -> sp.Expr:
@@ -86,3 +95,19 @@ def test_too_much_is_refused_before_it_is_begun() -> None:
         ensure(100)
     with pytest.raises(GivenUpError), allowed(100):
         ensure(101)
+
+
+def test_results_are_kept_for_one_object_within_one_allowance() -> None:
+    calls = []
+
+    @kept_result
+    def length(of: list[int]) -> int:
+        calls.append(of)
+        return len(of)
+
+    a, b = [1, 2], [1, 2]
+    with allowed(10):
+        assert [length(a), length(a), length(b)] == [2, 2, 2]
+        assert len(calls) == 2
+    length(a), length(a)
+    assert len(calls) == 4, "without an allowance nothing is kept"

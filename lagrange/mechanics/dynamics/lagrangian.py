@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.core.effort import kept_result
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, partial, t
 from lagrange.core.vectors import Components, Vector
@@ -42,6 +43,7 @@ class Lagrangian:
     left: tuple[sp.Expr, ...]
 
 
+@kept_result
 def lagrange_equations(configuration: Configuration) -> Lagrangian:
     """T, V and the left sides of Lagrange's equations."""
     slots = configuration.slots
@@ -66,6 +68,7 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
     return Lagrangian(kinetic, potential, tuple(left))
 
 
+@kept_result
 def kinetic_energy(configuration: Configuration) -> sp.Expr:
     """T, with v from the position in i, j, k, and ω from the axes of the body."""
     slots = configuration.slots
