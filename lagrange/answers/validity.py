@@ -7,7 +7,7 @@ them vanish it is empty; if one has a pole it is not defined, or restricts the m
     θ'' / sin θ + g/l = 0               c = 1/(m l² sin θ),  valid where sin θ ≠ 0
 
 Which c_k are zero is found at a random state. For a multiple of one E_k, the factor is the ratio of two coefficients;
-for several equations that mix the E_k it is the determinant of their coefficients over that of the derived equations,
+for several equations that mix the E_k it is the expanded_determinant of their coefficients over that of the derived equations,
 det(C A) / det A = det C, as long as the determinants are small. A factor is named only if it can vanish at a real point
 of the constraint surface.
 """
@@ -38,6 +38,7 @@ from lagrange.answers.limits import (
     MAX_KEPT_FACTORS,
     MAX_NAMED_SIZE,
 )
+from lagrange.core.determinants import expanded_determinant
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, symbols_in
@@ -52,7 +53,7 @@ class NonzeroCondition:
 
     factor    None if it is too long to be named, or to find out whether it can vanish
     divided   the equation is divided by it instead
-    together  it is a factor of the determinant of all equations, which do not determine the accelerations at its zeros
+    together  it is a factor of the expanded_determinant of all equations, which do not determine the accelerations at its zeros
     """
 
     factor: sp.Expr | None
@@ -197,7 +198,7 @@ class _Validity:
         self.unknowns = _unknowns(known.system)
 
     def conditions(self) -> list[tuple[NonzeroCondition, ...]]:
-        """The conditions for each equation; those on the determinant are given with the last that it mixes."""
+        """The conditions for each equation; those on the expanded_determinant are given with the last that it mixes."""
         factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
         mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
         open_ones = any(not self.combinations[n].constant for n in mixed)
@@ -257,8 +258,8 @@ class _Validity:
         return quotient_of_powers(own, of_derived)
 
     def _expanded(self, rows: Sequence[sp.Expr], columns: Iterable[int]) -> sp.Expr:
-        """The determinant of the coefficients of some unknowns."""
-        return _determinant([[self._coefficient(e, j) for j in columns] for e in rows])
+        """The expanded_determinant of the coefficients of some unknowns."""
+        return expanded_determinant([[self._coefficient(e, j) for j in columns] for e in rows])
 
     def _coefficient(self, equation: sp.Expr, column: int) -> sp.Expr:
         """∂e/∂u for e affine in u, written as e is, with nothing multiplied out."""
@@ -287,19 +288,6 @@ class _Validity:
             return has_real_point(Surface((*configuration.finite_constraints, *rows, factor), unknowns))
         except (UnsupportedError, DivisionByZeroError):
             return False
-
-
-def _determinant(rows: list[list[sp.Expr]]) -> sp.Expr:
-    """By expansion along the first row, again and again: nothing is divided or multiplied out."""
-    if not rows:
-        return sp.S.One
-    first, *others = rows
-    terms = []
-    for j, a in enumerate(first):
-        if a != 0:
-            minor = _determinant([[*r[:j], *r[j + 1 :]] for r in others])
-            terms.append(sp.Mul((-1) ** j, a, minor))
-    return sp.Add(*terms)
 
 
 def _common(powers: Iterable[Factors]) -> Factors:

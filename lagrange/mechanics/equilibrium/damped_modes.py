@@ -30,6 +30,7 @@ from lagrange.algebra.closed_forms.eigenmodes import (
 )
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.determinants import expanded_determinant
 from lagrange.core.records import record
 
 ZERO = sp.S.Zero
@@ -175,7 +176,7 @@ def all_exponents_hold(damped: DampedModes, matrices: tuple[Matrix, Matrix, Matr
     """Whether det(K + p D + p² M) = det M Π (p² + 2σ p + ω₀²) Π (p + σ) Π (what is left): the second route."""
     mass, damping, stiffness = (sp.Matrix(x) for x in matrices)
     p = sp.Dummy("p", real=True)
-    product: sp.Expr = mass.det(method="berkowitz")
+    product = expanded_determinant(mass.tolist())
     for m in damped.modes:
         factor = p + m.rate if m.own is None else p**2 + 2 * m.rate * p + m.own
         if m.own is not None and is_zero(m.own - m.rate**2 - (m.square or ZERO)) is not True:
@@ -184,7 +185,7 @@ def all_exponents_hold(damped: DampedModes, matrices: tuple[Matrix, Matrix, Matr
     for factor, multiplicity in damped.left:
         polynomial = sp.Poly(factor, damped.letter)
         product *= (factor.xreplace({damped.letter: p}) / polynomial.LC()) ** multiplicity
-    return is_zero((stiffness + p * damping + p**2 * mass).det(method="berkowitz") - product)
+    return is_zero(expanded_determinant((stiffness + p * damping + p**2 * mass).tolist()) - product)
 
 
 @record

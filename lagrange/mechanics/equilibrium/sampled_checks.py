@@ -31,6 +31,7 @@ from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, 
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals, newton_point
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.determinants import expanded_determinant
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
@@ -102,7 +103,7 @@ def _are_all_roots(s: SmallOscillations) -> bool | None:
         return False
     mass, damping, stiffness = (sp.Matrix(x) for x in (s.system.mass, s.system.damping, s.system.stiffness))
     p = sp.Symbol("exponent", real=True)
-    product = mass.det(method="berkowitz")
+    product = expanded_determinant(mass.tolist())
     for f in s.frequencies:
         if f.square is not None:
             product *= (p**2 + f.square) ** f.multiplicity
@@ -111,7 +112,7 @@ def _are_all_roots(s: SmallOscillations) -> bool | None:
             sign = (-1) ** polynomial.degree()
             product *= (sign * f.factor.xreplace({f.letter: -(p**2)}) / polynomial.LC()) ** f.multiplicity
     try:
-        return is_zero((stiffness + p * damping + p**2 * mass).det(method="berkowitz") - product)
+        return is_zero(expanded_determinant((stiffness + p * damping + p**2 * mass).tolist()) - product)
     except DivisionByZeroError:
         return None
 
