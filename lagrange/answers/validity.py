@@ -7,7 +7,7 @@ them vanish it is empty; if one has a pole it is not defined, or restricts the m
     θ'' / sin θ + g/l = 0               c = 1/(m l² sin θ),  valid where sin θ ≠ 0
 
 Which c_k are zero is found at a random state. For a multiple of one E_k, the factor is the ratio of two coefficients;
-for several equations that mix the E_k it is the expanded_determinant of their coefficients over that of the derived equations,
+for several equations that mix the E_k it is the determinant of their coefficients over that of the derived equations,
 det(C A) / det A = det C, as long as the determinants are small. A factor is named only if it can vanish at a real point
 of the constraint surface.
 """
@@ -53,7 +53,7 @@ class NonzeroCondition:
 
     factor    None if it is too long to be named, or to find out whether it can vanish
     divided   the equation is divided by it instead
-    together  it is a factor of the expanded_determinant of all equations, which do not determine the accelerations at its zeros
+    together  it is a factor of the determinant of all equations, which do not determine the accelerations at its zeros
     """
 
     factor: sp.Expr | None
@@ -198,7 +198,7 @@ class _Validity:
         self.unknowns = _unknowns(known.system)
 
     def conditions(self) -> list[tuple[NonzeroCondition, ...]]:
-        """The conditions for each equation; those on the expanded_determinant are given with the last that it mixes."""
+        """The conditions for each equation; those on the determinant are given with the last that it mixes."""
         factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
         mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
         open_ones = any(not self.combinations[n].constant for n in mixed)
@@ -258,7 +258,7 @@ class _Validity:
         return quotient_of_powers(own, of_derived)
 
     def _expanded(self, rows: Sequence[sp.Expr], columns: Iterable[int]) -> sp.Expr:
-        """The expanded_determinant of the coefficients of some unknowns."""
+        """The determinant of the coefficients of some unknowns."""
         return expanded_determinant([[self._coefficient(e, j) for j in columns] for e in rows])
 
     def _coefficient(self, equation: sp.Expr, column: int) -> sp.Expr:
