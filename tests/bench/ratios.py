@@ -335,14 +335,17 @@ def growth(runs: int) -> None:
         solved: list[float] = []
         for n in SIZES:
             found = [run([PYTHON, "-c", WHOLE, family, str(n)]) for _ in range(runs if n < SIZES[-1] else 3)]
-            rows = [json.loads(f.output) for f in found]
+            rows = [json.loads(f.output) for f in found if f.output]
+            if not rows:
+                print(f"\n{family:14}{n:4}   not solved", end="")
+                break
             times = [statistics.median(row[k] for row in rows) for k in range(3)]
             if solved:
                 print(f"   {math.log2(times[0] / solved[-1]):.2f}", end="")
             solved.append(times[0])
             line = f"{family:14}{n:4}{times[0]:10.2f}{times[1]:8.2f}{times[2]:8.2f}{max(f.memory for f in found):7.0f}"
             print(f"\n{line}   {'hold' if all(row[3] for row in rows) else 'FAIL'}  ", end="", flush=True)
-        print(f"\n{family:14}exponent fitted to n >= 4: {fitted(SIZES[1:], solved[1:]):.2f}", flush=True)
+        print(f"\n{family:14}exponent fitted to n >= 4: {fitted(SIZES[1 : len(solved)], solved[1:]):.2f}", flush=True)
 
 
 def fitted(sizes: Sequence[int], times: Sequence[float]) -> float:

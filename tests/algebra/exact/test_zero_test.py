@@ -17,9 +17,11 @@ from lagrange.algebra.exact.zero_test import (
     Surface,
     are_equal,
     is_zero,
+    kept_surface,
     process_fields,
     rank,
 )
+from lagrange.core.effort import allowed
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime
 from tests.support.chance import examples
 
@@ -344,3 +346,16 @@ def test_positive_factors_of_a_base_are_powers_of_their_own() -> None:
     assert is_zero(ratio ** (b / q) - mass ** (b / q) / m ** (b / q)) is True
     assert is_zero(ratio ** ((b + q) / q) - mass ** (b / q + 1) / m ** (b / q + 1)) is True
     assert is_zero(ratio ** (b / q) - mass ** (b / q) / m ** (b / q + 1)) is False
+
+
+def test_a_surface_is_kept_within_an_allowance() -> None:
+    with allowed(10**6):
+        circle = kept_surface([x**2 + y**2 - l**2], [x, y])
+        assert kept_surface((x**2 + y**2 - l**2,), (x, y)) is circle
+        assert kept_surface() is not circle
+        assert is_zero(sin(theta) ** 2 + cos(theta) ** 2 - 1) is True
+        free = kept_surface()
+        assert kept_surface() is free
+        free.is_zero(sqrt(29) * x)  # of all further fields a root of 29 would be demanded
+        assert kept_surface() is not free
+    assert kept_surface() is not kept_surface(), "without an allowance nothing is kept"

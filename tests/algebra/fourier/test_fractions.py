@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.algebra.fourier.fractions import as_one_quotient, in_lowest_terms, lowest_terms
+from lagrange.algebra.fourier.fractions import as_one_quotient, in_lowest_terms, lowest_terms, one_quotient
 from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.effort import allowed
 from tests.support.shared import solved
 
 a, b, m, theta, phi = (sp.Symbol(n, positive=n in "abm", real=True) for n in ("a", "b", "m", "theta", "phi"))
@@ -118,3 +120,25 @@ def test_reactions_without_fractions_above_the_line(name: str) -> None:
         above, _ = sp.fraction(value)
         assert all(sp.fraction(term)[1].is_number for e in above.atoms(sp.Add) for term in e.args)
         assert value.count_ops() < 160
+
+
+def test_a_quotient_is_written_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the sum of its terms is; `as_one_quotient` knows that it is one, and reads it no more."""
+    v, w = (sp.Symbol(n, real=True) for n in ("theta'", "phi'"))
+    above, below = a * v**2 + b * w**2 * cos(theta), a + m * sin(theta) ** 2
+    ring = FourierRing()
+    with allowed(10**6):
+        written = one_quotient(ring.from_sympy(above / m), ring.from_sympy(below / m), Textbook(ring))
+        assert written is not None
+        assert as_one_quotient(sp.Add(*(term / below for term in above.args))) == written
+        monkeypatch.setattr("lagrange.algebra.fourier.fractions.lowest_terms", None)
+        assert as_one_quotient(written) is written
+
+
+def test_terms_that_may_be_shorter_apart_are_not_one_quotient() -> None:
+    v, w = (sp.Symbol(n, real=True) for n in ("theta'", "phi'"))
+    ring = FourierRing()
+    read, textbook = ring.from_sympy, Textbook(ring)
+    below = a + m * sin(theta) ** 2
+    assert one_quotient(read(below * v**2 + b * w**2), read(below), textbook) is None  # θ'² + b φ'²/(...)
+    assert one_quotient(read(b * w**2), read(below), textbook) is None  # one term
