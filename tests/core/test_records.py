@@ -98,8 +98,11 @@ def test_arguments_that_do_not_fit(classes: tuple[Any, Any]) -> None:
 def test_fields_are_declared_in_all_ways() -> None:
     """Without being completed by `dataclass`, and with it where an annotation is special."""
 
+    class NoRecord:
+        text: str
+
     @record
-    class Plain:
+    class Plain(NoRecord):
         x: int
         many: list[int] = field(default_factory=list)
         named: int = field(default=3, kw_only=True)
@@ -114,6 +117,13 @@ def test_fields_are_declared_in_all_ways() -> None:
     assert Special(1, y=6) == Special(1, [], y=6) != Special(1)
     with pytest.raises(TypeError):
         Plain(1, [], 4)
+
+    @record
+    class Later(Plain):  # of a record that has been completed
+        z: int = 9
+
+    assert fields(Plain)
+    assert (Later(1, [], 4).z, Later(1).named) == (4, 3)
 
 
 def test_own_methods_stay() -> None:
