@@ -80,7 +80,7 @@ def closed_motions(accelerations: SymbolValues, initial: SymbolValues, wanted: s
         if len(group) == 1:
             motions = _of_one(q, accelerations[prime(q, 2)], initial[q], initial[prime(q)])
         else:
-            motions = _of_several(group, accelerations, initial)
+            motions = _of_several(group, accelerations, initial) or _in_turn(group, accelerations, initial)
         if not motions:
             return []
         cases.append(motions)
@@ -118,6 +118,27 @@ def _of_several(group: Sequence[sp.Symbol], accelerations: SymbolValues, initial
     motion = ClosedMotion({q: _tidy(e) for q, (e, _) in solutions.items()}, conditions)
     holds = all(_is_solution(motion, q, accelerations[prime(q, 2)], initial[q], initial[prime(q)]) for q in group)
     return [motion] if holds else []
+
+
+def _in_turn(group: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues) -> list[ClosedMotion]:
+    """The solution where some coordinates move by themselves, θ = ω t of a blade, and put into the equations of the
+    others make these equations in time; each is verified by itself.
+    """
+    motion = ClosedMotion({})
+    waiting = list(group)
+    known = dict(accelerations)
+    while waiting:
+        alone = next((q for q in waiting if coupled_with(q, known) == [q]), None)
+        if alone is None:
+            return []
+        solved = _of_one(alone, known[prime(alone, 2)], initial[alone], initial[prime(alone)])
+        if len(solved) != 1 or solved[0].conditions:
+            return []
+        speeds = {**motion.speeds, alone: solved[0].speed(alone)}
+        motion = ClosedMotion({**motion.solutions, **solved[0].solutions}, (), speeds)
+        known = {a: solved[0].at_time(e) for a, e in known.items() if a != prime(alone, 2)}
+        waiting.remove(alone)
+    return [motion]
 
 
 def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> bool:

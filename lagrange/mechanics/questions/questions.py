@@ -42,7 +42,13 @@ from lagrange.mechanics.questions.quadrature import (
 )
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
-from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
+from lagrange.mechanics.questions.rest.refusals import (
+    changes,
+    does_not_slip,
+    never_holds,
+    not_determined,
+    slip_has_ended,
+)
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, mentioned
 from lagrange.mechanics.questions.states import (
@@ -98,23 +104,20 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
 
 
 def _with_either_sense(question: Question, setting: Setting) -> Asked:
-    """The answer; where a positive parameter would be negative, with the opposite sense of a rolling contact's force.
+    """The answer; where there is none, with the opposite sense of a force that is compared with the normal force.
 
     μ_s in F = μ_s N compares sizes, and the sense in which F is counted is that of the equation in the file.
     """
     try:
         return _Search(question, setting).answer()
     except ProblemError as error:
-        if not question.quantity.is_Symbol or not question.quantity.is_positive:
-            raise
-        for r in setting.place.law.newton.reactions:
-            if r.row.finite is None and r.symbol_of_force in mentioned(question):
-                try:
-                    asked = _Search(question, setting, r.symbol_of_force).answer()
-                except ProblemError:
-                    continue
-                if asked.answered:
-                    return replace(asked, opposite=r.symbol_of_force)
+        for force in setting.of_either_sense(question):
+            try:
+                asked = _Search(question, setting, force).answer()
+            except ProblemError:
+                continue
+            if asked.answered:
+                return replace(asked, opposite=force)
         raise error
 
 
@@ -174,6 +177,8 @@ class _Search:
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
             raise ProblemError(slip_has_ended(self.question, what))
+        if self.setting.known.rolling:
+            raise ProblemError(does_not_slip(self.question))
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -183,7 +188,7 @@ class _Search:
                 return asked if asked.answered else self._in_numbers() or asked
         elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
-        if self.question.by != t and t not in self.quantity.free_symbols:
+        if self.question.by != t and (self.question.by is not None or t not in self.quantity.free_symbols):
             for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
                 if route is Route.INTEGRALS and not used:
                     break

@@ -116,6 +116,18 @@ class Setting:
         held = {s: e for s, e in self.fixed.items() if s != never}
         return held_at(dependent(self.place.configuration, rather_not, never), held)
 
+    def of_either_sense(self, question: Question) -> Iterator[sp.Symbol]:
+        """The forces whose sense a question leaves open: those of rolling, and what holds two bodies together, F = μ N.
+
+        Elsewhere a sense matters; a force that only pushes or pulls has one.
+        """
+        reactions = [r for r in self.place.law.newton.reactions if r.symbol_of_force in mentioned(question)]
+        pressed = any(r.constraint.side is not None for r in reactions)
+        for r in reactions:
+            rolls = r.row.finite is None and question.quantity.is_Symbol and question.quantity.is_positive
+            if rolls or (pressed and r.constraint.side is None):
+                yield r.symbol_of_force
+
     def turned(self, state: SymbolValues, senses: Senses) -> Setting:
         """The motion after a state of rest, with these senses."""
         return Setting(self.place, self.problem, state, senses)
