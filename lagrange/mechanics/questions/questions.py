@@ -453,7 +453,8 @@ class _Search:
         if self.question.by == t:
             slipping |= {base(v) for v in self.setting.known.senses if v.is_Symbol}
         places = self._places_of_no_matter(accelerations)
-        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
+        rates = [r.velocity_form(self.slots) for r in self.configuration.rows if r.finite is None]
+        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping, rates)
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
