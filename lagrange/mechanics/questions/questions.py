@@ -92,6 +92,7 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
         if asked.answered:
             if asked.excluded_by(setting.values, {t, *coordinates}):
                 raise ProblemError(never_holds(question))
+            asked = asked.within(setting.values, {t, *coordinates})
             starting = setting.known.starting
             extended = (replace(b, conditions=without_weaker((*b.conditions, *starting))) for b in asked.branches)
             return replace(asked, branches=tuple(extended)) if starting else asked
@@ -198,7 +199,7 @@ class _Search:
                 if elimination.branches and elimination.solved and not elimination.free:
                     return self._chosen(route, elimination, used)
                 free = elimination.free
-            asked = None if self._is_about_time else self._in_time()
+            asked = None if self._is_about_time else self._in_time() or self._by_speed()
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
@@ -452,7 +453,7 @@ class _Search:
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
         if self.question.by == t:
             slipping |= {base(v) for v in self.setting.known.senses if v.is_Symbol}
-        places = self._places_of_no_matter(accelerations)
+        places = self.setting.places_of_no_matter(accelerations)
         rates = [r.velocity_form(self.slots) for r in self.configuration.rows if r.finite is None]
         motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping, rates)
         branches: list[AnswerBranch] = []
@@ -482,13 +483,6 @@ class _Search:
                 for q, e in motions[0].solutions.items()
             },
         )
-
-    def _places_of_no_matter(self, accelerations: SymbolValues) -> dict[sp.Symbol, sp.Symbol]:
-        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
-        initial = self.setting.initial
-        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
-        free = (q for q in self.slots.coordinates if q not in initial and prime(q) in initial and q not in occurring)
-        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     @property
     def _slips(self) -> list[sp.Expr]:
@@ -595,11 +589,14 @@ class _Search:
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
     def _by_speed(self) -> Asked | None:
-        """t = ∫ dv/v' from v_0 to v_1, where the acceleration depends on the velocity alone; None if it does not."""
-        stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
-        if stated is None:
+        """t = ∫ dv/v' or q − q_0 = ∫ v dv/v' from v_0 to v_1, where the acceleration depends on the velocity alone."""
+        stated = speed_stated(self.when, self.known.accelerations, self.setting.initial, self.slots)
+        quantity = self.question.quantity
+        if stated is None or quantity not in (t, base(stated[0])):
             return None
-        if (found := taken_between_speeds(*stated, self.setting.values)) is None:
+        place = sp.S.Zero if quantity == t else self.setting.initial.get(quantity)
+        if place is None or (found := taken_between_speeds(*stated, self.setting.values, quantity == t)) is None:
             return None
-        branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
+        value = place + found[0]
+        branch = AnswerBranch(quantity, value, (value,), (), found[1])
         return replace(self._asked(Route.QUADRATURE, How.EXACT, ()), integrand=stated, branches=(shown(branch),))

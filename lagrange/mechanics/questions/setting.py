@@ -116,6 +116,13 @@ class Setting:
         held = {s: e for s, e in self.fixed.items() if s != never}
         return held_at(dependent(self.place.configuration, rather_not, never), held)
 
+    def places_of_no_matter(self, accelerations: SymbolValues) -> dict[sp.Symbol, sp.Symbol]:
+        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
+        initial, coordinates = self.initial, self.place.configuration.slots.coordinates
+        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
+        free = (q for q in coordinates if q not in initial and prime(q) in initial and q not in occurring)
+        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
+
     def of_either_sense(self, question: Question) -> Iterator[sp.Symbol]:
         """The forces whose sense a question leaves open: those of rolling, and what holds two bodies together, F = μ N.
 
