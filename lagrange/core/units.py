@@ -83,7 +83,7 @@ _NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s
 
 
 def near_unit(text: str) -> str | None:
-    """The known unit that one of the names in a text may have been meant for: `deg` of `degg`; None if all are known."""
+    """The unit that the first unknown name in a text may be meant for: `deg` of `degg`; None if there is none."""
     names = [n for n in re.findall(r"[A-Za-zΩ°µμ]+", text) if _named(n) is None]
     return nearest(names[0], [*_WITH_PREFIX, *_WITHOUT_PREFIX]) if names and len(names[0]) > 2 else None
 

@@ -22,8 +22,8 @@ from lagrange.expressions.limits import HIGHEST_PRESCRIBED_RATE, MAX_EXPONENT, M
 from lagrange.expressions.scope import UNITS, FunctionDeclaration, Scope
 from lagrange.expressions.suggestions import TreeReport
 from lagrange.expressions.syntax_tree import (
-    INVERSE_HYPERBOLIC,
     FUNCTIONS,
+    INVERSE_HYPERBOLIC,
     Bars,
     BracketedList,
     Call,

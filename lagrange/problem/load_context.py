@@ -203,7 +203,8 @@ def _with_advice_on_units(error: ProblemError, fragment: Fragment) -> ProblemErr
     parts = split_number(fragment.text)
     if {d.code for d in error.diagnostics} != {"unknown-symbol"}:
         return error
-    measured = fragment.text if parts is not None and unit_of(parts[1]) is not None else _number_with_unit(error, fragment)
+    is_measured = parts is not None and unit_of(parts[1]) is not None
+    measured = fragment.text if is_measured else _number_with_unit(error, fragment)
     if not measured:
         return error
     help_ = f"a number with its unit is the `value` of a parameter: `parameters: {{a: {{value: {measured}}}}}`"

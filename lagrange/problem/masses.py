@@ -472,7 +472,8 @@ def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Ite
         of_position, of_turning = _names_used(node)
         turning = names_of_turning(name, node)
         named = {f"r_{name}": f"the position of `{name}`", **turning}.items()
-        if not all([context.names.add(vector, what, key.span) for vector, what in named]):
+        added = [context.names.add(vector, what, key.span) for vector, what in named]
+        if not all(added):
             continue
         yield _Entry(key, tuple(turning), of_turning, partial(_read_turning, body, context, bodies))
         yield _Entry(key, (f"r_{name}",), of_position, partial(_read_place, body, context, bodies))

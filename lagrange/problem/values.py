@@ -143,9 +143,7 @@ def _known_unit(fragment: Fragment) -> Unit:
     if unit is None:
         message, near = f"`{fragment.text}` is not a known unit", near_unit(fragment.text)
         help_ = f"did you mean `{near}`? Units" if near else "units"
-        help_ += (
-            " are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
-        )
+        help_ += " are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
         raise ProblemError(Diagnostic("unknown-unit", message, fragment.whole, help=help_))
     return unit
 

@@ -332,8 +332,9 @@ def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
 
 
 def _is_called_string(name: str) -> bool:
-    """Whether a constraint has the name of a string, `rope_1`, `cord_A` or `ropes`; z − x = L does not show that x is no
-    length. One `thread` may be that of a screw.
+    """Whether a constraint is called a string, `rope_1` or `cords`; z − x = L does not show that x is no length.
+
+    One `thread` may be that of a screw.
     """
     first = name.partition("_")[0].rstrip("0123456789")
     return first == "threads" or first.removesuffix("s") in ("string", "rope", "cable", "cord")

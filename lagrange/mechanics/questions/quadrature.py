@@ -74,7 +74,10 @@ def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, start: sp.Expr, way: int | N
 
 
 def speed_stated(
-    when: Sequence[sp.Expr], accelerations: Mapping[sp.Symbol, sp.Expr], initial: Mapping[sp.Symbol, sp.Expr], slots: Slots
+    when: Sequence[sp.Expr],
+    accelerations: Mapping[sp.Symbol, sp.Expr],
+    initial: Mapping[sp.Symbol, sp.Expr],
+    slots: Slots,
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
     """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None where it is no such motion."""
     moving = {*slots.coordinates, *slots.velocities, t}

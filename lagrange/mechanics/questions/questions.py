@@ -42,13 +42,7 @@ from lagrange.mechanics.questions.quadrature import (
 )
 from lagrange.mechanics.questions.reach import Path, place_stated
 from lagrange.mechanics.questions.rest.ranges import in_ranges
-from lagrange.mechanics.questions.rest.refusals import (
-    changes,
-    does_not_slip,
-    never_holds,
-    not_determined,
-    slip_has_ended,
-)
+from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, mentioned
 from lagrange.mechanics.questions.states import (
@@ -178,8 +172,7 @@ class _Search:
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
             raise ProblemError(slip_has_ended(self.question, what))
-        if self.setting.known.rolling:
-            raise ProblemError(does_not_slip(self.question))
+        self.setting.refuse_rolling(self.question)
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -597,6 +590,5 @@ class _Search:
         place = sp.S.Zero if quantity == t else self.setting.initial.get(quantity)
         if place is None or (found := taken_between_speeds(*stated, self.setting.values, quantity == t)) is None:
             return None
-        value = place + found[0]
-        branch = AnswerBranch(quantity, value, (value,), (), found[1])
+        branch = AnswerBranch(quantity, place + found[0], (place + found[0],), (), found[1])
         return replace(self._asked(Route.QUADRATURE, How.EXACT, ()), integrand=stated, branches=(shown(branch),))

@@ -11,12 +11,14 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.dependent import Substitution, dependent, held_at, reduced
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.integrals_of_motion import integrals
+from lagrange.mechanics.questions.rest.refusals import does_not_slip
 from lagrange.mechanics.questions.states import (
     Meanings,
     MotionView,
@@ -122,6 +124,11 @@ class Setting:
         occurring = set().union(*(e.free_symbols for e in accelerations.values()))
         free = (q for q in coordinates if q not in initial and prime(q) in initial and q not in occurring)
         return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
+
+    def refuse_rolling(self, question: Question) -> None:
+        """Raises ProblemError where slip does not begin."""
+        if self.known.rolling:
+            raise ProblemError(does_not_slip(question))
 
     def of_either_sense(self, question: Question) -> Iterator[sp.Symbol]:
         """The forces whose sense a question leaves open: those of rolling, and what holds two bodies together, F = μ N.

@@ -278,7 +278,8 @@ def with_senses(
         if way == 0 and slip not in senses and any(e.has(sp.sign(slip)) for e in expressions):
             # From rolling or rest it begins in the sense in which the forces drive it, if these exceed friction:
             rate = sp.Add(*(slip.diff(s) * known.accelerations.get(prime(s), prime(s)) for s in slip.free_symbols))
-            rates = [rate.xreplace({sp.sign(slip): s, sp.Abs(slip): sp.S.Zero}).xreplace(dict(initial)) for s in (1, -1)]
+            either = ({sp.sign(slip): sp.Integer(s), sp.Abs(slip): sp.S.Zero} for s in (1, -1))
+            rates = [rate.xreplace(rule).xreplace(dict(initial)) for rule in either]
             way = sign(sp.expand(sum(rates)))
             if way not in (1, -1):
                 rolling = True

@@ -434,3 +434,26 @@ def test_a_force_of_any_power_of_the_distance() -> None:
     assert frequency.square is not None
     r, n, k, m = (next(s for s in frequency.square.free_symbols if s.name == name) for name in ("r", "n", "K", "m"))
     assert is_zero(frequency.square - (n + 3) * k * r ** (n - 1) / m) is True
+
+
+def test_a_screened_field_that_does_not_exist_at_the_centre() -> None:
+    """V = -K exp(-r/a)/r: m r phi'^2 = K exp(-r/a) (1/r^2 + 1/(a r)); "division by zero" was reported at r = 0."""
+    solution = solve(
+        read("""title: Circular orbit in the screened Coulomb field
+parameters: [m, K, a]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+forces: {field: {potential: -K/r*exp(-r/a)}}
+find: steady
+""")
+    )
+    assert isinstance(solution.steady, SteadyMotions)
+    [motion] = solution.steady.motions
+    m, K, a = sp.symbols("m K a", positive=True)
+    r, rate = sp.symbols("r phi'", real=True)
+    force = K * sp.exp(-r / a) * (1 / r**2 + 1 / (a * r))
+    at = {m: 2, K: 3, a: 5, r: 4}
+    [relation] = motion.relations
+    assert relation.lhs == rate**2
+    assert abs((relation.rhs - force / (m * r)).xreplace(at).evalf()) < 1e-12

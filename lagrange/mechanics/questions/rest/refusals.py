@@ -50,7 +50,7 @@ def slip_has_ended(question: Question, holds: str = "holds only after the slip h
 def does_not_slip(question: Question) -> Diagnostic:
     """What touches does not slip at t = 0, and no force makes it slip."""
     message = f"the question `{question.name}` is about slip that does not begin: what touches does not slip at t = 0"
-    help_ = "friction at rest suffices, or nothing drives it: write rolling as a constraint, with `static:` for its limit"
+    help_ = "friction at rest is enough, or nothing drives it: write rolling as a constraint, `static:` for its limit"
     return Diagnostic("never-holds", message, question.span, help=help_)
 
 
