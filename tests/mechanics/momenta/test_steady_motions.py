@@ -24,6 +24,7 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
+from lagrange.render.json import as_object
 from lagrange.render.json_momenta import steady_motions as steady_in_json
 from tests.support.problem_texts import read
 
@@ -438,22 +439,17 @@ def test_a_force_of_any_power_of_the_distance() -> None:
 
 def test_a_screened_field_that_does_not_exist_at_the_centre() -> None:
     """V = -K exp(-r/a)/r: m r phi'^2 = K exp(-r/a) (1/r^2 + 1/(a r)); "division by zero" was reported at r = 0."""
-    solution = solve(
-        read("""title: Circular orbit in the screened Coulomb field
+    found = as_object(
+        report(
+            read("""title: Circular orbit in the screened Coulomb field
 parameters: [m, K, a]
 coordinates: [r, phi]
 frame: {type: polar, coordinates: [r, phi]}
 particles: {P: {mass: m, position: r*e_r}}
 forces: {field: {potential: -K/r*exp(-r/a)}}
 find: steady
+answers: {steady: ["m*r*phi'^2 = K*exp(-r/a)*(1/r^2 + 1/(a*r))"]}
 """)
+        )
     )
-    assert isinstance(solution.steady, SteadyMotions)
-    [motion] = solution.steady.motions
-    m, K, a = sp.symbols("m K a", positive=True)
-    r, rate = sp.symbols("r phi'", real=True)
-    force = K * sp.exp(-r / a) * (1 / r**2 + 1 / (a * r))
-    at = {m: 2, K: 3, a: 5, r: 4}
-    [relation] = motion.relations
-    assert relation.lhs == rate**2
-    assert abs((relation.rhs - force / (m * r)).xreplace(at).evalf()) < 1e-12
+    assert [a["verdict"] for a in found["answers"]] == ["equivalent"]
