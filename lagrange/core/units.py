@@ -17,6 +17,7 @@ from functools import cache, lru_cache
 
 import sympy as sp
 
+from lagrange.core.diagnostics import nearest
 from lagrange.core.limits import HIGHEST_POWER_OF_UNIT
 from lagrange.core.records import record
 
@@ -53,7 +54,8 @@ _WITH_PREFIX = {
     "K": ("1", (0, 0, 0, 0, 1)), "Hz": ("1", (0, 0, -1)), "N": ("1", (1, 1, -2)), "J": ("1", (1, 2, -2)),
     "W": ("1", (1, 2, -3)), "Pa": ("1", (1, -1, -2)), "C": ("1", (0, 0, 1, 1)), "V": ("1", (1, 2, -3, -1)),
     "T": ("1", (1, 0, -2, -1)), "Ω": ("1", (1, 2, -3, -2)), "F": ("1", (-1, -2, 4, 2)), "H": ("1", (1, 2, -2, -2)),
-    "Nm": ("1", (1, 2, -2)), "rad": ("1", ()),
+    "Nm": ("1", (1, 2, -2)), "rad": ("1", ()), "Ns": ("1", (1, 1, -1)), "Nms": ("1", (1, 2, -1)),
+    "Js": ("1", (1, 2, -1)), "Wh": ("3600", (1, 2, -2)),
 }  # fmt: skip
 _PREFIXES = {
     "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12,
@@ -78,6 +80,12 @@ _ARITHMETIC = (
     rf"[-+−]?{_NUMERAL}(?>\s*(?:\*\*|[-+−*/·^])\s*[-+−]?{_NUMERAL}(?!\s*/\s*[A-Za-z(])|\s*(?:pi(?![A-Za-z])|π))*"
 )
 _NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)"
+
+
+def near_unit(text: str) -> str | None:
+    """The unit that the first unknown name in a text may be meant for: `deg` of `degg`; None if there is none."""
+    names = [n for n in re.findall(r"[A-Za-zΩ°µμ]+", text) if _named(n) is None]
+    return nearest(names[0], [*_WITH_PREFIX, *_WITHOUT_PREFIX]) if names and len(names[0]) > 2 else None
 
 
 def split_number(text: str) -> tuple[str, str] | None:

@@ -94,7 +94,7 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
             known = listed(Ref(x) for x in labels if x is not None)
             yield prose("Throughout the motion, as before, ", *known, plural(len(labels), " holds.", " hold."))
     if asked.integrand is not None:
-        yield from _quadrature(asked.integrand)
+        yield from _quadrature(asked.integrand, asked.question.quantity)
     if asked.solutions:
         yield from _solutions(asked)
     yield from _condition(asked)
@@ -230,12 +230,16 @@ def _as_modulus(v: sp.Expr, sign: int) -> tuple[sp.Expr, int]:
     return (v, sign) if inside == v else (-v, -sign)
 
 
-def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]) -> Iterator[Block]:
-    """The velocity, and between which places its inverse is integrated."""
+def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr], quantity: sp.Expr) -> Iterator[Block]:
+    """The velocity, and between which places its inverse is integrated; for a distance q q'/q'' over q'."""
     q, speed, start, end = integrand
     v = sp.Symbol(f"{q}'", real=True)
     yield prose("This gives")
     yield display(Equation((v, speed)))
+    if quantity != t:
+        yield prose("The change of ", math(quantity), " is the integral of ", math(q / v), " over ", math(q), " from ",
+                    math(start), " to ", math(end), ".")  # fmt: skip
+        return
     yield prose(
         "The time is the integral of ", math(1 / v), " over ", math(q), " from ", math(start), " to ", math(end), "."
     )

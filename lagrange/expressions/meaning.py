@@ -23,6 +23,7 @@ from lagrange.expressions.scope import UNITS, FunctionDeclaration, Scope
 from lagrange.expressions.suggestions import TreeReport
 from lagrange.expressions.syntax_tree import (
     FUNCTIONS,
+    INVERSE_HYPERBOLIC,
     Bars,
     BracketedList,
     Call,
@@ -214,7 +215,21 @@ class TextMeaning:
                 raise self.report.error("vector-for-scalar", message, call, help_)
             case "d" | "delta":
                 return self._differential(call)
+        if name in INVERSE_HYPERBOLIC:
+            return self._inverse_hyperbolic(call)
         raise ProblemError(self.report.undeclared(call))
+
+    def _inverse_hyperbolic(self, call: Call) -> sp.Expr:
+        """acosh x = log(x + √(x² − 1)), asinh x = log(x + √(x² + 1)), atanh x = log((1 + x)/(1 − x))/2."""
+        self._check_count(call, 1, f"write `{call.name}(x)`")
+        x, do = self.scalar(call.arguments[0]), self._arithmetic
+        kind = INVERSE_HYPERBOLIC[call.name]
+        with self.report.blaming(call):
+            if kind == "tanh":
+                above, below = do.sum([sp.S.One, x]), do.sum([sp.S.One, do.product([sp.S.NegativeOne, x])])
+                return do.product([sp.S.Half, do.apply("log", [do.product([above, do.inverse(below)])])])
+            square = do.sum([do.power(x, sp.Integer(2)), sp.S.One if kind == "sinh" else sp.S.NegativeOne])
+            return do.apply("log", [do.sum([x, do.power(square, sp.S.Half)])])
 
     def _function(self, call: Call) -> sp.Expr:
         name, arguments = call.name, call.arguments

@@ -22,7 +22,7 @@ from lagrange.expressions.limits import MAX_CHARACTERS, MAX_NAME
 from lagrange.expressions.meaning import DIFFERENTIALS, TextMeaning
 from lagrange.expressions.parser import Parser
 from lagrange.expressions.scope import RESERVED, FunctionDeclaration, Scope
-from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Call, Name, Tree, parts
+from lagrange.expressions.syntax_tree import FUNCTIONS, INVERSE_HYPERBOLIC, OPERATIONS, Call, Name, Tree, parts
 from lagrange.expressions.tokens import Token, TokenKind, tokens
 
 __all__ = [
@@ -227,7 +227,8 @@ class _Reading:
         return scope.scalar(name) is not None or scope.vector(name) is not None or name in scope.functions
 
     def _knows_function(self, name: str) -> bool:
-        return name in FUNCTIONS or name in OPERATIONS or name in DIFFERENTIALS or name in self._scope.functions
+        known = (FUNCTIONS, OPERATIONS, INVERSE_HYPERBOLIC, DIFFERENTIALS, self._scope.functions)
+        return any(name in names for names in known)
 
     def _is_argument(self, tree: Tree) -> bool:
         return isinstance(tree, Name) and self._meaning.is_argument_name(tree.text)

@@ -18,6 +18,9 @@ FUNCTIONS = (
 )  # fmt: skip
 """The scalar functions of the language."""
 
+INVERSE_HYPERBOLIC = {f"{a}{kind}": kind for kind in ("sinh", "cosh", "tanh") for a in ("a", "ar", "arc")}
+"""`acosh`, `arcosh` and `arccosh` for cosh, and so on; in results they are logarithms."""
+
 OPERATIONS = ("dot", "cross", "norm", "diff")
 """Operations with the syntax of functions."""
 

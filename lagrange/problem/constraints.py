@@ -67,7 +67,11 @@ def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tup
     place = key.span if reaction is None else reaction.span
     keeper = section.get("by")
     by = context.diagnostics.attempt(lambda: _keeper(scalar_of(keeper, "`by`"))) if keeper else None
-    constraints = _equations(name, place, equation, section.text("note"), called, context)
+    try:
+        constraints = _equations(name, place, equation, section.text("note"), called, context)
+    except ProblemError:
+        context.names.fail(*([called] if called else []))
+        raise
     if by is not None and keeper is not None and any(c.side is not None for c in constraints):
         _check_one_sided_keeper(name, by, keeper.span)
     return tuple(replace(c, by=by) for c in constraints)

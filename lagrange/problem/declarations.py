@@ -119,6 +119,10 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     if isinstance(value, Scalar) and states_value(value.text):
         positive = Parameter(parameter_symbol(name, Assumption.POSITIVE))
         return _with_value(positive, value, None, Assumption.POSITIVE, names)
+    if isinstance(value, Scalar) and value.text not in set(Assumption) and unit_of(value.text) is not None:
+        return Parameter(
+            parameter_symbol(name, Assumption.POSITIVE), Assumption.POSITIVE, value.text, stated_unit=value.text
+        )
     if isinstance(value, Scalar):
         assume = attempt(lambda: _assumption(value)) or Assumption.POSITIVE
         return Parameter(parameter_symbol(name, assume), assume, is_stated=True)
@@ -181,8 +185,6 @@ def _assumption(scalar: Scalar) -> Assumption:
     listed = ", ".join(f"`{a}`" for a in Assumption)
     near = None if scalar.text == "negative" else nearest(scalar.text, [*Assumption])
     help_ = f"did you mean `{near}`?" if near else f"write {listed}, or a value with its unit, `2 kg`"
-    if near is None and unit_of(scalar.text) is not None:
-        help_ = f"write `{{unit: {scalar.text}}}` for its unit, or a value with it, `2 {scalar.text}`"
     if scalar.text == "negative":
         help_ = "name its positive size, and write a minus where it is used; or write `real`"
     raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))

@@ -77,7 +77,8 @@ class DeclaredNames:
             self.fail(name)
         first, second = sorted((known, Declaration(what, span)), key=lambda d: d.span.start)
         message = f"`{name}` is {first.what} and {second.what}" if known.what != what else f"`{name}` is declared twice"
-        self.diagnostics.report(Diagnostic("declared-twice", message, second.span, _first_on(first.span), _ONE_MEANING))
+        help_ = f"`{name}` always is {what}: rename one of the two" if name.startswith("r_") else _ONE_MEANING
+        self.diagnostics.report(Diagnostic("declared-twice", message, second.span, _first_on(first.span), help_))
         return False
 
     def spelled(self, scalar: Scalar, what: str) -> str | None:

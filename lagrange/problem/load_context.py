@@ -7,6 +7,7 @@ without a message.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from itertools import pairwise
@@ -200,10 +201,21 @@ class LoadContext:
 def _with_advice_on_units(error: ProblemError, fragment: Fragment) -> ProblemError:
     """The error; of `0.6 m` in an expression, where m is no name, it says where numbers with units belong."""
     parts = split_number(fragment.text)
-    if parts is None or unit_of(parts[1]) is None or {d.code for d in error.diagnostics} != {"unknown-symbol"}:
+    if {d.code for d in error.diagnostics} != {"unknown-symbol"}:
         return error
-    help_ = f"a number with its unit is the `value` of a parameter: `parameters: {{a: {{value: {fragment.text}}}}}`"
+    is_measured = parts is not None and unit_of(parts[1]) is not None
+    measured = fragment.text if is_measured else _number_with_unit(error, fragment)
+    if not measured:
+        return error
+    help_ = f"a number with its unit is the `value` of a parameter: `parameters: {{a: {{value: {measured}}}}}`"
     return ProblemError([replace(d, help=help_) for d in error.diagnostics[:1]])
+
+
+def _number_with_unit(error: ProblemError, fragment: Fragment) -> str:
+    """`4 ft` of `l*cos(beta) = 4 ft`, where `ft` is not declared; empty where it is no unit after a number."""
+    names = {re.split("`", d.message)[1] for d in error.diagnostics[:1] if d.message.startswith("`")}
+    found = re.search(r"(?<![\w.])\d+(?:\.\d+)?\s*([A-Za-z°]+)(?![\w'(])", fragment.text)
+    return found[0] if found and found[1] in names and unit_of(found[1]) is not None else ""
 
 
 def _text(node: Node, what: str) -> Fragment:

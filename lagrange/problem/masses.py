@@ -386,7 +386,8 @@ def _particles(root: Section, context: LoadContext, particles: dict[str, Particl
         if name is None:
             continue
         context.points[name] = None
-        context.names.add(f"r_{name}", f"the position of `{name}`", key.span)
+        if not context.names.add(f"r_{name}", f"the position of `{name}`", key.span):
+            continue
         of_position, of_mass = _names_used(node)
         yield _Entry(
             key, (f"r_{name}",), of_position | of_mass, partial(_read_particle, name, key, node, context, particles)
@@ -470,8 +471,10 @@ def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Ite
         body = _BodyBeingRead(name, key, node, context)
         of_position, of_turning = _names_used(node)
         turning = names_of_turning(name, node)
-        for vector, what in {f"r_{name}": f"the position of `{name}`", **turning}.items():
-            context.names.add(vector, what, key.span)
+        named = {f"r_{name}": f"the position of `{name}`", **turning}.items()
+        added = [context.names.add(vector, what, key.span) for vector, what in named]
+        if not all(added):
+            continue
         yield _Entry(key, tuple(turning), of_turning, partial(_read_turning, body, context, bodies))
         yield _Entry(key, (f"r_{name}",), of_position, partial(_read_place, body, context, bodies))
 

@@ -145,7 +145,9 @@ def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tup
         raise ProblemError(Diagnostic("too-many-questions", message, node.span, help="write two problem files"))
     for key, value in entries:
         question = context.diagnostics.attempt(partial(_question, key, value, context, scope))
-        if question is not None:
+        if question is None:
+            context.names.fail(key.text)
+        else:
             questions[key.text] = question
     return tuple(questions.values())
 

@@ -145,6 +145,8 @@ class AnswerReader:
         """The question that a name means."""
         name = canonical(scalar.text, self.questions)
         if name not in self.questions:
+            if self.context.names.has_failed(scalar.text):
+                return []
             message = f"`{scalar.text}` is not a question of this file"
             help_ = suggestion(name, list(self.questions), "questions")
             raise ProblemError(Diagnostic("unknown-name", message, scalar.span, help=help_))

@@ -18,7 +18,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severi
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign
-from lagrange.core.units import NO_DIMENSION, Dimension, Unit, si_unit, split_number, unit_called, unit_of
+from lagrange.core.units import NO_DIMENSION, Dimension, Unit, near_unit, si_unit, split_number, unit_called, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
 from lagrange.problem.keys import Assumption
@@ -141,10 +141,9 @@ def _weight_for_mass(given: Unit | None, expected: Unit) -> str:
 def _known_unit(fragment: Fragment) -> Unit:
     unit = unit_of(fragment.text)
     if unit is None:
-        message = f"`{fragment.text}` is not a known unit"
-        help_ = (
-            "units are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
-        )
+        message, near = f"`{fragment.text}` is not a known unit", near_unit(fragment.text)
+        help_ = f"did you mean `{near}`? Units" if near else "units"
+        help_ += " are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
         raise ProblemError(Diagnostic("unknown-unit", message, fragment.whole, help=help_))
     return unit
 

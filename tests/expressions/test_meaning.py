@@ -118,3 +118,11 @@ def test_a_declared_k_is_the_scalar_where_a_scalar_is_wanted() -> None:
     assert read_scalar(Fragment.of("k x^2/2"), scope("k")) == k * x**2 / 2
     assert read_scalar(Fragment.of("k(x + y)"), scope("k")) == k * (x + y)
     assert same(read_vector(Fragment.of("i*x*j"), scope("i")), vector(0, i * x, 0))
+
+
+@pytest.mark.parametrize(("name", "inverse"), [("acosh", sp.cosh), ("arsinh", sp.sinh), ("arctanh", sp.tanh)])
+def test_inverse_hyperbolic_functions(name: str, inverse: type[sp.Function]) -> None:
+    """cosh(acosh y) = y, at a number."""
+    read = read_scalar(Fragment.of(f"{name}(x)"), scope())
+    number = sp.Rational(1, 2) if name == "arctanh" else sp.Rational(5, 2)
+    assert abs(inverse(read.xreplace({x: number})).evalf() - number) < 1e-12

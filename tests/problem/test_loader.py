@@ -241,7 +241,11 @@ HELPS = {
     ALL + "find: motion, equilibrium": "`find: [equilibrium, motion]`",
     ALL + "answers: {classification: [holonomous]}": "did you mean `holonomic`?",
     "title: T\nparameters: {m: negative}\ncoordinates: [x]": "minus",
-    "title: T\nparameters: {m: kg}\ncoordinates: [x]": "`{unit: kg}`",
+    "title: T\nparameters: {a: 30 degg}\ncoordinates: [x]": "did you mean `deg`?",
+    HEAD + "constraints: {a: x = 4 ft}": "`parameters: {a: {value: 4 ft}}`",
+    "title: T\nparameters: [r_P]\ncoordinates: [x]\nparticles: {P: {position: r_P*i}}": "`r_P` always is the position",
+    HEAD
+    + "constraints: {a: {equation: x = q, reaction: N}}\nask: {b: {quantity: N}}\nanswers: {ask: {b: 3}}": "declared",
     ALL + "forces: {a: {static: m, constraint: s, on: P}}": "add `friction: mu`",
     "title: T\ncoordinates: x, y": "`coordinates: [x, y]`",
     "title: T\ncoordinates: [x y]": "`[x, y]`",

@@ -173,3 +173,11 @@ def test_a_parameter_that_is_not_used_is_noted() -> None:
     text = "title: T\ncoordinates: [x]\nparameters: [m, k, c, h]\nparticles: {P: {mass: m, position: x*i}}\n"
     found = read(text + "forces: {s: {spring: k, between: [O, P]}}\nask: {v: {quantity: x', when: x = h}}\n").notes
     assert [(n.code, n.message) for n in found] == [("unused-parameter", "`c` is not used")]
+
+
+def test_units_alone_and_written_as_one_word() -> None:
+    """`m: kg` is `m: {unit: kg}`; 600 Ns/m are 600 kg/s, and 2 kWh 7.2 MJ."""
+    problem = read("title: T\ncoordinates: [x]\nparameters: {m: kg, L: m, c: 600 Ns/m, E: 2 kWh, J: 3 Nms}\n")
+    assert [p.unit for p in problem.parameters][:2] == ["kg", "m"]
+    assert all(p.symbol.is_positive for p in problem.parameters)
+    assert [p.value for p in problem.parameters] == [None, None, 600, 7200000, 3]

@@ -121,7 +121,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "initial: {x: 2 m}\n")),
     "unexpected-character": ("This character means nothing here.", "theta'' @ gravity = 0"),
     "unexpected-equation": ("An expression is wanted here, without an equals sign.", problem("gravity: g = 0")),
-    "unknown-function": ("Functions other than the known ones must be declared.", "arsinh(x) = 0"),
+    "unknown-function": ("Functions other than the known ones must be declared.", "erf(x) = 0"),
     "unknown-symbol": ("Every symbol must be declared; `ml` is one name, `m l` a product.",
         "m l theta'' + gr*sin(theta) = 0"),
     "vector-for-scalar": ("A vector is used where a number is expected.", "sin(r_P) = theta"),

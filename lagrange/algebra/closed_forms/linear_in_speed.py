@@ -29,17 +29,17 @@ def of_rates_in_time(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -
         return None
     factor = a.diff(v)
     source = a.xreplace({v: sp.S.Zero})
-    integral = _since_start(-factor)
+    integral = since_start(-factor)
     if integral is None:
         return None
     if (powers := _in_powers(factor, source, place, speed)) is not None:
         return powers
     mu = sp.powsimp(sp.exp(sp.logcombine(integral))) if integral != 0 else sp.S.One
-    driven = _since_start(mu * source)
+    driven = since_start(mu * source)
     if driven is None:
         return None
     rate = (speed + driven) / mu
-    way = _since_start(rate)
+    way = since_start(rate)
     if way is None:
         return None
     return place + _with_ratios(way), sp.factor(rate) if rate.is_rational_function(t) else _with_ratios(rate)
@@ -62,17 +62,17 @@ def _in_powers(b: sp.Expr, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[
     shares = [(n - power, share / scale) for (n,), share in sp.Poly(above, letter).terms() if share != 0]
     ratio = sp.expand(x / start)
 
-    def since_start(p: sp.Expr) -> sp.Expr | None:
+    def power_since_start(p: sp.Expr) -> sp.Expr | None:
         """∫_0^t R^p dt; None where p + 1 may vanish."""
         higher = sp.cancel(p + 1)
         if higher == 0:
             return start / slope * sp.log(ratio)
         return sp.cancel(start / (slope * higher)) * (ratio**higher - 1) if sign_of(higher) in (1, -1) else None
 
-    way, rate = since_start(-kappa), speed * ratio ** (-kappa)
+    way, rate = power_since_start(-kappa), speed * ratio ** (-kappa)
     total = place if way is None else place + speed * way
     for n, share in shares:
-        further, divisor = since_start(sp.Integer(n + 1)), sp.factor(kappa + n + 1)
+        further, divisor = power_since_start(sp.Integer(n + 1)), sp.factor(kappa + n + 1)
         if way is None or further is None or sign_of(divisor) not in (1, -1):
             return None
         amount = sp.cancel(share * start ** (n + 1) / (slope * divisor))
@@ -81,7 +81,7 @@ def _in_powers(b: sp.Expr, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> tuple[
     return total, rate
 
 
-def _since_start(e: sp.Expr) -> sp.Expr | None:
+def since_start(e: sp.Expr) -> sp.Expr | None:
     """∫_0^t e dt; None where it is not in the table, or a logarithm is not real at t = 0."""
     if e == 0:
         return sp.S.Zero

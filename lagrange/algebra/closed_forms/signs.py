@@ -183,11 +183,13 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | Non
 
 
 def always_holds(c: SignCondition) -> bool:
-    """Whether a condition always holds: 2/3 |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b for a ≥ b."""
+    """Whether a condition always holds: 2/3 |cos α| ≤ 1, 3 ≥ 2 cos α, sin α ≠ 1, e^a ≥ e^b for a ≥ b."""
     if c.relation in ("≤", "<"):
         return always_holds(SignCondition(c.rhs, {"≤": "≥", "<": ">"}[c.relation], c.lhs))
     if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):
         return sign_of(sp.log(c.lhs) - sp.log(c.rhs)) in (0, 1)
+    if c.relation == "≠" and c.rhs in (1, -1) and isinstance(c.lhs, sp.sin | sp.cos):  # sin α ≠ 1 of an acute angle
+        return sign_in_range((sp.cos if isinstance(c.lhs, sp.sin) else sp.sin)(c.lhs.args[0])) is not None
     return c.relation in (">", "≥") and sign_of(c.lhs - c.rhs) == 1
 
 

@@ -208,9 +208,22 @@ def solved_loads(
             if f.contact in value.free_symbols:
                 signs[f.contact] = value  # λ depends on its own sign, which only a state can decide
             else:
-                magnitude = _absolute(size)
+                magnitude = _in_stated_sense(_absolute(size), f)
         loads += f.loads(magnitude)
     return tuple(loads), signs
+
+
+def _in_stated_sense(magnitude: sp.Expr, f: FrictionForce) -> sp.Expr:
+    """A magnitude without |s| where the file states the sense of the slip: 2 m ω r' in a tube that turns."""
+    if not f.sense_is_stated or f.speed is None or f.sense not in (1, -1):
+        return magnitude
+    velocities = {v for v in f.speed.free_symbols if v.name.endswith("'")}
+    rule = {}
+    for a in magnitude.atoms(sp.Abs):
+        share = textbook_form(a.args[0] / f.speed)
+        if velocities and share.free_symbols.isdisjoint(velocities):
+            rule[a] = sp.Abs(share) * f.sense * f.speed
+    return textbook_form(magnitude.xreplace(rule)) if rule else magnitude
 
 
 def _point(configuration: Configuration, name: str) -> MassPoint:
@@ -575,4 +588,5 @@ def _absolute(value: sp.Expr) -> sp.Expr:
     signs = [(f, e, 1 if f.is_positive else sign_in_range(f)) for f, e in factor.powers]
     known = CommonFactor(factor.number, tuple((f, e) for f, e, sign in signs if sign is not None))
     sign = sp.Mul(*(sign for _, e, sign in signs if sign is not None and e % 2))
-    return sign * known.expression * sp.Abs(known.divide(value))
+    size: sp.Expr = sp.Abs(known.divide(value))
+    return sign * known.expression * size.replace(sp.Abs, lambda x: sp.Mul(*map(sp.Abs, sp.Mul.make_args(x))))

@@ -332,8 +332,12 @@ def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
 
 
 def _is_called_string(name: str) -> bool:
-    """Whether a constraint has the name of a string, `rope_1`; z − x = L does not show that x is no length."""
-    return name.rstrip("_0123456789") in ("string", "rope", "cable", "cord")
+    """Whether a constraint is called a string, `rope_1` or `cords`; z − x = L does not show that x is no length.
+
+    One `thread` may be that of a screw.
+    """
+    first = name.partition("_")[0].rstrip("0123456789")
+    return first == "threads" or first.removesuffix("s") in ("string", "rope", "cable", "cord")
 
 
 def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None:

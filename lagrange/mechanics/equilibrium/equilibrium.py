@@ -460,8 +460,16 @@ def _symmetric_places(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Sym
     """q or sin q for each coordinate that may be 0 or π by symmetry: one of the equations then holds identically."""
     for q in coordinates:
         turns = any(q in f.free_symbols for e in equations for f in e.atoms(sp.sin, sp.cos, sp.tan))
-        if any(q in e.free_symbols and is_zero(e.xreplace({q: sp.S.Zero})) is True for e in equations):
+        if any(q in e.free_symbols and _vanishes_at_zero(e, q) for e in equations):
             yield sp.sin(q) if turns else q
+
+
+def _vanishes_at_zero(e: sp.Expr, q: sp.Symbol) -> bool:
+    """Whether a function of q is zero where q = 0; not where it does not exist, as exp(−r/a)/r² does not."""
+    try:
+        return is_zero(e.xreplace({q: sp.S.Zero})) is True
+    except DivisionByZeroError:
+        return False
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:

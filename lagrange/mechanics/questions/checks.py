@@ -146,8 +146,10 @@ class _SecondRoute:
                 return None
             place[s] = number
         full = {**at, **place}
-        matrix = [[_number(e, full) for e in row] for row in self.system.rows]
-        right = [_number(e, full) for e in self.system.right]
+        # Slip that only begins has no sign yet: that in which it begins.
+        begins = {sp.sign(v): sp.Integer(s) for v, s in asked.senses.items() if _number(v, full) == 0}
+        matrix = [[_number(e.xreplace(begins), full) for e in row] for row in self.system.rows]
+        right = [_number(e.xreplace(begins), full) for e in self.system.right]
         if None in right or any(None in row for row in matrix):
             return None
         rows = [[e for e in (*row, b) if e is not None] for row, b in zip(matrix, right, strict=True)]

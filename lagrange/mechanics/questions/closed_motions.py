@@ -18,18 +18,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
-from itertools import product
+from itertools import permutations, product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time
+from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time, since_start
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.operations import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, prime, t
+from lagrange.core.symbols import Unspecified, base, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
 from lagrange.mechanics.questions.forms import with_whole_logarithms, without_roots_in_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS, TIMES_ASKED
@@ -65,8 +66,13 @@ class ClosedMotion:
         return e.xreplace(rule)
 
 
-def closed_motions(accelerations: SymbolValues, initial: SymbolValues, wanted: set[sp.Symbol]) -> list[ClosedMotion]:
-    """The wanted coordinates as functions of time, in each case; empty where one of them is not found."""
+def closed_motions(
+    accelerations: SymbolValues, initial: SymbolValues, wanted: set[sp.Symbol], rates: Sequence[sp.Expr] = ()
+) -> list[ClosedMotion]:
+    """The wanted coordinates as functions of time, in each case; empty where one of them is not found.
+
+    rates  what constraints on velocities make zero
+    """
     cases: list[list[ClosedMotion]] = []
     waiting = sorted(wanted, key=str)
     while waiting:
@@ -80,7 +86,7 @@ def closed_motions(accelerations: SymbolValues, initial: SymbolValues, wanted: s
         if len(group) == 1:
             motions = _of_one(q, accelerations[prime(q, 2)], initial[q], initial[prime(q)])
         else:
-            motions = _of_several(group, accelerations, initial)
+            motions = _of_several(group, accelerations, initial) or _in_turn(group, accelerations, initial, rates)
         if not motions:
             return []
         cases.append(motions)
@@ -118,6 +124,57 @@ def _of_several(group: Sequence[sp.Symbol], accelerations: SymbolValues, initial
     motion = ClosedMotion({q: _tidy(e) for q, (e, _) in solutions.items()}, conditions)
     holds = all(_is_solution(motion, q, accelerations[prime(q, 2)], initial[q], initial[prime(q)]) for q in group)
     return [motion] if holds else []
+
+
+def _in_turn(
+    group: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues, rates: Sequence[sp.Expr]
+) -> list[ClosedMotion]:
+    """The solution where some coordinates move by themselves, θ = ω t of a blade, which makes the equations of the
+    others equations in time; verified in the equations as they were.
+
+    rates  what the constraints make zero, linear in the velocities: x' sin θ − y' cos θ gives y' by x'
+    """
+    motion = ClosedMotion({})
+    waiting = list(group)
+    known = dict(accelerations)
+    while waiting:
+        alone = next((q for q in waiting if coupled_with(q, known) == [q]), None)
+        solved = [] if alone is None else _of_one(alone, known[prime(alone, 2)], initial[alone], initial[prime(alone)])
+        if alone is None:
+            solved = _of_two(waiting, known, initial, [motion.at_time(e) for e in rates])
+        if len(solved) != 1 or solved[0].conditions:
+            return []
+        [more] = solved
+        speeds = {**motion.speeds, **{q: more.speed(q) for q in more.solutions}}
+        motion = ClosedMotion({**motion.solutions, **more.solutions}, (), speeds)
+        known = {a: more.at_time(e) for a, e in known.items() if base(a) not in more.solutions}
+        waiting = [q for q in waiting if q not in more.solutions]
+    holds = all(_is_solution(motion, q, accelerations[prime(q, 2)], initial[q], initial[prime(q)]) for q in group)
+    return [motion] if holds else []
+
+
+def _of_two(
+    waiting: Sequence[sp.Symbol], accelerations: SymbolValues, initial: SymbolValues, rates: Sequence[sp.Expr]
+) -> list[ClosedMotion]:
+    """Two coordinates of which a constraint gives one velocity by the other, with coefficients in time."""
+    for row, (first, second) in product(rates, permutations(waiting, 2)):
+        v, other = prime(first), prime(second)
+        slope = row.diff(other)
+        if slope == 0 or slope.free_symbols & {v, other, *waiting}:
+            continue
+        by = (other - row / slope).expand()
+        a = textbook_form(accelerations[prime(first, 2)].xreplace({other: by}))
+        share = textbook_form(by.diff(v))
+        if share.free_symbols & {v, other, *waiting} or a.free_symbols & {other, *waiting}:
+            continue
+        both = of_rates_in_time(first, a, initial[first], initial[v])
+        if both is None:
+            continue
+        speed = textbook_form(by.xreplace({v: both[1]}))
+        way = since_start(speed)
+        if way is not None:
+            return [ClosedMotion({first: both[0], second: initial[second] + way}, (), {first: both[1], second: speed})]
+    return []
 
 
 def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> bool:

@@ -12,6 +12,7 @@ from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, wit
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
+from lagrange.core.ranges import sign_in_range, without_known_magnitudes
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 from lagrange.mechanics.questions.results import AnswerBranch, Substituted
 from lagrange.problem.model import Problem
@@ -191,10 +192,20 @@ def with_real_roots(b: AnswerBranch) -> AnswerBranch:
 def shown(b: AnswerBranch) -> AnswerBranch:
     """The branch as it is printed."""
     b = with_real_roots(b)
-    rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(b.rhs))))
+    rhs = _over_positive(without_known_magnitudes(b.rhs))
+    rhs = without_leading_minus(with_whole_contents(with_factors(without_roots_below(rhs))))
     rhs = with_number_apart(with_half_angle(with_tanh(rhs)))
     rhs = under_one_root(with_known_signs(with_joined_logarithms(rhs), b.conditions))
     return replace(b, rhs=rhs, conditions=settled(joined_conditions(b.conditions), rhs))
+
+
+def _over_positive(e: sp.Expr) -> sp.Expr:
+    """√(2 g R/cos α) for √(2 g R cos α)/cos α with an acute angle α."""
+    for f in sp.Mul.make_args(sp.fraction(e)[1]) if e.is_Mul else ():
+        root = next((r for r in e.args if r.is_Pow and r.exp == sp.S.Half and f in sp.Mul.make_args(r.base)), None)
+        if root is not None and sign_in_range(f) == 1:
+            e = e * f / root * sp.Pow(root.base / f**2, sp.S.Half)
+    return e
 
 
 def with_tanh(e: sp.Expr) -> sp.Expr:

@@ -8,7 +8,7 @@ denominator, whose integral has a limit there. None means not in the table.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import mpmath
 import sympy as sp
@@ -74,28 +74,33 @@ def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, start: sp.Expr, way: int | N
 
 
 def speed_stated(
-    when: sp.Expr, accelerations: Mapping[sp.Symbol, sp.Expr], initial: Mapping[sp.Symbol, sp.Expr], slots: Slots
+    when: Sequence[sp.Expr],
+    accelerations: Mapping[sp.Symbol, sp.Expr],
+    initial: Mapping[sp.Symbol, sp.Expr],
+    slots: Slots,
 ) -> tuple[sp.Symbol, sp.Expr, sp.Expr, sp.Expr] | None:
     """v, v' as a function of v alone, v_0 and v_1, where the condition is v = v_1; None where it is no such motion."""
     moving = {*slots.coordinates, *slots.velocities, t}
-    speeds = when.free_symbols & {*slots.velocities}
+    speeds = when[0].free_symbols & {*slots.velocities} if len(when) == 1 else set()
     if len(speeds) != 1:
         return None
     [v] = speeds
-    rate, slope = accelerations.get(prime(v)), sp.expand(when).coeff(v, 1)
+    rate, slope = accelerations.get(prime(v)), sp.expand(when[0]).coeff(v, 1)
     if rate is None or v not in initial or rate.free_symbols & moving != {v} or slope.free_symbols & moving:
         return None
-    end = sp.cancel(v - when / slope)
+    end = sp.cancel(v - when[0] / slope)
     return None if end.free_symbols & moving else (v, rate, initial[v], end)
 
 
-def time_between_speeds(v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr) -> sp.Expr | None:
-    """∫ dv/v' from one speed to another, for one sense of v; None where it is not found."""
+def time_between_speeds(
+    v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr, weight: sp.Expr = sp.S.One
+) -> sp.Expr | None:
+    """∫ w dv/v' from one speed to another, for one sense of v; None where it is not found."""
     size = sp.Dummy(v.name, positive=True)
     sense = 1 if sign_of(start) == 1 or (start == 0 and sign_of(end) == 1) else -1
     if sign_of(sense * start) not in (0, 1) or sign_of(sense * end) not in (0, 1):
         return None
-    inverse = sp.factor(sense / rate.xreplace({v: sense * size}))
+    inverse = sp.factor(sense * (weight / rate).xreplace({v: sense * size}))
     if count_operations(inverse) > LONGEST_INTEGRATED or (time := _integral(inverse, size)) is None:
         return None
     values = [factored_quotient(time.xreplace({size: sense * x})) for x in (end, start)]
@@ -105,11 +110,18 @@ def time_between_speeds(v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Exp
 
 
 def taken_between_speeds(
-    v: sp.Symbol, rate: sp.Expr, start: sp.Expr, end: sp.Expr, values: Mapping[sp.Symbol, sp.Expr]
+    v: sp.Symbol,
+    rate: sp.Expr,
+    start: sp.Expr,
+    end: sp.Expr,
+    values: Mapping[sp.Symbol, sp.Expr],
+    is_time: bool = True,
 ) -> tuple[sp.Expr, tuple[SignCondition, ...]] | None:
-    """The same time, with the condition that v goes from one to the other; None where it is not found."""
+    """The same time, or the way ∫ v dv/v', with the condition that v goes from one to the other; None where it is not
+    found.
+    """
     way = sign_of(rate.xreplace({v: start}))
-    if way is None or (taken := time_between_speeds(v, rate, start, end)) is None:
+    if way is None or (taken := time_between_speeds(v, rate, start, end, sp.S.One if is_time else v)) is None:
         return None
     is_later = sign_of_value(way * (end - start).xreplace(dict(values))) == 1
     return taken, () if is_later else (more_than_zero(way * (end - start)),)

@@ -86,6 +86,7 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
         if asked.answered:
             if asked.excluded_by(setting.values, {t, *coordinates}):
                 raise ProblemError(never_holds(question))
+            asked = asked.within(setting.values, {t, *coordinates})
             starting = setting.known.starting
             extended = (replace(b, conditions=without_weaker((*b.conditions, *starting))) for b in asked.branches)
             return replace(asked, branches=tuple(extended)) if starting else asked
@@ -98,23 +99,20 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
 
 
 def _with_either_sense(question: Question, setting: Setting) -> Asked:
-    """The answer; where a positive parameter would be negative, with the opposite sense of a rolling contact's force.
+    """The answer; where there is none, with the opposite sense of a force that is compared with the normal force.
 
     μ_s in F = μ_s N compares sizes, and the sense in which F is counted is that of the equation in the file.
     """
     try:
         return _Search(question, setting).answer()
     except ProblemError as error:
-        if not question.quantity.is_Symbol or not question.quantity.is_positive:
-            raise
-        for r in setting.place.law.newton.reactions:
-            if r.row.finite is None and r.symbol_of_force in mentioned(question):
-                try:
-                    asked = _Search(question, setting, r.symbol_of_force).answer()
-                except ProblemError:
-                    continue
-                if asked.answered:
-                    return replace(asked, opposite=r.symbol_of_force)
+        for force in setting.of_either_sense(question):
+            try:
+                asked = _Search(question, setting, force).answer()
+            except ProblemError:
+                continue
+            if asked.answered:
+                return replace(asked, opposite=force)
         raise error
 
 
@@ -174,6 +172,7 @@ class _Search:
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"
             raise ProblemError(slip_has_ended(self.question, what))
+        self.setting.refuse_rolling(self.question)
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -183,7 +182,7 @@ class _Search:
                 return asked if asked.answered else self._in_numbers() or asked
         elif self.question.by is None and (constant := self._constant()) is not None:
             return constant
-        if self.question.by != t and t not in self.quantity.free_symbols:
+        if self.question.by != t and (self.question.by is not None or t not in self.quantity.free_symbols):
             for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
                 if route is Route.INTEGRALS and not used:
                     break
@@ -193,7 +192,7 @@ class _Search:
                 if elimination.branches and elimination.solved and not elimination.free:
                     return self._chosen(route, elimination, used)
                 free = elimination.free
-            asked = None if self._is_about_time else self._in_time()
+            asked = None if self._is_about_time else self._in_time() or self._by_speed()
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
@@ -447,8 +446,9 @@ class _Search:
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
         if self.question.by == t:
             slipping |= {base(v) for v in self.setting.known.senses if v.is_Symbol}
-        places = self._places_of_no_matter(accelerations)
-        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
+        places = self.setting.places_of_no_matter(accelerations)
+        rates = [r.velocity_form(self.slots) for r in self.configuration.rows if r.finite is None]
+        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping, rates)
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
@@ -476,13 +476,6 @@ class _Search:
                 for q, e in motions[0].solutions.items()
             },
         )
-
-    def _places_of_no_matter(self, accelerations: SymbolValues) -> dict[sp.Symbol, sp.Symbol]:
-        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
-        initial = self.setting.initial
-        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
-        free = (q for q in self.slots.coordinates if q not in initial and prime(q) in initial and q not in occurring)
-        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     @property
     def _slips(self) -> list[sp.Expr]:
@@ -589,11 +582,13 @@ class _Search:
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 
     def _by_speed(self) -> Asked | None:
-        """t = ∫ dv/v' from v_0 to v_1, where the acceleration depends on the velocity alone; None if it does not."""
-        stated = speed_stated(self.when[0], self.known.accelerations, self.setting.initial, self.slots)
-        if stated is None:
+        """t = ∫ dv/v' or q − q_0 = ∫ v dv/v' from v_0 to v_1, where the acceleration depends on the velocity alone."""
+        stated = speed_stated(self.when, self.known.accelerations, self.setting.initial, self.slots)
+        quantity = self.question.quantity
+        if stated is None or quantity not in (t, base(stated[0])):
             return None
-        if (found := taken_between_speeds(*stated, self.setting.values)) is None:
+        place = sp.S.Zero if quantity == t else self.setting.initial.get(quantity)
+        if place is None or (found := taken_between_speeds(*stated, self.setting.values, quantity == t)) is None:
             return None
-        branch = AnswerBranch(t, found[0], (found[0],), (), found[1])
+        branch = AnswerBranch(quantity, place + found[0], (place + found[0],), (), found[1])
         return replace(self._asked(Route.QUADRATURE, How.EXACT, ()), integrand=stated, branches=(shown(branch),))

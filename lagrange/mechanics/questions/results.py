@@ -196,6 +196,12 @@ class Asked:
         of_motion = any(base(s) in moving for s in self.question.quantity.free_symbols)
         return bool(self.branches) and of_motion and all(b.excluded_by(values) for b in self.branches)
 
+    def within(self, values: Mapping[sp.Symbol, sp.Expr], moving: Collection[sp.Symbol]) -> Asked:
+        """The answer without the branches that values exclude: weak damping alone where 4 m k > c²."""
+        of_motion = any(base(s) in moving for s in self.question.quantity.free_symbols)
+        kept = tuple(b for b in self.branches if not b.excluded_by(values)) if of_motion else ()
+        return replace(self, branches=kept) if kept and len(kept) < len(self.branches) else self
+
     @property
     def has_bare_numbers(self) -> bool:
         """Whether a condition or an initial value is a number that may hide a unit, `t = 2`."""

@@ -11,12 +11,14 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.dependent import Substitution, dependent, held_at, reduced
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.integrals_of_motion import integrals
+from lagrange.mechanics.questions.rest.refusals import does_not_slip
 from lagrange.mechanics.questions.states import (
     Meanings,
     MotionView,
@@ -115,6 +117,30 @@ class Setting:
         """The symbols that the constraints give outright, those that they hold where they are at t = 0 among them."""
         held = {s: e for s, e in self.fixed.items() if s != never}
         return held_at(dependent(self.place.configuration, rather_not, never), held)
+
+    def places_of_no_matter(self, accelerations: SymbolValues) -> dict[sp.Symbol, sp.Symbol]:
+        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
+        initial, coordinates = self.initial, self.place.configuration.slots.coordinates
+        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
+        free = (q for q in coordinates if q not in initial and prime(q) in initial and q not in occurring)
+        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
+
+    def refuse_rolling(self, question: Question) -> None:
+        """Raises ProblemError where slip does not begin."""
+        if self.known.rolling:
+            raise ProblemError(does_not_slip(question))
+
+    def of_either_sense(self, question: Question) -> Iterator[sp.Symbol]:
+        """The forces whose sense a question leaves open: those of rolling, and what holds two bodies together, F = μ N.
+
+        Elsewhere a sense matters; a force that only pushes or pulls has one.
+        """
+        reactions = [r for r in self.place.law.newton.reactions if r.symbol_of_force in mentioned(question)]
+        pressed = any(r.constraint.side is not None for r in reactions)
+        for r in reactions:
+            rolls = r.row.finite is None and question.quantity.is_Symbol and question.quantity.is_positive
+            if rolls or (pressed and r.constraint.side is None):
+                yield r.symbol_of_force
 
     def turned(self, state: SymbolValues, senses: Senses) -> Setting:
         """The motion after a state of rest, with these senses."""

@@ -80,6 +80,7 @@ class Meanings:
     sides     the signs with which coordinates and their differences start, likewise for |q| and |x − y|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
+    rolling   whether slip does not begin, or its sense is not known, where what touches does not slip at t = 0
     fixed     the coordinates and velocities that constraints hold at their initial values
     """
 
@@ -90,6 +91,7 @@ class Meanings:
     sides: Senses = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
     held: bool = False
+    rolling: bool = False
     fixed: SymbolValues = field(default_factory=dict)
 
     def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
@@ -246,7 +248,7 @@ def with_senses(
     """
     senses: dict[sp.Expr, int] = dict(given or {})
     starting: list[SignCondition] = []
-    held = False
+    held = rolling = False
     at_rest = {f.coefficient: f.static for f in frictions if f.static is not None and f.coefficient.is_Symbol}
 
     def sign(e: sp.Expr) -> int | None:
@@ -273,6 +275,19 @@ def with_senses(
     expressions = [e for e in (*known.accelerations.values(), *known.reactions.values()) if e is not None]
     for slip in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Add}:
         way = sign(slip.xreplace(dict(initial))) if any(base(s) != s for s in slip.free_symbols & {*initial}) else None
+        if way == 0 and slip not in senses and any(e.has(sp.sign(slip)) for e in expressions):
+            # From rolling or rest it begins in the sense in which the forces drive it, if these exceed friction:
+            rate = sp.Add(*(slip.diff(s) * known.accelerations.get(prime(s), prime(s)) for s in slip.free_symbols))
+            either = ({sp.sign(slip): sp.Integer(s), sp.Abs(slip): sp.S.Zero} for s in (1, -1))
+            rates = [rate.xreplace(rule).xreplace(dict(initial)) for rule in either]
+            way = sign(sp.expand(sum(rates)))
+            if way not in (1, -1):
+                rolling = True
+                continue
+            starts = (way * rates[0 if way == 1 else 1]).xreplace(at_rest)
+            moves = sign(sp.expand(starts))
+            rolling = rolling or moves in (0, -1)
+            starting += [more_than_zero(starts)] if moves is None else []
         if way in (1, -1):  # x' − R θ' of a ball that is thrown along a lane
             senses[slip] = way
     sides = {
@@ -294,6 +309,7 @@ def with_senses(
         sides=sides,
         starting=tuple(starting),
         held=held,
+        rolling=rolling,
     )
 
 

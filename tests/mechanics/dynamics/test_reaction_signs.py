@@ -418,3 +418,23 @@ find: [equilibrium]
     assert f"{factor}, positive" in " ".join(page.split())
     assert "(h l T cos θ/" in page  # the work of the reaction in δθ, positive for T > 0
     assert "−(h l T cos θ/" not in page
+
+
+@pytest.mark.parametrize("name", ["cord", "cords", "threads", "cord_A", "rope_2"])
+def test_what_is_called_a_string_pulls_also_where_it_is_wound_up(problem: Read, name: str) -> None:
+    """A cylinder that unwinds from threads: T = m g/3, upward."""
+    found = as_object(
+        report(
+            problem(f"""
+title: Cylinder on two threads
+axes: {{j: up}}
+parameters: [m, g, R]
+coordinates: [y, theta]
+bodies: {{cylinder: {{mass: m, inertia: m*R^2/2, position: -y*j, angle: theta}}}}
+constraints: {{{name}: {{equation: y = R*theta, reaction: T}}}}
+gravity: -g*j
+ask: {{T: {{quantity: T}}}}
+""")
+        )
+    )
+    assert found["asked"][0]["value"] == "m*g/3"

@@ -24,6 +24,7 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.solution import solve
 from lagrange.render import terminal
+from lagrange.render.json import as_object
 from lagrange.render.json_momenta import steady_motions as steady_in_json
 from tests.support.problem_texts import read
 
@@ -434,3 +435,21 @@ def test_a_force_of_any_power_of_the_distance() -> None:
     assert frequency.square is not None
     r, n, k, m = (next(s for s in frequency.square.free_symbols if s.name == name) for name in ("r", "n", "K", "m"))
     assert is_zero(frequency.square - (n + 3) * k * r ** (n - 1) / m) is True
+
+
+def test_a_screened_field_that_does_not_exist_at_the_centre() -> None:
+    """V = -K exp(-r/a)/r: m r phi'^2 = K exp(-r/a) (1/r^2 + 1/(a r)); "division by zero" was reported at r = 0."""
+    found = as_object(
+        report(
+            read("""title: Circular orbit in the screened Coulomb field
+parameters: [m, K, a]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+forces: {field: {potential: -K/r*exp(-r/a)}}
+find: steady
+answers: {steady: ["m*r*phi'^2 = K*exp(-r/a)*(1/r^2 + 1/(a*r))"]}
+""")
+        )
+    )
+    assert [a["verdict"] for a in found["answers"]] == ["equivalent"]

@@ -200,3 +200,181 @@ def test_turning_points_by_hand(potential: str, turn: Callable[[float], float], 
     here = branch.rhs.xreplace({s: sp.Integer(values[s.name]) for s in branch.rhs.free_symbols})
     assert float(here) == pytest.approx(turn(0.5) / 3)
     assert len(branch.conditions) == conditions
+
+
+WHEEL = """
+title: Wheel that is pulled by a cord round its hub
+axes: {i: right, j: up}
+parameters:
+  m: 50 kg
+  R: 100 mm
+  r: 60 mm
+  k_O: 70 mm
+  P: 200 N
+  mu: 0.15
+  mu_s: 0.2
+  g: 9.81 m/s^2
+coordinates: [x, y, theta]
+bodies: {wheel: {mass: m, inertia: m*k_O^2, position: x*i + y*j, angle: -theta}}
+constraints: {floor: {equation: y >= R, reaction: N}}
+forces:
+  pull: {on: wheel, vector: P*i, at: r_wheel - r*j}
+  rub: {friction: mu, static: mu_s, constraint: floor, on: wheel, at: r_wheel - R*j}
+gravity: -g*j
+initial: {x: 0, x': 0, theta: 0, theta': 0}
+ask: {a: {quantity: "x''", when: t = 0}, turning: {quantity: "theta''", when: t = 0}}
+"""
+
+
+def test_a_wheel_that_is_pulled_hard_begins_to_slip(problem: Read) -> None:
+    """Rolling would need 200 N - 40.27 N > 98.1 N of friction; so a = P/m - mu g, and it turns backwards."""
+    solved = report(problem(WHEEL))
+    found = as_object(solved)["asked"]
+    friction = 0.15 * 50 * 9.81
+    turning = (friction * 0.1 - 200 * 0.06) / (50 * 0.07**2)
+    assert [a["number"] for a in found] == pytest.approx([(200 - friction) / 50, turning])
+    assert all(c.passed for c in solved.solution.checks)
+
+
+def test_a_wheel_that_is_pulled_gently_rolls(problem: Read) -> None:
+    with pytest.raises(ProblemError, match="slip that does not begin"):
+        solve(problem(WHEEL.replace("P: 200 N", "P: 20 N")))
+
+
+def test_a_force_between_two_bodies_is_compared_with_the_normal_force_in_either_sense(problem: Read) -> None:
+    """The plank draws the bar with F = m_2 a t/(m_1 + m_2), which is mu m_2 g at t = mu g (m_1 + m_2)/a."""
+    text = """
+title: A bar on a plank that is pulled harder and harder
+axes: {i: right, j: up}
+parameters: [m_1, m_2, g, mu, a]
+coordinates: [x_1, x_2, y]
+particles:
+  plank: {mass: m_1, position: x_1*i}
+  bar: {mass: m_2, position: x_2*i + y*j}
+constraints:
+  top: {equation: y >= 0, reaction: N}
+  together: {equation: x_1 = x_2, reaction: F}
+forces: {pull: {on: plank, vector: a*t*i}}
+gravity: -g*j
+ask: {start: {quantity: t, when: F = mu*N}}
+"""
+    for written in (text, text.replace("x_1 = x_2", "x_2 = x_1")):
+        assert asked(problem(written))["start"]["value"] == "mu*(m_1 + m_2)*g/a"
+
+
+def test_friction_in_a_tube_that_turns_is_that_of_the_force_across_it(problem: Read) -> None:
+    """N = 2 m w r' in the tube, so that r'' + 2 mu w r' - w^2 r = 0 with the roots w (-mu +- sqrt(mu^2 + 1))."""
+    solved = report(
+        problem("""
+title: A bead in a rough tube that turns
+parameters: [m, w, mu, b]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {bead: {mass: m, position: r*e_r}}
+constraints: {tube: {equation: phi = w*t, reaction: N}}
+forces: {rub: {friction: mu, constraint: tube, on: bead, slip: e_r, surface_velocity: r*w*e_phi}}
+initial: {r: b, r': 0}
+ask: {motion: {quantity: r, by: t}}
+answers: {equations: ["r'' + 2*mu*w*r' - w^2*r = 0"]}
+""")
+    )
+    [branch] = solved.solution.asked[0].branches
+    values = {"mu": 0.75, "w": 1.0, "b": 1.0, "t": 2.0}
+    here = branch.rhs.xreplace({s: sp.Float(values[s.name]) for s in branch.rhs.free_symbols})
+    assert float(here) == pytest.approx(0.8 * math.exp(1) + 0.2 * math.exp(-4))
+    assert as_object(solved)["answers"][0]["verdict"] == "equivalent"
+
+
+def test_a_blade_on_an_incline_describes_a_cycloid(problem: Read) -> None:
+    """With theta = w t its speed along itself is (g sin(alpha)/w) sin(w t)."""
+    found = asked(
+        problem("""
+title: Knife edge on an inclined plane
+axes: {i: down the plane, j: across}
+parameters: {m: positive, I: positive, g: positive, alpha: acute, w: positive}
+coordinates: [x, y, theta]
+bodies: {blade: {mass: m, inertia: I, position: x*i + y*j, angle: theta}}
+constraints: {edge: "x'*sin(theta) = y'*cos(theta)"}
+gravity: g*sin(alpha)*i
+initial: {x: 0, y: 0, theta: 0, x': 0, y': 0, theta': w}
+ask:
+  down: {quantity: x, by: t}
+  across: {quantity: y, by: t}
+  lowest: {quantity: x, when: theta = pi/2}
+""")
+    )
+    assert found["down"]["value"] == "g*sin(w*t)^2*sin(alpha)/(2*w^2)"
+    assert found["across"]["value"] == "g*(2*w*t - sin(2*w*t))*sin(alpha)/(4*w^2)"
+    assert found["lowest"]["value"] == "g*sin(alpha)/(2*w^2)"
+
+
+def test_the_distance_to_a_speed(problem: Read) -> None:
+    """I w' = -a sqrt(w): w dw/w' from w_0 to 0 is 2 I w_0^(3/2)/(3 a); after a third of the speed, 26/27 less."""
+    solved = report(
+        problem("""
+title: Flywheel braked by a moment that grows with the root of the speed
+parameters: [I, a, w]
+coordinates: [phi]
+bodies: {flywheel: {mass: 1, inertia: I, position: 0*i, angle: phi}}
+forces: {brake: {on: flywheel, moment: -a*sqrt(phi')*k}}
+initial: {phi: 0, phi': w}
+ask: {angle: {quantity: phi, when: phi' = 0}, part: {quantity: phi, when: phi' = w/4}}
+""")
+    )
+    angle, part = (a.branches[0].rhs for a in solved.solution.asked)
+    values = {"I": 2, "a": 3, "w": 4}
+    whole, some = (e.xreplace({s: sp.Integer(values[s.name]) for s in e.free_symbols}) for e in (angle, part))
+    assert (whole, some) == (sp.Rational(32, 9), sp.Rational(28, 9))
+    assert "integral of φ̇/φ̈" in " ".join(terminal.text(solved.derivation, solved.notation, 100).split())
+
+
+def test_values_decide_which_damping_it_is(problem: Read) -> None:
+    """m = 2, c = 8, k = 58: e^(-2t) cos 5t and so on; the aperiodic cases are not printed."""
+    text = """
+title: A damped oscillator
+parameters: {m: 2 kg, c: 8 Ns/m, k: 58 N/m, b: 10 cm}
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {spring: {potential: k*x^2/2}, damper: {on: P, vector: "-c*x'*i"}}
+initial: {x: b, x': 0}
+ask: {motion: {quantity: x, by: t}}
+"""
+    [answer] = solve(problem(text)).asked
+    assert [[c.relation for c in b.conditions] for b in answer.branches] == [[">"]]
+
+
+def test_a_speed_with_an_acute_angle_is_written_without_modulus_and_condition(problem: Read) -> None:
+    """Launched level at the angle beta of a bowl, it reaches the rim: v^2 cos(beta) = 2 g R."""
+    found = asked(
+        problem("""
+title: Horizontal speed that carries a particle to the rim of a bowl
+axes: {k: up}
+parameters: {m: positive, g: positive, R: positive, beta: acute, v: positive}
+coordinates: [theta, phi]
+particles: {P: {mass: m, position: "R*sin(theta)*cos(phi)*i + R*sin(theta)*sin(phi)*j - R*cos(theta)*k"}}
+gravity: -g*k
+initial: {theta: beta, theta': 0, phi: 0, phi': v/(R*sin(beta))}
+ask: {least: {quantity: v, when: [theta = pi/2, theta' = 0]}}
+""")
+    )
+    assert (found["least"]["value"], found["least"]["conditions"]) == ("sqrt(2*g*R/cos(beta))", [])
+
+
+def test_the_force_on_a_chain_as_a_function_of_its_height(problem: Read) -> None:
+    """Lifted at the speed v from a heap: the weight rho g y and the momentum rho v^2 in a second."""
+    found = solve(
+        problem("""
+title: Chain lifted from a heap at constant speed
+axes: {j: up}
+parameters: [rho, v, g]
+coordinates: [y]
+particles: {chain: {mass: rho*y, position: y*j, gains: {velocity: 0}}}
+forces: {weight: {on: chain, vector: -rho*y*g*j}}
+constraints: {hand: {equation: y = v*t, reaction: P}}
+ask: {force: {quantity: P, by: y}}
+""")
+    )
+    [branch] = found.asked[0].branches
+    values = {"rho": 2, "v": 3, "g": 10, "y": 5}
+    here = branch.rhs.xreplace({s: sp.Integer(values[s.name]) for s in branch.rhs.free_symbols})
+    assert abs(here) == 2 * (10 * 5 + 9)

@@ -47,6 +47,13 @@ def slip_has_ended(question: Question, holds: str = "holds only after the slip h
     return Diagnostic("never-holds", message, first, help=help_)
 
 
+def does_not_slip(question: Question) -> Diagnostic:
+    """What touches does not slip at t = 0, and no force makes it slip."""
+    message = f"the question `{question.name}` is about slip that does not begin: what touches does not slip at t = 0"
+    help_ = "friction at rest is enough, or nothing drives it: write rolling as a constraint, `static:` for its limit"
+    return Diagnostic("never-holds", message, question.span, help=help_)
+
+
 def contact_has_ended(question: Question, constraint: str) -> Diagnostic:
     """The state comes after a one-sided constraint has ceased to act: its force would have the wrong sign there."""
     first = question.when[0].span if question.when else question.span
