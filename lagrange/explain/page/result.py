@@ -347,7 +347,9 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         from lagrange.explain.page.result_at_rest import result_at_rest
 
         values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
-        yield from result_at_rest(view, values, held=solution.classification.degrees_of_freedom == 0)
+        newton = None if solution.law is None else solution.law.newton
+        held = solution.classification.degrees_of_freedom == 0
+        yield from result_at_rest(view, values, newton, held=held)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates

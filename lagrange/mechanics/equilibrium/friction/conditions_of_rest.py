@@ -7,12 +7,13 @@ same degree in sin θ and cos θ, they are divided by cos θ and written in tan 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -134,6 +135,22 @@ def _solved_for(symbol: sp.Expr, reduced: sp.Expr, signs: Signs) -> RestConditio
         return RestCondition(limit.value, symbol)
     bound = without_leading_minus(_in_tangents(shortest(-rest / rate)))
     return RestCondition(bound, symbol) if sense == 1 else RestCondition(symbol, bound)
+
+
+def value_of_letter(e: sp.Expr, letter: sp.Symbol, values: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr | None:
+    """The letter for which e = 0; None where e is not linear in it, or its coefficient vanishes with the values."""
+    rate, rest = _linear(letter, sp.fraction(sp.together(e))[0])
+    if letter in rate.free_symbols | rest.free_symbols or is_zero(rate.xreplace(dict(values))) is not False:
+        return None
+    over, under = sp.fraction(_in_tangents(sp.factor(-rest) / sp.factor(rate)))
+    return -over / -under if _minus_signs(under) + _minus_signs(over) > 0 else over / under
+
+
+def _minus_signs(e: sp.Expr) -> int:
+    """How many more terms with a minus sign than without it the sums among the factors have."""
+    terms = [t for f in sp.Mul.make_args(e) if f.is_Add for t in f.args]
+    minus = sum(t.could_extract_minus_sign() for t in terms)
+    return 2 * minus - len(terms) + (1 if e.as_coeff_Mul()[0].is_negative else 0)
 
 
 @record

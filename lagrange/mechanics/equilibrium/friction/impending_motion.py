@@ -48,6 +48,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     SolvedFor,
     not_negative,
     solved_for_exponent,
+    value_of_letter,
 )
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import each_contact_once, rough_contacts
 from lagrange.mechanics.equilibrium.friction.held_positions import held_coordinates
@@ -246,7 +247,8 @@ def _at_limit(
     elif held and (there := _where_held(resting, held)) is not None:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = there
-    resting = _possible(resting, contacts, signs)
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    resting = _possible(resting, contacts, signs, values)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
@@ -320,7 +322,9 @@ def _without_held(b: Branch, held: Mapping[sp.Symbol, sp.Expr]) -> Branch:
     return replace(b, relations=other or b.relations)
 
 
-def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs) -> Equilibrium:
+def _possible(
+    resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs, values: Mapping[sp.Symbol, sp.Expr]
+) -> Equilibrium:
     """The equilibria without those for parameters that have other signs: μ cos α + sin α = 0."""
     kept = [
         n
@@ -329,19 +333,31 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
         and not any(r.lhs.is_positive and signs.of(r.rhs) in (0, -1) for r in b.relations)
     ]
     known = SolvedFor(coefficients=tuple(c.coefficient for c in contacts))
-    branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
+    branches = tuple(_limits_solved(resting.branches[n], resting, known, signs, values) for n in kept)
     idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
     return replace(resting, branches=branches, idle=idle)
 
 
-def _limits_solved(b: Branch, resting: Equilibrium, wanted: SolvedFor, signs: Signs) -> Branch:
-    """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
+def _limits_solved(
+    b: Branch, resting: Equilibrium, wanted: SolvedFor, signs: Signs, values: Mapping[sp.Symbol, sp.Expr]
+) -> Branch:
+    """The branch with its relations between parameters solved for a coefficient of friction, tan α = μ.
+
+    Of values for all other letters, what has none is asked for: P = W (sin α + μ cos α)/(cos α − μ sin α).
+    """
     b = _coefficients_solved(b, resting)
     if not b.special:
         return replace(b, relations=tuple(replace(r, rhs=_without_minus(r.rhs)) for r in b.relations))
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
+        open_ = r.residual.free_symbols - {*values}
+        if len(open_) == 1 and len(r.residual.free_symbols) > 1:
+            [letter] = open_
+            limit = value_of_letter(r.residual, letter, values)
+            if limit is not None:
+                relations.append(replace(r, lhs=letter, rhs=limit))
+                continue
         if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
             written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
