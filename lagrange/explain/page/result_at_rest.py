@@ -77,7 +77,7 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
             continue
         places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
         if places and len(branches) == 1:
-            groups += [_found(p, view) for p in places]
+            groups += [_found(p) for p in places]
             continue
         words: tuple[Part, ...] = ()
         if verdict is not None:
@@ -96,7 +96,7 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
 
 
-def _found(p: Position, view: InCoordinates) -> list[Equation]:
+def _found(p: Position) -> list[Equation]:
     """An equilibrium that was found numerically, with its stability."""
     lines = [Equation((q, x.shown(RESULT_DIGITS)), relation="≈") for q, x in p.coordinates.items()]
     words = (p.stability.value,) if p.stability in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE) else ()

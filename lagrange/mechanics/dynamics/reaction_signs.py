@@ -14,7 +14,8 @@ particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
 mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
 tells which, because a string that passes over a pulley holds it up. A constraint that is
-called a string, or is kept `by` one, may have terms of both signs, z − x = L.
+called a string, or is kept `by` one, may have terms of both signs, z − x = L. Where the coordinates do not place the
+ends, as in 2l sin θ = c, the whole of what equals the length L is ℓ.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -268,6 +269,9 @@ def _tension(
             x if x is None or x.shown else _carried(k, e, configuration)
             for x, (k, e) in zip(lengths, terms, strict=True)
         ]
+    if None in lengths and placed is None and (by in (Keeper.STRING, Keeper.ROD) or _is_called_string(row.name)
+                                               or any(e.has(sp.Abs) for _, e in terms)):  # fmt: skip
+        return _of_whole_length(constant)
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
@@ -279,6 +283,18 @@ def _tension(
     if by not in (Keeper.STRING, Keeper.ROD) and not seen and not _is_called_string(row.name):
         return None
     return _pulling(constant, known)
+
+
+def _of_whole_length(constant: sp.Expr) -> SingleForce | None:
+    """The tension of f = ±(ℓ − L), T = ∓λ, or f = ±(ℓ² − L²), T = ∓2 L λ, by the constant −L or −L² of f.
+
+    For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods.
+    """
+    if constant.is_number or not (constant.is_positive or constant.is_negative):
+        return None
+    size, sign = abs(constant), 1 if constant.is_positive else -1
+    squared = all(e.is_even for f in sp.Mul.make_args(size) if not f.is_number for e in [f.as_base_exp()[1]])
+    return SingleForce(ForceKind.TENSION, sign * (2 * sp.sqrt(size) if squared else 1) * sp.S.One)
 
 
 def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:

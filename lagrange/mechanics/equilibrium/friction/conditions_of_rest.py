@@ -142,15 +142,7 @@ def value_of_letter(e: sp.Expr, letter: sp.Symbol, values: Mapping[sp.Symbol, sp
     rate, rest = _linear(letter, sp.fraction(sp.together(e))[0])
     if letter in rate.free_symbols | rest.free_symbols or is_zero(rate.xreplace(dict(values))) is not False:
         return None
-    over, under = sp.fraction(_in_tangents(sp.factor(-rest) / sp.factor(rate)))
-    return -over / -under if _minus_signs(under) + _minus_signs(over) > 0 else over / under
-
-
-def _minus_signs(e: sp.Expr) -> int:
-    """How many more terms with a minus sign than without it the sums among the factors have."""
-    terms = [t for f in sp.Mul.make_args(e) if f.is_Add for t in f.args]
-    minus = sum(t.could_extract_minus_sign() for t in terms)
-    return 2 * minus - len(terms) + (1 if e.as_coeff_Mul()[0].is_negative else 0)
+    return without_leading_minus(_in_tangents(sp.factor(-rest) / sp.factor(rate)))
 
 
 @record
