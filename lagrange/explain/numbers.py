@@ -61,9 +61,8 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
-            body = (*step.body, *_equilibria(view, view.in_numbers, digits, _start(values)))
-            there = _forces_at_roots(view, solution, values, digits)
-            yield replace(step, body=(*body, *there))
+            table = _equilibria(view, view.in_numbers, digits, _start(values))
+            yield replace(step, body=(*step.body, *table, *_forces_at_roots(view, solution, values, digits)))
         elif view is not None and not _determines_forces(view):
             yield step
         else:

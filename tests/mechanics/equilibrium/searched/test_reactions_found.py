@@ -33,9 +33,10 @@ def test_tensions_of_three_cords() -> None:
     problem = read_problem(Source("cords.yaml", CORDS))
     solution = solve(problem)
     own, values = solution.own, values_in(solution)
-    assert (
-        values is not None and own.in_numbers is not None and own.equilibrium is not None and solution.law is not None
-    )
+    assert values is not None
+    assert own.in_numbers is not None
+    assert own.equilibrium is not None
+    assert solution.law is not None
     [hanging] = [p for p in own.in_numbers.positions if p.coordinates[sp.Symbol("y_1", real=True)].formula < 0]
     forces = reactions_found(hanging.coordinates, own.equilibrium, solution.law.newton, values)
     outer, middle = 100 / (3**0.5 / 2), 100 / 3**0.5
