@@ -250,7 +250,9 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     if rule is Rule.HAMILTON and len(lines) > 1:
         return "Hamilton's and Routh's functions"
     branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
-    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and any(len(b) > 1 for b in branches)
+    unknown = {s for e in lines if isinstance(e.sides[0], sp.Expr) for s in e.sides[0].free_symbols}
+    several = rule is Rule.EQUILIBRIUM and len(lines) > min(1, len(unknown)) and any(len(b) > 1 for b in branches)
+    several = several and not (len(lines) == len(unknown) == len({e.sides[0] for e in lines}))
     return "the equilibria" if several else _CALLED[rule]
 
 

@@ -135,6 +135,10 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
         lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
         if not lines:
             continue
+        if b.special:  # the forces at the limit, and not where the constraints hold the system anyhow
+            moving = {*view.configuration.slots.coordinates}
+            forces = [e for e in lines if not any(moving & s.free_symbols for s in e.sides if isinstance(s, sp.Expr))]
+            lines = [replace(e, condition=()) for e in forces] or lines
         if rest is not None:
             said = lines[-1].condition
             lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))

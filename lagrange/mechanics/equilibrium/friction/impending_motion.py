@@ -55,6 +55,9 @@ from lagrange.mechanics.equilibrium.friction.held_positions import held_coordina
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 
+GIVEN_AS_A_RULE = "WwMmg"
+"""First letters of weights and masses: of a weight and a push without values the push is sought."""
+
 
 @record
 class ImpendingMotion:
@@ -351,14 +354,17 @@ def _limits_solved(
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
-        open_ = r.residual.free_symbols - {*values}
-        if len(open_) == 1 and len(r.residual.free_symbols) > 1:
-            [letter] = open_
-            limit = value_of_letter(r.residual, letter, values)
-            if limit is not None:
-                relations.append(replace(r, lhs=letter, rhs=limit))
-                continue
-        if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
+        letters = r.residual.free_symbols
+        rough = [c for c in dict.fromkeys(wanted.coefficients) if c in letters]
+        open_ = letters - {*values} if values and {*rough} <= {*values} else set()
+        loads = {s for s in open_ if s.name[0] not in GIVEN_AS_A_RULE}
+        for sought in ([*open_], [*loads], rough):  # what alone has no value, otherwise the coefficient
+            letter = sought[0] if len(sought) == 1 < len(letters) else None
+            limit = None if letter is None else value_of_letter(r.residual, letter, values, signs)
+            if letter is not None and limit is not None:
+                written = (RestCondition(limit, letter) if sought is rough else RestCondition(letter, limit),)
+                break
+        if not written and r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
             written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
     return replace(b, relations=tuple(relations))
