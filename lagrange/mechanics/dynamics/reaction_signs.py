@@ -257,7 +257,9 @@ def _tension(
     assert row.finite is not None
     coordinates = set(configuration.slots.coordinates)
     constant, terms = _separated(row.finite, coordinates)
-    roots = [t for t in terms if isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2)]
+    roots = [
+        t for t in terms if isinstance(t[1], sp.Abs) or (isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2))
+    ]
     is_sum = by is Keeper.STRING and all(e in coordinates for _, e in terms)
     if not roots and placed is not None and acts is not None and acts.moments and not is_sum:
         squared = _of_square(row, placed, configuration)
@@ -403,6 +405,8 @@ def _length(share: sp.Expr, rest: sp.Expr, placed: Placed | None, configuration:
     """A term as a length: a distance √S, or a coordinate; None if it is neither."""
     if isinstance(rest, sp.Pow) and rest.exp == sp.Rational(1, 2):
         return _distance(share, rest.base, placed, configuration)
+    if isinstance(rest, sp.Abs):  # of a point on a line
+        return _distance(share, rest.args[0] ** 2, placed, configuration)
     if rest not in configuration.slots.coordinates:
         return None
     return _coordinate(share, rest, configuration)
