@@ -61,7 +61,8 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
-            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, _start(values))))
+            table = _equilibria(view, view.in_numbers, digits, _start(values))
+            yield replace(step, body=(*step.body, *table, *_forces_at_roots(view, solution, values, digits)))
         elif view is not None and not _determines_forces(view):
             yield step
         else:
@@ -103,6 +104,25 @@ def _at_positions_found(step: Step, solution: Solution, values: Values, digits: 
             which = "the position" if len(in_numbers.positions) == 1 else f"position {n}"
             yield prose(f"In {which} found in numbers:", detail=Detail.BRIEF)
             yield display(*shown, detail=Detail.BRIEF)
+
+
+def _forces_at_roots(view: InCoordinates, solution: Solution, values: Values, digits: int) -> Iterator[Block]:
+    """The named reactions at the equilibria that were found numerically, where no formula for them is stated."""
+    rest, stated = solution.own.equilibrium, view.reactions_at_rest
+    if not view.is_own or rest is None or solution.law is None or view.in_numbers is None:
+        return
+    if stated is not None and any(there is not None for there in stated.at):
+        return
+    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
+
+    roots = [p for p in view.in_numbers.positions if p.branch is None]
+    rows = [reactions_found(p.coordinates, rest, solution.law.newton, values) for p in roots]
+    names = [*rows[0]] if rows and all(rows) else []
+    if names:
+        yield prose("There, in the same order, the reactions are" if len(roots) > 1 else "There the reactions are",
+                    detail=Detail.BRIEF)  # fmt: skip
+        shown = tuple(tuple(math(row[name].shown(digits)) for name in names) for row in rows)
+        yield Table(tuple(math(name) for name in names), shown, Detail.BRIEF)
 
 
 def _start(values: Values) -> str:

@@ -230,6 +230,8 @@ def explain_reactions_at_rest(
     if not static.at or not (newton.reactions or static.configuration.rows):
         return None
     name = static.configuration.name
+    from lagrange.mechanics.equilibrium.static_reactions import would_act_backwards
+
     suffix = suffix_of(name)
     several = len(static.at) > 1
     body: list[Block] = list(_beginning(static, newton, own))
@@ -252,6 +254,11 @@ def explain_reactions_at_rest(
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
         body += explain_contacts(there.reactions, newton, place if several else ())
+        slack = [r for r in would_act_backwards(there, newton) if r.constraint.side is None]
+        if slack:
+            forces = listed(math(r.symbol_of_force or r.force, sp.S.Zero, relation="<") for r in slack)
+            are_ = plural(len(slack), "a string cannot push", "strings cannot push")
+            body.append(prose(*forces, f": {are_}, so this is no equilibrium.", purpose=Purpose.CONTACT))
     if not name or own is not None:
         body += explain_bounds(newton)
     title = plural(len(newton.reactions), "The reaction at rest", "The reactions at rest")
@@ -284,7 +291,7 @@ def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | N
         where = ["At ", *listed(Ref(f"equilibrium{suffix}-{n}") for n, _ in enumerate(static.at, start=1)), " "]
     equations: list[Part] = [*(("the equations ", *listed(known)) if known else ("these equations",))]
     sole = not any(there and there.reactions.combinations for there in static.at)
-    unknowns = listed(math(r.multiplier) for r in newton.reactions) if sole else []
+    unknowns = listed(math(r.given or r.multiplier) for r in newton.reactions) if sole else []
     words = " are consistent and give " if sole else " are consistent and give"
     yield prose(*where, *equations, words, *unknowns, "." if several else ":")
 

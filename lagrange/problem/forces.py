@@ -58,12 +58,17 @@ def read_gravity(node: Node | None, context: LoadContext) -> Vector | None:
 
 
 def _gravity(node: Node, context: LoadContext) -> Vector:
+    help_ = "gravity is a vector: write `gravity: -g*j` where j points up, `gravity: g*j` where it points down"
+    return _vector_or(help_, lambda: context.vector(node, "`gravity`", FORCE))
+
+
+def _vector_or(help_: str, read: Callable[[], Vector]) -> Vector:
+    """A vector; where a scalar stands in its place, the error says how this vector is written. Raises ProblemError."""
     try:
-        return context.vector(node, "`gravity`", FORCE)
+        return read()
     except ProblemError as error:
         if [d.code for d in error.diagnostics] != ["scalar-for-vector"]:
             raise
-        help_ = "gravity is a vector: write `gravity: -g*j` where j points up, `gravity: g*j` where it points down"
         raise ProblemError([replace(d, help=help_) for d in error.diagnostics]) from None
 
 
@@ -299,7 +304,8 @@ def _applied(f: _Entry) -> Force:
 
 
 def _moment(f: _Entry) -> Force:
-    on, moment = f.all_of(f.body, lambda: f.vector("moment"))
+    help_ = "a moment is a vector along its axis: write `M*k` for one that turns i towards j"
+    on, moment = f.all_of(f.body, lambda: _vector_or(help_, lambda: f.vector("moment")))
     return AppliedMoment(f.name, on, moment, f.span)
 
 

@@ -148,6 +148,19 @@ OTHER_KEYS = {
     "quasi_velocities": "speeds", "quasivelocities": "speeds",
 }  # fmt: skip
 """Keys as one might guess them, of the sections that have those keys."""
+OTHER_ENTRY_KEYS = {
+    **dict.fromkeys(("torque", "couple"), "moment"), **dict.fromkeys(("force", "f"), "vector"),
+    **dict.fromkeys(("point", "applied_at", "point_of_application"), "at"),
+    **dict.fromkeys(("body", "particle", "applied_to"), "on"), **dict.fromkeys(("stiffness", "k"), "spring"),
+    **dict.fromkeys(("rest_length", "natural_length", "free_length", "unstretched", "l_0", "l0"), "length"),
+    **dict.fromkeys(("ends", "from", "points"), "between"), **dict.fromkeys(("mu", "coefficient"), "friction"),
+    **dict.fromkeys(("damping", "dashpot", "c"), "damper"), **dict.fromkeys(("v", "energy"), "potential"),
+    **dict.fromkeys(("moment_of_inertia", "i", "j"), "inertia"), **dict.fromkeys(("m", "weight"), "mass"),
+    **dict.fromkeys(("r", "pos", "centre", "center", "center_of_mass", "centre_of_mass"), "position"),
+    **dict.fromkeys(("orientation", "rotation"), "angle"), **dict.fromkeys(("eq", "condition"), "equation"),
+    **dict.fromkeys(("tension", "normal", "multiplier", "normal_force"), "reaction"),
+}  # fmt: skip
+"""Keys as one might guess them, of the entries of sections that have those keys."""
 
 
 class Section:
@@ -188,9 +201,11 @@ class Section:
             return "write `range: [a, b]`"
         if "inertia" in self.form.names and key.text in ("leaves", "gains"):
             return VARYING_PART
-        other = OTHER_KEYS.get(key.text.lower())
-        if other in self.form.names:
-            return f"write `{other}`"
+        if "vector" in self.form.names and key.text in ("gravity", "weight", "g"):
+            return "weights come from the masses: write `gravity: -g*j` beside `forces`, not in it"
+        for other in (OTHER_KEYS.get(key.text.lower()), OTHER_ENTRY_KEYS.get(key.text.lower())):
+            if other in self.form.names:
+                return f"write `{other}`"
         return suggestion(key.text, self.form.names, "keys")
 
     def _entry(self, key: str) -> tuple[Scalar, Node] | None:

@@ -6,7 +6,7 @@ import pytest
 
 import lagrange
 from lagrange.problem import keys
-from lagrange.problem.sections import OTHER_KEYS, OTHER_QUESTIONS
+from lagrange.problem.sections import OTHER_ENTRY_KEYS, OTHER_KEYS, OTHER_QUESTIONS
 
 HEAD = "title: a\ncoordinates: [x]\n"
 PARTICLE = "particles: {P: {mass: m, position: x*i}}\n"
@@ -51,3 +51,24 @@ def test_other_words_are_no_keys_and_mean_keys() -> None:
     assert not questions & set(OTHER_QUESTIONS)
     assert set(OTHER_KEYS.values()) <= set(keys.PROBLEM.names)
     assert not set(OTHER_KEYS) & set(keys.PROBLEM.names)
+    entries = {
+        name for form in (*keys.FORCES.values(), keys.BODY, keys.PARTICLE, keys.CONSTRAINT) for name in form.names
+    }
+    assert set(OTHER_ENTRY_KEYS.values()) <= entries
+
+
+@pytest.mark.parametrize(
+    ("forces", "cure"),
+    [
+        ("{gravity: g}", "write `gravity: -g*j` beside `forces`, not in it"),
+        ("{torque: M*k, on: B}", "write `moment`"),
+        ("{moment: m, on: B}", "write `M*k` for one that turns i towards j"),
+        ("{force: m*i, on: P}", "write `vector`"),
+        ("{stiffness: m, between: [O, P]}", "write `spring`"),
+    ],
+)
+def test_keys_of_forces_as_one_might_guess_them(forces: str, cure: str) -> None:
+    bodies = "bodies: {B: {mass: m, inertia: m, position: x*i}}\n"
+    with pytest.raises(lagrange.ProblemError) as found:
+        lagrange.loads(FREE + bodies + f"forces: {{one: {forces}}}\n")
+    assert cure in found.value.show()

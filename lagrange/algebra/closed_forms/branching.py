@@ -422,7 +422,8 @@ class _BranchSearch:
         letters = sorted((unknowns - angles) | (circular & used), key=str)
         if not angles and vanish_at_origin_alone(state.equations, letters):
             return tuple(letters)
-        return solved_for_powers(state.equations, letters)
+        less = without_common_squares(state.equations, letters)
+        return solved_for_powers(state.equations, letters) or (less if less != state.equations else None)
 
     def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
         """The state in which some unknowns have trivial values, 0 or π."""

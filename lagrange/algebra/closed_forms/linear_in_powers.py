@@ -26,7 +26,8 @@ def without_common_squares(equations: Sequence[sp.Expr], unknowns: Sequence[sp.S
     first: dict[sp.Expr, sp.Expr] = {}
     for e, (number, form) in zip(equations, forms, strict=True):
         alike = [f for _, f in forms if f == form]
-        if number == 0 or len(alike) < SPHERES or form not in first:
+        enough = min(SPHERES, max(2, len(form.free_symbols & {*unknowns})))  # two circles, three spheres
+        if number == 0 or len(alike) < enough or form not in first:
             first |= {form: e / number} if number != 0 else {}
             kept.append(e)
         else:

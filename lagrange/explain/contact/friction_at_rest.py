@@ -196,8 +196,8 @@ def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[
         yield prose(*(("With slip ", *slips, " the") if m.contacts else ("The",)), " equations of balance give")
         yield display(*(Equation((r.force, m.pressed[r.name])) for r in newton.reactions))
         among = ", with the friction among the applied forces," if m.contacts else ""
-        yield prose(f"so that{among} the conditions of equilibrium are")
-    else:
+        yield prose(f"so that{among} the conditions of equilibrium are" if conditions else "No condition is left.")
+    elif conditions:
         yield prose("The conditions of equilibrium are")
     yield display(*(Equation((e, ZERO)) for e in conditions))
     for n, b in enumerate(m.equilibrium.branches, start=1):
@@ -205,7 +205,7 @@ def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[
         lines = [
             Equation((r.lhs, r.rhs), label=f"impending{suffix}{number}-{k}") for k, r in enumerate(b.equations, start=1)
         ]
-        yield prose("They hold if" if n == 1 else "or if")
+        yield prose("or if" if n > 1 else "They hold if" if conditions else "The position is")
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
         if b.conditions:
             listed_ = series((math(c.lhs, c.rhs, relation=c.relation),) for c in b.conditions)

@@ -263,8 +263,10 @@ def _kind(e: Equation) -> str:
 
 def _defined_once(block: Display, defined: dict[object, object]) -> Display:
     """A box without its last line, a letter for a denominator, where a box before it has the same."""
+    if len(block.equations) < 2:
+        return block
     last = block.equations[-1]
-    if len(block.equations) < 2 or len(last.sides) != 2 or last.label is not None or not block.boxed:
+    if len(last.sides) != 2 or last.label is not None or not block.boxed:
         return block
     letter, value = last.sides
     if not isinstance(letter, sp.Symbol) or letter == CONSTANT:

@@ -250,7 +250,9 @@ def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
     if rule is Rule.HAMILTON and len(lines) > 1:
         return "Hamilton's and Routh's functions"
     branches = [v.equilibrium.branches for v in solution.views if v.equilibrium is not None]
-    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and any(len(b) > 1 for b in branches)
+    unknown = {s for e in lines if isinstance(e.sides[0], sp.Expr) for s in e.sides[0].free_symbols}
+    several = rule is Rule.EQUILIBRIUM and len(lines) > min(1, len(unknown)) and any(len(b) > 1 for b in branches)
+    several = several and not (len(lines) == len(unknown) == len({e.sides[0] for e in lines}))
     return "the equilibria" if several else _CALLED[rule]
 
 
@@ -347,7 +349,9 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
         from lagrange.explain.page.result_at_rest import result_at_rest
 
         values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
-        yield from result_at_rest(view, values, held=solution.classification.degrees_of_freedom == 0)
+        newton = None if solution.law is None else solution.law.newton
+        held = solution.classification.degrees_of_freedom == 0
+        yield from result_at_rest(view, values, newton, held=held)
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates

@@ -5,7 +5,7 @@ Each solution is followed by its conditions and its stability, as far as they ar
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -14,16 +14,19 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.operations import count_operations
 from lagrange.document.builders import listed, math, series
 from lagrange.document.derivation import Equation, Mathematics, Part, Rule
-from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES
+from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
 from lagrange.explain.page.meaning import stability_word
+from lagrange.explain.reactions import reaction_lines
 from lagrange.explain.rest.equilibrium import but_for_drift, stability_in_short
 from lagrange.explain.words import WITH_VALUES, branch_conditions, sign_conditions
+from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
-from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.equilibrium.static_reactions import would_act_backwards
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
@@ -31,13 +34,22 @@ from lagrange.mechanics.rewriting.readable_equality import divisors
 
 
 def result_at_rest(
-    view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr], *, held: bool = False
+    view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr], newton: Newton | None, *, held: bool = False
 ) -> Iterator[tuple[Rule, list[Equation]]]:
     """Everything about rest and steady motion in one set of coordinates.
 
     held  whether the constraints leave no degree of freedom: then the forces are what is sought
     """
-    yield Rule.EQUILIBRIUM, [*_equilibria(view)]
+    forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
+    excluded = {n for n, there in enumerate(forces) if newton is not None and would_act_backwards(there, newton)}
+    if len(excluded) == len(forces):
+        excluded = set()  # the page says of each why it is none
+    yield Rule.EQUILIBRIUM, [*_equilibria(view, excluded)]
+    possible = [there for n, there in enumerate(forces) if n not in excluded]
+    if newton is not None and excluded and len(possible) == 1 and possible[0] is not None:
+        lines = reaction_lines(possible[0].reactions, newton, "")
+        named = {r.given for r in newton.reactions}
+        yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
     conditions = [*_friction(view, values)]
     yield Rule.FRICTION_AT_REST, conditions
     if view.at_rest is not None and (held or not conditions):
@@ -49,8 +61,11 @@ def result_at_rest(
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
 
 
-def _equilibria(view: InCoordinates) -> Iterator[Equation]:
-    """The equilibria, each with its stability; `or` between them where one takes several lines."""
+def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator[Equation]:
+    """The equilibria, each with its stability; `or` between them where one takes several lines.
+
+    excluded  branches, by index, at which a contact would have to pull or a string to push
+    """
     if view.equilibrium is None:
         return
     groups: list[list[Equation]] = []
@@ -58,6 +73,12 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
+        if n in excluded:
+            continue
+        places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
+        if places and len(branches) == 1:
+            groups += [_found(p) for p in places]
+            continue
         words: tuple[Part, ...] = ()
         if verdict is not None:
             said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
@@ -73,6 +94,13 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
         yield from first
         beside = (*last.condition, ", or" if last.condition else "or")
         yield replace(last, condition=beside) if are_systems and n < len(groups) else last
+
+
+def _found(p: Position) -> list[Equation]:
+    """An equilibrium that was found numerically, with its stability."""
+    lines = [Equation((q, x.shown(RESULT_DIGITS)), relation="≈") for q, x in p.coordinates.items()]
+    words = (p.stability.value,) if p.stability in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE) else ()
+    return [*lines[:-1], replace(lines[-1], condition=words)]
 
 
 def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:
@@ -107,6 +135,10 @@ def _friction(view: InCoordinates, values: Mapping[sp.Symbol, sp.Expr]) -> Itera
         lines = [e for e in _branch(b) if {*e.sides} not in bounds]  # a bound with = is that at the limit
         if not lines:
             continue
+        if b.special:  # the forces at the limit, and not where the constraints hold the system anyhow
+            moving = {*view.configuration.slots.coordinates}
+            forces = [e for e in lines if not any(moving & s.free_symbols for s in e.sides if isinstance(s, sp.Expr))]
+            lines = [replace(e, condition=()) for e in forces] or lines
         if rest is not None:
             said = lines[-1].condition
             lines[-1] = replace(lines[-1], condition=("at the limit", *((", ", *said) if said else ())))

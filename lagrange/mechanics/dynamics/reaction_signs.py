@@ -14,7 +14,8 @@ particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
 mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
 tells which, because a string that passes over a pulley holds it up. A constraint that is
-called a string, or is kept `by` one, may have terms of both signs, z − x = L.
+called a string, or is kept `by` one, may have terms of both signs, z − x = L. Where the coordinates do not place the
+ends, as in 2l sin θ = c, the whole of what equals the length L is ℓ.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -256,7 +257,9 @@ def _tension(
     assert row.finite is not None
     coordinates = set(configuration.slots.coordinates)
     constant, terms = _separated(row.finite, coordinates)
-    roots = [t for t in terms if isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2)]
+    roots = [
+        t for t in terms if isinstance(t[1], sp.Abs) or (isinstance(t[1], sp.Pow) and t[1].exp == sp.Rational(1, 2))
+    ]
     is_sum = by is Keeper.STRING and all(e in coordinates for _, e in terms)
     if not roots and placed is not None and acts is not None and acts.moments and not is_sum:
         squared = _of_square(row, placed, configuration)
@@ -268,6 +271,9 @@ def _tension(
             x if x is None or x.shown else _carried(k, e, configuration)
             for x, (k, e) in zip(lengths, terms, strict=True)
         ]
+    if None in lengths and placed is None and (by in (Keeper.STRING, Keeper.ROD) or _is_called_string(row.name)
+                                               or any(e.has(sp.Abs) for _, e in terms)):  # fmt: skip
+        return _of_whole_length(constant)
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
@@ -279,6 +285,18 @@ def _tension(
     if by not in (Keeper.STRING, Keeper.ROD) and not seen and not _is_called_string(row.name):
         return None
     return _pulling(constant, known)
+
+
+def _of_whole_length(constant: sp.Expr) -> SingleForce | None:
+    """The tension of f = ±(ℓ − L), T = ∓λ, or f = ±(ℓ² − L²), T = ∓2 L λ, by the constant −L or −L² of f.
+
+    For coordinates that do not place its ends: 2l sin θ = c of a cord between the feet of two rods.
+    """
+    if constant.is_number or not (constant.is_positive or constant.is_negative):
+        return None
+    size, sign = abs(constant), 1 if constant.is_positive else -1
+    squared = all(e.is_even for f in sp.Mul.make_args(size) if not f.is_number for e in [f.as_base_exp()[1]])
+    return SingleForce(ForceKind.TENSION, sign * (2 * sp.sqrt(size) if squared else 1) * sp.S.One)
 
 
 def _moves_nothing(e: sp.Expr, configuration: Configuration) -> bool:
@@ -391,6 +409,8 @@ def _length(share: sp.Expr, rest: sp.Expr, placed: Placed | None, configuration:
     """A term as a length: a distance √S, or a coordinate; None if it is neither."""
     if isinstance(rest, sp.Pow) and rest.exp == sp.Rational(1, 2):
         return _distance(share, rest.base, placed, configuration)
+    if isinstance(rest, sp.Abs):  # of a point on a line
+        return _distance(share, rest.args[0] ** 2, placed, configuration)
     if rest not in configuration.slots.coordinates:
         return None
     return _coordinate(share, rest, configuration)

@@ -391,6 +391,8 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         return solutions([*equations, *more], unknowns, (*multipliers, *e.forces), origin=e.work.forces)
 
     solution = solved()
+    if not solution.solved and (held := _held(e)) is not None:
+        solution, multipliers = held, ()
     branches, divisors = _without(solution.branches, multipliers)
     for divisor in divisors:
         beside, _ = _without(solved(divisor).branches, multipliers)
@@ -422,6 +424,33 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     return _split_off(
         replace(completed, outside=outside),
         [is_only_of_chart(balances, solution, b, i) for b, i in zip(branches, idle, strict=True)],
+    )
+
+
+def _held(e: Equilibrium) -> SolutionSet | None:
+    """The positions that the constraints alone determine, where they are independent: any forces balance there.
+
+    Where two such positions meet, for particular parameters, the constraints are dependent: conditions are strict.
+    None where they are not found, or dependent.
+    """
+    finite, coordinates = e.configuration.finite_constraints, e.configuration.slots.coordinates
+    if e.forces or e.laws or e.elimination.independent or not len(finite) == len(coordinates) == len(e.binding):
+        return None
+    solution = solutions(finite, coordinates)
+    at = replace(e, solution=solution)
+    points = [p for b in solution.branches for p in b.points]
+    is_open = not solution.solved or any(b.left or b.special for b in solution.branches)
+    if is_open or any(at._value_is_zero(pivot, p) is not False for pivot in e.elimination.pivots for p in points):
+        return None
+    strict = {"≥": ">", "≤": "<"}
+    conditions = (
+        [replace(c, relation=strict.get(c.relation, c.relation)) for c in b.conditions] for b in solution.branches
+    )
+    return replace(
+        solution,
+        branches=tuple(
+            replace(b, conditions=tuple(dict.fromkeys(cs))) for b, cs in zip(solution.branches, conditions, strict=True)
+        ),
     )
 
 

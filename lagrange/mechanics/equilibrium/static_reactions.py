@@ -20,6 +20,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -39,6 +40,7 @@ from lagrange.mechanics.dynamics.reactions import (
 )
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
+from lagrange.problem.model import Keeper
 
 
 @record
@@ -129,6 +131,17 @@ class StaticReactions:
     def configuration(self) -> Configuration:
         """The coordinates that they are written in."""
         return self.equilibrium.configuration
+
+
+def would_act_backwards(there: ReactionsAtRest | None, newton: Newton) -> list[Reaction]:
+    """The one-sided constraints that would have to pull, and the strings that would have to push: no equilibrium."""
+    if there is None:
+        return []
+    found = there.reactions
+    strings = {r.name for r in newton.reactions if r.constraint.by is Keeper.STRING} & found.tensions.keys()
+    signs = {name: sign_of(found.tensions[name]) for name in strings}
+    signs |= {name: found.sign_of_contact(name) for name in found.contacts}
+    return [r for r in newton.reactions if signs.get(r.name) == -1]
 
 
 def static_reactions(

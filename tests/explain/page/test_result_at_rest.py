@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import lagrange
@@ -14,9 +16,9 @@ from tests.support.shared import solved
 
 def test_equilibria_have_a_line_and_a_motion_has_none() -> None:
     view = next(v for v in solved("inverted-pendulum-springs").views if v.equilibrium is not None)
-    lines = dict(result_at_rest(view, {}))
+    lines = dict(result_at_rest(view, {}, None))
     assert len(lines[Rule.EQUILIBRIUM]) >= 2
-    assert not any(equations for _, equations in result_at_rest(solved("ex11-ideal-pendulum").choices[0], {}))
+    assert not any(equations for _, equations in result_at_rest(solved("ex11-ideal-pendulum").choices[0], {}, None))
 
 
 HOOP = """title: Hoop
@@ -138,3 +140,52 @@ lagrangian: "m*x'^2/2 - c*(x^2 - 1)^2/4"
 find: [motion, linearization]
 """)
     assert "ω² = 2c/m about x = −1 and x = 1, stable" in head or "ω² = 2c/m about x = 1 and x = −1, stable" in head
+
+
+BALL = """title: A ball that hangs by a string at a wall
+parameters: {W: positive, R: positive, l: positive}
+coordinates: [x, y]
+particles: {ball: {mass: 0, position: x*i + y*j}}
+constraints:
+  wall: {equation: x >= R, reaction: N}
+  cord: {equation: x^2 + y^2 = (l + R)^2, by: string, reaction: T}
+forces: {weight: {on: ball, vector: -W*j}}
+find: equilibrium
+"""
+
+
+def test_no_place_at_which_a_string_would_push() -> None:
+    """Above O the string would have to push; below, the head has the forces: T y/(l + R) = -W, N = T R/(l + R)."""
+    made = report(lagrange.loads(BALL))
+    text = terminal.text(made.derivation, made.notation, 120)
+    head, rest = text.split(" 1  The system")
+    assert "y = −√(l² + 2l R)" in head
+    assert "y = √(l² + 2l R)" not in head
+    assert "N = R W/(√(l + 2R) √l)" in head
+    assert "T = W (l + R)/(√(l + 2R) √l)" in head
+    assert "T < 0: a string cannot push, so this is no equilibrium." in rest
+
+
+LINKS = """title: Two links and a spring
+parameters: {l: 0.3 m, W: 50 N, k: 1500 N/m, l_0: 0.4 m}
+coordinates: {theta: {range: [0, pi/2]}}
+particles: {B: {mass: 0, position: l*cos(theta)*i + l*sin(theta)*j}, C: {mass: 0, position: 2*l*cos(theta)*i}}
+forces: {weight: {on: B, vector: -W*j}, spring: {spring: k, between: [O, C], length: l_0}}
+find: equilibrium
+"""
+
+
+def test_roots_found_in_numbers_stand_at_the_head() -> None:
+    """W l cos θ = k (2l cos θ - l_0) 2l sin θ: found by bisection here."""
+
+    def moment(x: float) -> float:
+        return 15 * math.cos(x) - 1500 * (0.6 * math.cos(x) - 0.4) * 0.6 * math.sin(x)
+
+    low, high = 0.5, 1.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if moment(low) * moment(middle) > 0 else (low, middle)
+    made = report(lagrange.loads(LINKS))
+    head = terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0]
+    assert f"θ ≈ {low:.4g} rad" in head
+    assert "not solved in closed form" not in head

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from math import asin, tan
 
 import pytest
 import sympy as sp
 from sympy.parsing.sympy_parser import parse_expr
 
+from lagrange.core.diagnostics import Source
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.explain.report import report
@@ -22,7 +24,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration, file_config
 from lagrange.mechanics.dynamics.newton import Newton, newton_equations
 from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.solution import solve
-from lagrange.problem.loader import load
+from lagrange.problem.loader import load, read_problem
 from lagrange.problem.model import Constraint, Friction, Problem
 from lagrange.render import terminal
 from lagrange.render.json import as_object
@@ -438,3 +440,36 @@ ask: {{T: {{quantity: T}}}}
         )
     )
     assert found["asked"][0]["value"] == "m*g/3"
+
+
+FRAME = """
+title: Two rods that stand on a smooth floor, their feet tied
+parameters: {W: positive, l: positive, c: positive}
+coordinates: {theta: {range: [0, pi/2]}}
+bodies:
+  left: {mass: 0, inertia: 0, position: -l/2*sin(theta)*i + l/2*cos(theta)*j, angle: -theta}
+  right: {mass: 0, inertia: 0, position: l/2*sin(theta)*i + l/2*cos(theta)*j, angle: theta}
+particles:
+  A: {mass: 0, position: -l*sin(theta)*i}
+  B: {mass: 0, position: l*sin(theta)*i}
+constraints:
+  tie: {equation: "EQUATION", reaction: T, by: string}
+forces:
+  w1: {on: left, vector: -W*j}
+  w2: {on: right, vector: -W*j}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    "equation",
+    ["norm(r_B - r_A) = c", "c = norm(r_B - r_A)", "norm(r_B - r_A) <= c", "2*l*sin(theta) = c",
+     "dot(r_B - r_A, r_B - r_A) = c^2", "c^2 >= 4*l^2*sin(theta)^2"],
+)  # fmt: skip
+def test_a_length_between_points_that_the_coordinates_do_not_place(equation: str) -> None:
+    """By moments about the hinge at the top, with the floor's force W on each foot: T = (W/2) tan θ, a pull."""
+    text = FRAME.replace("EQUATION", equation)
+    written = as_object(report(read_problem(Source("frame.yaml", text))))
+    tension = parse_expr(written["reactions"]["tie"]["force"].replace("^", "**"))
+    sizes = {"c": 1.1, "W": 3, "l": 2}
+    assert float(tension.subs(sizes)) == pytest.approx(3 / 2 * tan(asin(1.1 / 4)))

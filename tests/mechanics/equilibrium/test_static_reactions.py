@@ -352,3 +352,33 @@ forces: {weight: {on: G, vector: -W*j}}
     assert result.law is not None
     assert result.law.newton.bodies is None
     assert check(text, "S = -W*b/(2*y)").verdict is Verdict.EQUIVALENT
+
+
+TRIANGLE = """
+title: Two rods and a bar that carry a weight
+parameters: {W: positive, l: positive, b: positive}
+coordinates: [x_C, y_C, x_B]
+particles: {C: {position: x_C*i + y_C*j}, B: {position: x_B*i}}
+constraints:
+  AC: {equation: norm(r_C) = l, by: rod, reaction: S_1}
+  BC: {equation: norm(r_C - r_B) = l, by: rod, reaction: S_2}
+  AB: {equation: BAR, by: rod, reaction: S_3}
+forces: {load: {on: C, vector: -W*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize("bar", ["norm(r_B) = b", "x_B = b"])
+def test_a_triangle_that_the_constraints_hold(bar: str) -> None:
+    """By hand, C above: the rods are pressed by W/(2 sin α), the bar pulls with W/(2 tan α), cos α = b/(2l)."""
+    written = as_object(report(read_problem(Source("triangle.yaml", TRIANGLE.replace("BAR", bar)))))
+    sizes = {"W": 10, "l": 2, "b": 3}
+    sine, cosine = (1 - 0.75**2) ** 0.5, 0.75
+    assert written["equilibrium_conditions"] == [["2*l > b"]] * len(written["equilibrium"])
+    for n, place in enumerate(written["equilibrium"]):
+        height = next(e.split(" = ")[1] for e in place if e.startswith("y_C"))
+        above = -1 if height.startswith("-") else 1
+        forces = {k: v["at_equilibrium"][n]["force"] for k, v in written["reactions"].items()}
+        values = {k: float(sp.parse_expr(v.replace("^", "**")).subs(sizes)) for k, v in forces.items()}
+        expected = {"AC": -10 / (2 * sine), "BC": -10 / (2 * sine), "AB": 10 * cosine / (2 * sine)}
+        assert values == pytest.approx({k: above * v for k, v in expected.items()})

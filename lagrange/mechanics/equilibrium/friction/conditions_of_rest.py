@@ -7,12 +7,13 @@ same degree in sin θ and cos θ, they are divided by cos θ and written in tan 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import without_leading_minus
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.operations import count_operations
 from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
@@ -61,14 +62,16 @@ def bounded_by(
 
 def _ratio(size: sp.Expr, pressed: sp.Expr, signs: Signs) -> sp.Expr:
     """|F|/N with what is positive in front of the modulus."""
-    if not isinstance(size, sp.Abs):
+    moduli = [f for f in sp.Mul.make_args(size) if isinstance(f, sp.Abs)]
+    if not moduli:
         return _in_tangents(shortest(size / pressed))
     outside: list[sp.Expr] = []
     inside: list[sp.Expr] = []
-    number, factors = shortest(size.args[0] / pressed).as_coeff_Mul()
+    bare = size.xreplace({m: m.args[0] for m in moduli})
+    number, factors = shortest(bare / pressed).as_coeff_Mul()
     for factor in sp.Mul.make_args(factors):
         (outside if signs.of(factor.as_base_exp()[0]) == 1 else inside).append(factor)
-    return sp.Abs(number) * sp.Mul(*outside) * sp.Abs(_in_tangents(sp.Mul(*inside)))
+    return sp.Abs(number) * _in_tangents(sp.Mul(*outside)) * sp.Abs(_in_tangents(sp.Mul(*inside)))
 
 
 def _without_moduli(e: sp.Expr) -> sp.Expr:
@@ -134,6 +137,19 @@ def _solved_for(symbol: sp.Expr, reduced: sp.Expr, signs: Signs) -> RestConditio
         return RestCondition(limit.value, symbol)
     bound = without_leading_minus(_in_tangents(shortest(-rest / rate)))
     return RestCondition(bound, symbol) if sense == 1 else RestCondition(symbol, bound)
+
+
+def value_of_letter(e: sp.Expr, letter: sp.Expr, values: Mapping[sp.Symbol, sp.Expr], signs: Signs) -> sp.Expr | None:
+    """The letter for which e = 0; None where e is not linear in it, or its coefficient may vanish.
+
+    It does not where the rest has a sign, since the two add up to zero, or with the values.
+    """
+    rate, rest = _linear(letter, sp.fraction(sp.together(e))[0])
+    if letter in rate.free_symbols | rest.free_symbols:
+        return None
+    if signs.of(rest) not in (1, -1) and is_zero(rate.xreplace(dict(values))) is not False:
+        return None
+    return without_leading_minus(_in_tangents(sp.factor(-rest) / sp.factor(rate)))
 
 
 @record

@@ -48,11 +48,15 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     SolvedFor,
     not_negative,
     solved_for_exponent,
+    value_of_letter,
 )
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import each_contact_once, rough_contacts
 from lagrange.mechanics.equilibrium.friction.held_positions import held_coordinates
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
+
+GIVEN_AS_A_RULE = "WwMmg"
+"""First letters of weights and masses: of a weight and a push without values the push is sought."""
 
 
 @record
@@ -246,7 +250,8 @@ def _at_limit(
     elif held and (there := _where_held(resting, held)) is not None:
         pressed = {u: shortest(v.xreplace(held)) for u, v in pressed.items()}
         resting = there
-    resting = _possible(resting, contacts, signs)
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    resting = _possible(resting, contacts, signs, values)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
@@ -320,7 +325,9 @@ def _without_held(b: Branch, held: Mapping[sp.Symbol, sp.Expr]) -> Branch:
     return replace(b, relations=other or b.relations)
 
 
-def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs) -> Equilibrium:
+def _possible(
+    resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs, values: Mapping[sp.Symbol, sp.Expr]
+) -> Equilibrium:
     """The equilibria without those for parameters that have other signs: μ cos α + sin α = 0."""
     kept = [
         n
@@ -329,20 +336,35 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
         and not any(r.lhs.is_positive and signs.of(r.rhs) in (0, -1) for r in b.relations)
     ]
     known = SolvedFor(coefficients=tuple(c.coefficient for c in contacts))
-    branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
+    branches = tuple(_limits_solved(resting.branches[n], resting, known, signs, values) for n in kept)
     idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
     return replace(resting, branches=branches, idle=idle)
 
 
-def _limits_solved(b: Branch, resting: Equilibrium, wanted: SolvedFor, signs: Signs) -> Branch:
-    """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
+def _limits_solved(
+    b: Branch, resting: Equilibrium, wanted: SolvedFor, signs: Signs, values: Mapping[sp.Symbol, sp.Expr]
+) -> Branch:
+    """The branch with its relations between parameters solved for a coefficient of friction, tan α = μ.
+
+    Of values for all other letters, what has none is asked for: P = W (sin α + μ cos α)/(cos α − μ sin α).
+    """
     b = _coefficients_solved(b, resting)
     if not b.special:
         return replace(b, relations=tuple(replace(r, rhs=_without_minus(r.rhs)) for r in b.relations))
     relations = []
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
-        if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
+        letters = r.residual.free_symbols
+        rough = [c for c in dict.fromkeys(wanted.coefficients) if c in letters]
+        open_ = letters - {*values} if values and {*rough} <= {*values} else set()
+        loads = {s for s in open_ if s.name[0] not in GIVEN_AS_A_RULE}
+        for sought in ([*open_], [*loads], rough):  # what alone has no value, otherwise the coefficient
+            letter = sought[0] if len(sought) == 1 < len(letters) else None
+            limit = None if letter is None else value_of_letter(r.residual, letter, values, signs)
+            if letter is not None and limit is not None:
+                written = (RestCondition(limit, letter) if sought is rough else RestCondition(letter, limit),)
+                break
+        if not written and r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
             written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
     return replace(b, relations=tuple(relations))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
+from sympy.parsing.sympy_parser import parse_expr
 
 from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
@@ -88,3 +91,29 @@ find: impending
 """
     written = in_json.as_object(report(problem(text)))
     assert [[e for e in branch if "mu" in e] for branch in written["equilibrium"]] == [["h/d = mu"]]
+
+
+WEDGE = """title: Wedge driven under a block
+parameters: {W: positive, P: positive, alpha: 10 deg, mu: 0.27}
+coordinates: [x, y, z, n]
+particles: {wedge: {mass: 0, position: x*i + z*j}, block: {mass: 0, position: n*i + y*j}}
+constraints:
+  floor: {equation: z >= 0, reaction: N_1}
+  face: {equation: y >= z + (x - n)*tan(alpha), reaction: N_2}
+  wall: {equation: n <= 0, reaction: N_3}
+forces:
+  weight: {on: block, vector: -W*j}
+  push: {on: wedge, vector: P*i}
+  below: {friction: mu, static: mu, constraint: floor, on: wedge, slip: i}
+find: impending
+"""
+
+
+@pytest.mark.parametrize("values", ["", ", 400 N"])
+def test_limits_are_solved_for_what_has_no_value(problem: Read, values: str) -> None:
+    """By hand: N_2 cos α = W and P = N_2 sin α + μ W, so that P = W (tan α + μ)."""
+    text = WEDGE if not values else WEDGE.replace("W: positive", "W: 400 N")
+    [branch] = in_json.as_object(report(problem(text)))["equilibrium"]
+    [limit] = (e.split(" = ")[1] for e in branch if e.startswith("P = "))
+    size = parse_expr(limit.replace("^", "**")).subs({"W": 400, "alpha": math.pi / 18, "mu": 0.27})
+    assert float(size) == pytest.approx(400 * (math.tan(math.pi / 18) + 0.27))
