@@ -7,14 +7,17 @@ import sys
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 import lagrange.explain.report as reports
+from lagrange.core.effort import spend
 from lagrange.document.derivation import Detail, Rule
 from lagrange.explain.report import report
 from lagrange.problem.loader import load
 from lagrange.render import html, json, terminal
+from lagsolve.main import main
 from tests.support.derivation_text import reading
-from tests.support.paths import ROOT
+from tests.support.paths import PROBLEMS, ROOT
 from tests.support.shared import SHIPPED, reported
 
 
@@ -117,3 +120,37 @@ def _note_calls(monkeypatch: pytest.MonkeyPatch, name: str, made: list[str]) -> 
         return called(*values, **named)
 
     monkeypatch.setattr(reports, name, noted)
+
+
+PENDULUM = "chapter6/ex18-double-pendulum"
+
+
+@pytest.mark.parametrize("form", ["pretty", "latex", "html", "markdown", "json"])
+def test_a_page_that_takes_too_much_work(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In its place stand the steps of the full derivation, each of which takes little, with all results."""
+    monkeypatch.setattr(reports, "UNITS_OF_EXPLAINING", 10)
+    found = CliRunner().invoke(main, ("ex18", "--format", form))
+    assert found.exit_code == 3
+    assert "given up at: explanations and pictures, the work allowed for one problem is used up" in found.stderr
+    assert "explanations and pictures, the work allowed" in found.stdout
+    if form == "pretty":
+        assert "l₁ θ̈₁" in found.stdout
+        assert "(?)" not in found.stdout
+
+
+def test_a_step_that_takes_too_much_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The others are printed; where they refer to its equations, words say that these are missing."""
+
+    def too_much(*_: Any) -> None:
+        spend(1e9)
+
+    monkeypatch.setattr(reports, "explain_works", too_much)
+    explained = report(load(PROBLEMS / f"{PENDULUM}.yaml"), complete=True)
+    steps = reported(PENDULUM).derivation.steps
+    kept = [s for s in steps if s.rule is not Rule.WORKLESS]
+    assert len(kept) == len(steps) - 1
+    assert [s.title for s in explained.derivation.steps] == [s.title for s in kept]
+    text = terminal.text(explained.derivation, explained.notation, 200)
+    assert "drop out by an equation left out here" in text
+    assert "(?)" not in text
+    assert explained.solution.given_up.startswith("explanations and pictures, ")
