@@ -33,8 +33,8 @@ def write_file(path: Path, text: str | bytes, *, follow: bool = True) -> None:
     try:
         target = os.path.realpath(path) if follow else os.fspath(path)
         old = _status(target)
-        if follow and old is not None and not stat.S_ISREG(old.st_mode):
-            _write_through(target, data)
+        if follow and _is_special(path):  # /dev/stdout is a link to a pipe without a name of its own
+            _write_through(os.fspath(path), data)
         elif old is not None and stat.S_ISREG(old.st_mode) and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         else:
@@ -59,6 +59,8 @@ def write_figures(folder: Path, files: Mapping[str, str]) -> None:
 def _is_ours(path: Path, mark: str) -> bool:
     """Whether a file may be replaced: it is not there, or begins with the mark."""
     try:
+        if not stat.S_ISREG(path.stat().st_mode):  # a pipe could keep whoever opens it waiting
+            return False
         with path.open(encoding="utf-8", errors="replace") as file:
             return file.read(len(mark)) in (mark, "")
     except FileNotFoundError:
@@ -71,6 +73,14 @@ def unwritable(what: str, error: Exception) -> ProblemError:
     """The error for something that cannot be written."""
     reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
     return ProblemError(Diagnostic("cannot-write", f"{what} cannot be written: {reason}"))
+
+
+def _is_special(path: Path) -> bool:
+    """Whether it is there, and no regular file: a pipe, a device, a folder."""
+    try:
+        return not stat.S_ISREG(os.stat(path).st_mode)
+    except FileNotFoundError:
+        return False
 
 
 def _status(target: str) -> os.stat_result | None:
@@ -121,5 +131,13 @@ def _write_in_place(target: str, data: bytes) -> None:
 
 
 def _write_through(target: str, data: bytes) -> None:
-    with open(target, "wb") as file:
+    try:
+        opened = os.open(target, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    except OSError as error:
+        if error.errno == errno.ENXIO:  # otherwise it would be waited for, for ever
+            raise OSError(errno.ENXIO, "no program reads from this pipe") from None
+        raise
+    if hasattr(os, "O_NONBLOCK"):
+        os.set_blocking(opened, True)
+    with open(opened, "wb") as file:
         file.write(data)

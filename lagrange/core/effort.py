@@ -24,11 +24,11 @@ and keep what is known by then. A limit of time (`--timeout`) raises the same.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import wraps
-from typing import Any, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import sympy as sp
 from sympy.core.basic import Basic
@@ -45,6 +45,8 @@ from lagrange.core.limits import (
 
 Argument = TypeVar("Argument")
 Result = TypeVar("Result")
+P = ParamSpec("P")
+T = TypeVar("T")
 
 
 class GivenUpError(BaseException):
@@ -137,6 +139,36 @@ def unlimited() -> Iterator[None]:
         yield
     finally:
         _lifted.reset(token)
+
+
+class Attempts:
+    """Pieces of work one after the other: one that takes too much is left out, and those after it are done.
+
+    Together they have so many units, and none has more than half of what is left; each has `least`, at least.
+    why_not   of the last piece that was left out; empty where there is none
+    """
+
+    def __init__(self, units: float, least: float) -> None:
+        self.left, self.least, self.why_not = units, least, ""
+
+    def __call__(self, work: Callable[P, T], *values: P.args, **named: P.kwargs) -> T | None:
+        """What `work` returns; None where it is left out."""
+        attempt = allowed(max(self.left / 2, self.least))
+        try:
+            with attempt:
+                return work(*values, **named)
+        except (GivenUpError, MemoryError) as stop:
+            self.why_not = reason(stop)
+            return None
+        finally:
+            if self.left < float("inf"):
+                self.left -= attempt.allowance.units - attempt.allowance.left
+
+    def each(self, work: Callable[P, Iterable[T]], *values: P.args, **named: P.kwargs) -> Iterator[T]:
+        """The things that `work` makes, until one of them takes too much."""
+        things = iter(self(work, *values, **named) or ())
+        while (thing := self(lambda: next(things, None))) is not None:
+            yield thing
 
 
 @contextmanager

@@ -1,11 +1,11 @@
-"""References to equations under other labels, where a step uses what another one has displayed already."""
+"""References to equations: under other labels, where another step displays them; in words, where none does."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from lagrange.document.derivation import Block, Display, Part, Prose, Ref
+from lagrange.document.derivation import Block, CheckMark, Display, Part, Prose, Ref, Step
 
 
 def referring_to(blocks: Iterable[Block], labels: Mapping[str, str]) -> Iterator[Block]:
@@ -22,3 +22,19 @@ def referring_to(blocks: Iterable[Block], labels: Mapping[str, str]) -> Iterator
             yield replace(b, equations=tuple(equations))
         else:
             yield b
+
+
+def labels_in(steps: Iterable[Step]) -> set[str]:
+    """The labels of all equations that are displayed."""
+    return {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations if e.label}
+
+
+def not_referring(block: Block, is_missing: Callable[[str], bool]) -> Block:
+    """A block whose references to equations that are omitted are words."""
+
+    def named(parts: Iterable[Part]) -> tuple[Part, ...]:
+        return tuple("an equation left out here" if isinstance(p, Ref) and is_missing(p.label) else p for p in parts)
+
+    if isinstance(block, Prose):
+        return replace(block, parts=named(block.parts), short=named(block.short))
+    return replace(block, name=named(block.name)) if isinstance(block, CheckMark) else block

@@ -129,6 +129,9 @@ UNITS_OF_EXPLAINING = 100_000
 """Work (`core.effort`) for all steps, an eighth of what solving may take, and ten times what a shipped page takes;
 pictures have their own."""
 
+UNITS_OF_A_STEP = 5_000
+"""Of it, at least, for each step: half of what all steps of a shipped page take."""
+
 RESULT_DIGITS = 4
 """The significant digits of results in numbers, where no other number is asked for."""
 

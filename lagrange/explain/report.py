@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -17,12 +17,13 @@ from lagrange.answers.questions.own_answers import (
 )
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
-from lagrange.core.effort import allowed_for
+from lagrange.core.effort import Attempts, allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import velocity_before
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Derivation, MadeWhenRead, Step
 from lagrange.document.notation import Notation
+from lagrange.document.references import labels_in, not_referring
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.constraints import (
     explain_classification,
@@ -34,7 +35,7 @@ from lagrange.explain.constraints import (
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.energy.conservation import explain_conserved
 from lagrange.explain.illustrations import illustrated
-from lagrange.explain.limits import RESULT_DIGITS, UNITS_OF_EXPLAINING
+from lagrange.explain.limits import RESULT_DIGITS, UNITS_OF_A_STEP, UNITS_OF_EXPLAINING
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
@@ -136,8 +137,8 @@ def _reported(
             answers = tuple(compared_answers(solution))
     except GaveUpError as error:
         solution = replace(solution, given_up=solution.given_up or error.place)
-    with allowed_for("explanations and pictures", UNITS_OF_EXPLAINING):
-        return _explained(solution, answers, complete, every_choice, method, digits, on_stage)
+    on_stage("explanations and pictures")
+    return _explained(solution, answers, complete, every_choice, method, digits)
 
 
 def _explained(
@@ -147,11 +148,12 @@ def _explained(
     every_choice: bool,
     method: Method,
     digits: int,
-    on_stage: OnStage,
 ) -> Report:
-    on_stage("explanations and pictures")
+    """The solution with its explanations. A step that takes too much work is missing; then the page has all others."""
+    make = Attempts(UNITS_OF_EXPLAINING, UNITS_OF_A_STEP)
     notation = notation_of(solution)
     problem, values = solution.problem, values_in(solution)
+    large = not solution.own.elimination.is_closed
 
     def finished(steps: Iterable[Step]) -> Iterator[Step]:
         if values is not None or any(v.in_numbers is not None for v in solution.views):
@@ -161,7 +163,7 @@ def _explained(
         return illustrated(steps, solution, notation)
 
     def in_full() -> Iterator[Step]:
-        return finished(steps)
+        return illustrated(steps, solution, notation) if large else finished(steps)
 
     def on_page() -> Iterator[Step]:
         right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
@@ -170,103 +172,126 @@ def _explained(
         arranged = steps_of_page(solution, steps, stated, forces, every_choice=every_choice)
         return without_names_of_choices(finished(arranged))
 
-    if not solution.own.elimination.is_closed:
-        steps = tuple(illustrated(_of_large(solution, answers), solution, notation))
-        return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation, (), values)
-    steps = tuple(step for step in _steps(solution, answers, complete) if step is not None)
-    whole = tuple(in_full()) if complete else _later(in_full, problem)
-    arranged = _later(on_page, problem) if complete else tuple(on_page())
+    made = _of_large(make, solution, answers) if large else _steps(make, solution, answers, complete)
+    steps = tuple(step for step in made if step is not None)
+    whole: Sequence[Step] = ()
+    arranged: Sequence[Step] = ()
+    if not make.why_not:
+        whole = make(lambda: tuple(in_full())) or () if complete or large else _later(in_full, problem, steps)
+        if not large:
+            arranged = _later(on_page, problem, whole) if complete else make(lambda: tuple(on_page())) or ()
+    remarks = () if large else make(lambda: (*remarks_on(solution, method), *not_compared(solution, answers))) or ()
+    if make.why_not:
+        solution = replace(solution, given_up=solution.given_up or f"explanations and pictures, {make.why_not}")
+        whole, arranged = _without_missing((*steps[:-1], explain_checks(solution, _compared(answers)))), ()
     derivation = Derivation(problem.title, problem.source, whole, arranged)
-    remarks = (*remarks_on(solution, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks, values)
 
 
-def _of_large(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Step]:
+def _without_missing(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """The steps with words in place of references to equations of steps that are missing."""
+    present = labels_in(steps)
+    return tuple(
+        replace(s, body=tuple(not_referring(b, lambda label: label not in present) for b in s.body)) for s in steps
+    )
+
+
+def _compared(answers: Sequence[AnswerVerdict]) -> list[tuple[str, str]]:
+    return [(a.name, a.verdict.value) for a in answers]
+
+
+def _of_large(make: Attempts, solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Step | None]:
     """The steps for a system in which nothing is eliminated."""
     from lagrange.explain.rest.large_systems import large_system_steps, result_of_large_system
 
-    yield from result_of_large_system(solution)
-    yield explain_statement(solution.problem, solution.own.configuration)
-    yield from large_system_steps(solution, names_of(solution.problem))
-    yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], [])
+    yield from make.each(result_of_large_system, solution)
+    yield make(explain_statement, solution.problem, solution.own.configuration)
+    yield from make.each(large_system_steps, solution, names_of(solution.problem))
+    yield make(explain_checks, solution, _compared(answers))
 
 
-def _later(make: Callable[[], Iterator[Step]], problem: Problem) -> MadeWhenRead:
+def _later(make: Callable[[], Iterator[Step]], problem: Problem, otherwise: Sequence[Step]) -> MadeWhenRead:
     """Steps that are not to be shown, made only if they are read after all; they have an allowance of their own."""
 
     def made() -> tuple[Step, ...]:
-        with explained_failures(problem), allowed_for("explanations", UNITS_OF_EXPLAINING):
-            return tuple(make())
+        with explained_failures(problem):
+            return Attempts(2 * UNITS_OF_EXPLAINING, 0)(lambda: tuple(make())) or tuple(otherwise)
 
     return MadeWhenRead(made)
 
 
-def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: bool) -> Iterator[Step | None]:
+def _steps(
+    make: Attempts, solution: Solution, answers: tuple[AnswerVerdict, ...], complete: bool
+) -> Iterator[Step | None]:
     """The steps in the order of the chapter; None for one that has nothing to show."""
     problem, classification = solution.problem, solution.classification
-    yield explain_statement(problem, solution.own.configuration, not _states_energies(solution))
-    yield explain_constraints(classification, solution.own.configuration.satisfies_constraints_itself)
+    yield make(explain_statement, problem, solution.own.configuration, not _states_energies(solution))
+    yield make(explain_constraints, classification, solution.own.configuration.satisfies_constraints_itself)
     if classification.constraints:
-        yield explain_forms(classification, problem.slots)
-        yield explain_integrability(classification, problem.slots, names_of(problem))
-    yield explain_classification(classification, names_of(problem))
-    yield explain_freedom(classification)
-    yield explain_displacements(
-        solution.own.configuration, solution.own.elimination, solution.transport_rates, solution.normals
+        yield make(explain_forms, classification, problem.slots)
+        yield make(explain_integrability, classification, problem.slots, names_of(problem))
+    yield make(explain_classification, classification, names_of(problem))
+    yield make(explain_freedom, classification)
+    yield make(
+        explain_displacements,
+        solution.own.configuration,
+        solution.own.elimination,
+        solution.transport_rates,
+        solution.normals,
     )
-    yield from _rest(solution, solution.own)
-    yield from _statics(solution)
-    yield from _motion(solution, complete)
+    yield from _rest(make, solution, solution.own)
+    yield from _statics(make, solution)
+    yield from _motion(make, solution, complete)
     if solution.own.dynamics is None:
-        yield _speeds(solution.own.in_speeds, solution)
-    yield _small_oscillations(solution.own)
-    yield _forced(solution.own)
-    yield from _in_momenta(solution.own, solution)
+        yield make(_speeds, solution.own.in_speeds, solution)
+    yield make(_small_oscillations, solution.own)
+    yield make(_forced, solution.own)
+    yield from _in_momenta(make, solution.own, solution)
     for c in solution.choices:
-        yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
+        yield from (step and replace(step, choice=c.name) for step in _in_choice(make, solution, c, complete))
     if solution.impact is not None and problem.impact is not None:
         from lagrange.explain.contact.impact import explain_impact, explain_motion_after
 
-        yield explain_impact(solution.impact, problem.impact, energy_symbols(solution))
+        yield make(explain_impact, solution.impact, problem.impact, energy_symbols(solution))
         if solution.after is not None:
-            yield explain_motion_after(solution.after, solution.impact)
+            yield make(explain_motion_after, solution.after, solution.impact)
     if solution.asked:
         from lagrange.explain.questions import explain_questions
 
-        yield from explain_questions(solution)
+        yield from make.each(explain_questions, solution)
     if solution.from_start is not None:
         from lagrange.explain.questions import explain_from_start
 
-        yield explain_from_start(solution.from_start)
+        yield make(explain_from_start, solution.from_start)
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
     remarks = [(e.text.partition(":")[0], remark) for e in stated for remark in e.remarks]
-    yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)
+    yield make(explain_checks, solution, _compared(answers), remarks)
 
 
-def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator[Step | None]:
+def _in_choice(make: Attempts, solution: Solution, c: InCoordinates, complete: bool) -> Iterator[Step | None]:
     """The steps in a choice of generalized coordinates."""
     problem = solution.problem
-    yield explain_choice(c.coordinates)
+    yield make(explain_choice, c.coordinates)
     if c.equilibrium is not None:
         from lagrange.explain.rest.equilibrium import explain_equilibrium_in_choice
 
-        yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
-        yield _reactions_at_rest(solution, c.reactions_at_rest)
-    yield from _rest(solution, c)
+        yield make(explain_equilibrium_in_choice, c.coordinates, c.equilibrium, c.stability)
+        yield make(_reactions_at_rest, solution, c.reactions_at_rest)
+    yield from _rest(make, solution, c)
     if c.dynamics is not None:
         written = c.dynamics.written
         if isinstance(written, LagrangeMotion):
-            yield from _by_lagrange(solution, written)
+            yield from _by_lagrange(make, solution, written)
         elif isinstance(written, DalembertMotion):
-            yield explain_motion_in_choice(written, problem, c.dynamics.with_multipliers)
-        yield explain_matrix_form(c.dynamics, c.name) if complete else None
-    yield _speeds(c.in_speeds, solution)
-    yield _reactions(solution, c.dynamics, c.name)
-    yield _rolling(c)
-    yield _conserved(c.conserved, problem, c.name)
-    yield _small_oscillations(c)
-    yield _forced(c)
-    yield from _in_momenta(c, solution)
+            yield make(explain_motion_in_choice, written, problem, c.dynamics.with_multipliers)
+        yield make(explain_matrix_form, c.dynamics, c.name) if complete else None
+    yield make(_speeds, c.in_speeds, solution)
+    yield make(_reactions, solution, c.dynamics, c.name)
+    yield make(_rolling, c)
+    yield make(_conserved, c.conserved, problem, c.name)
+    yield make(_small_oscillations, c)
+    yield make(_forced, c)
+    yield from _in_momenta(make, c, solution)
 
 
 def names_of(problem: Problem) -> frozenset[str]:
@@ -276,7 +301,7 @@ def names_of(problem: Problem) -> frozenset[str]:
     return frozenset({*scope.scalars, *scope.vectors, *scope.functions, *(s.name for s in symbols)})
 
 
-def _statics(solution: Solution) -> Iterator[Step | None]:
+def _statics(make: Attempts, solution: Solution) -> Iterator[Step | None]:
     """Free bodies (unless those of the motion are shown), virtual work, equilibria, reactions at rest."""
     if solution.own.equilibrium is None:
         return
@@ -285,26 +310,28 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
     if shown and law is not None:
         freedom = solution.classification.degrees_of_freedom
         unknown = bool(solution.problem.unknowns)
-        yield explain_newton(law.newton, (), solution.own.configuration, freedom, at_rest=True, unknown_forces=unknown)
-        yield explain_works(solution.works, solution.own.configuration)
+        yield make(
+            explain_newton, law.newton, (), solution.own.configuration, freedom, at_rest=True, unknown_forces=unknown
+        )
+        yield make(explain_works, solution.works, solution.own.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
     stability = None if solution.problem.choices else solution.own.stability
     from lagrange.explain.rest.equilibrium import explain_virtual_work
 
-    yield explain_virtual_work(solution.own.equilibrium, stability, workless)
-    yield _reactions_at_rest(solution, solution.own.reactions_at_rest)
+    yield make(explain_virtual_work, solution.own.equilibrium, stability, workless)
+    yield make(_reactions_at_rest, solution, solution.own.reactions_at_rest)
 
 
-def _rest(solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
+def _rest(make: Attempts, solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
     """Friction at rest, and at its limit."""
     if view.at_rest is None and view.impending is None:
         return
     from lagrange.explain.contact.friction_at_rest import explain_impending, explain_rest
 
     if view.at_rest is not None and solution.law is not None:
-        yield explain_rest(view.at_rest, solution.law.newton)
+        yield make(explain_rest, view.at_rest, solution.law.newton)
     if view.impending is not None and solution.law is not None:
-        yield explain_impending(view.impending, solution.law.newton, view.name)
+        yield make(explain_impending, view.impending, solution.law.newton, view.name)
 
 
 def _rolling(view: InCoordinates) -> Step | None:
@@ -331,15 +358,15 @@ def _forced(view: InCoordinates) -> Step | None:
     return explain_response(view.forced, view.response)
 
 
-def _in_momenta(view: InCoordinates, solution: Solution) -> Iterator[Step]:
+def _in_momenta(make: Attempts, view: InCoordinates, solution: Solution) -> Iterator[Step | None]:
     if view.hamiltonian is not None:
         from lagrange.explain.energy.hamilton import explain_hamiltonian
 
-        yield explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
+        yield make(explain_hamiltonian, view.hamiltonian, energy_symbols(solution))
     if view.steady is not None:
         from lagrange.explain.rest.steady_motions import explain_steady
 
-        yield explain_steady(view.steady)
+        yield make(explain_steady, view.steady)
 
 
 def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) -> Step | None:
@@ -348,7 +375,7 @@ def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) ->
     return explain_reactions_at_rest(reactions, solution.law.newton)
 
 
-def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
+def _motion(make: Attempts, solution: Solution, complete: bool) -> Iterator[Step | None]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
     law, dynamics = solution.law, solution.own.dynamics
     if law is None or dynamics is None:
@@ -356,26 +383,26 @@ def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
     written = dynamics.written
     if solution.works and not isinstance(written, LagrangeMotion):
         freedom = solution.classification.degrees_of_freedom
-        yield explain_newton(law.newton, dynamics.friction_forces, solution.own.configuration, freedom)
-        yield explain_works(solution.works, solution.own.configuration)
+        yield make(explain_newton, law.newton, dynamics.friction_forces, solution.own.configuration, freedom)
+        yield make(explain_works, solution.works, solution.own.configuration)
     if dynamics.friction_forces and isinstance(written, LagrangeMotion):
         from lagrange.explain.energy.energies import explain_friction_first
 
-        yield explain_friction_first(_exposition(solution, law, written))
+        yield make(explain_friction_first, _exposition(solution, law, written))
     if dynamics.friction_forces:
-        yield _reactions(solution, dynamics)
+        yield make(_reactions, solution, dynamics)
     if isinstance(written, LagrangeMotion):
-        yield from _by_lagrange(solution, written)
+        yield from _by_lagrange(make, solution, written)
     elif isinstance(written, DalembertMotion):
-        yield explain_principle(written)
+        yield make(explain_principle, written)
         multiplied = None if law.newton.equations is not None else dynamics.with_multipliers  # they are Newton's, then
-        yield explain_equations(written, solution.problem, multiplied)
-    yield explain_matrix_form(dynamics) if complete else None
-    yield _speeds(solution.own.in_speeds, solution)
+        yield make(explain_equations, written, solution.problem, multiplied)
+    yield make(explain_matrix_form, dynamics) if complete else None
+    yield make(_speeds, solution.own.in_speeds, solution)
     if not dynamics.friction_forces:
-        yield _reactions(solution, dynamics)
-    yield _rolling(solution.own)
-    yield _conserved(solution.own.conserved, solution.problem)
+        yield make(_reactions, solution, dynamics)
+    yield make(_rolling, solution.own)
+    yield make(_conserved, solution.own.conserved, solution.problem)
 
 
 def _conserved(conserved: Conserved | None, problem: Problem, choice: str = "") -> Step | None:
@@ -392,16 +419,16 @@ def _speeds(form: QuasiVelocityForm | None, solution: Solution) -> Step | None:
     return explain_speeds(form, solution.problem, form is first, stated)
 
 
-def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
+def _by_lagrange(make: Attempts, solution: Solution, written: LagrangeMotion) -> Iterator[Step | None]:
     """T, V and Q_k, Lagrange's equations, and the equations without multipliers."""
     from lagrange.explain.energy.energies import explain_energies
     from lagrange.explain.energy.lagrange import explain_lagrange, explain_lagrange_motion
 
     if solution.law is not None:
         exposition = _exposition(solution, solution.law, written)
-        yield explain_energies(exposition)
-        yield explain_lagrange(exposition)
-        yield explain_lagrange_motion(exposition)
+        yield make(explain_energies, exposition)
+        yield make(explain_lagrange, exposition)
+        yield make(explain_lagrange_motion, exposition)
 
 
 def _exposition(solution: Solution, law: NewtonLaw, written: LagrangeMotion) -> LagrangeExposition:

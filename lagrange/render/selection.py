@@ -32,6 +32,7 @@ from lagrange.document.derivation import (
     Ref,
     Step,
 )
+from lagrange.document.references import not_referring
 from lagrange.render.limits import BEGINNING, LARGEST_STEP, SHORTEST_RUN
 
 
@@ -44,17 +45,6 @@ def abridged(body: Sequence[Block]) -> tuple[tuple[Block, ...], set[str]]:
     for block in body:
         beginning.add(block)
     return beginning.all(), beginning.labels
-
-
-def not_referring(block: Block, left: set[str]) -> Block:
-    """A block whose references to equations omitted are words."""
-
-    def named(parts: Iterable[Part]) -> tuple[Part, ...]:
-        return tuple("an equation left out here" if isinstance(p, Ref) and p.label in left else p for p in parts)
-
-    if left and isinstance(block, Prose):
-        return replace(block, parts=named(block.parts))
-    return replace(block, name=named(block.name)) if left and isinstance(block, CheckMark) else block
 
 
 class _Beginning:
@@ -206,7 +196,9 @@ def shown(
         if body and (folded or not step.folded):
             body, without = abridged(body)
             left |= without
-            steps.append(replace(step, title=title, body=tuple(not_referring(block, left) for block in body)))
+            steps.append(
+                replace(step, title=title, body=tuple(not_referring(block, left.__contains__) for block in body))
+            )
             title = ""
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}

@@ -161,3 +161,27 @@ def test_the_command_says_what_it_cannot_write(tmp_path: Path) -> None:
     assert CliRunner().invoke(main, [str(problem), "-o", str(page)]).exit_code == 0
     assert page.read_text(encoding="utf-8").endswith("</html>\n")
     assert stat.S_IMODE(page.stat().st_mode) == 0o600
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="the system has no named pipes")
+def test_a_pipe_from_which_nobody_reads_is_refused(tmp_path: Path) -> None:
+    """It would be waited for, for ever; so would one in place of a figure beside a page."""
+    os.mkfifo(tmp_path / "page.html")
+    assert "no program reads from this pipe" in refused(tmp_path / "page.html")
+    reader = os.open(tmp_path / "page.html", os.O_RDONLY | os.O_NONBLOCK)
+    write_file(tmp_path / "page.html", "new")
+    assert os.read(reader, 10) == b"new"
+    os.close(reader)
+    os.mkfifo(tmp_path / "page-1.svg")
+    with pytest.raises(ProblemError, match="it is no figure"):
+        written_files.write_figures(tmp_path, {"page-1.svg": "<svg/>"})
+
+
+@pytest.mark.skipif(not Path("/dev/fd").exists(), reason="the system has no /dev/fd")
+def test_a_pipe_without_a_name_is_written_to() -> None:
+    """`-o >(...)`, and `-o /dev/stdout` before another command."""
+    reader, writer = os.pipe()
+    write_file(Path(f"/dev/fd/{writer}"), "new")
+    assert os.read(reader, 10) == b"new"
+    os.close(reader)
+    os.close(writer)

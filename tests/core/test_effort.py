@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import GaveUpError
 from lagrange.core.effort import (
+    Attempts,
     GivenUpError,
     allowed,
     allowed_for,
@@ -111,3 +114,26 @@ def test_results_are_kept_for_one_object_within_one_allowance() -> None:
         assert len(calls) == 2
     length(a), length(a)
     assert len(calls) == 4, "without an allowance nothing is kept"
+
+
+def test_attempts_leave_out_what_takes_too_much() -> None:
+    """What comes after it is done, in what is left or in the least that each piece has."""
+    make = Attempts(1_000, 50)
+
+    def work(units: float) -> float:
+        spend(units)
+        return units
+
+    assert [make(work, u) for u in (400, 400, 60, 200, 40)] == [400, None, 60, None, 40]
+    assert make.why_not == "the work allowed for one problem is used up"
+
+
+def test_things_that_are_made_one_after_the_other_end_with_one_that_takes_too_much() -> None:
+    def things() -> Iterator[int]:
+        for n in range(1, 5):
+            spend(10**n)
+            yield n
+
+    make = Attempts(2_000, 50)
+    assert [*make.each(things)] == [1, 2]
+    assert make.why_not

@@ -7,14 +7,17 @@ import sys
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 
 import lagrange.explain.report as reports
+from lagrange.core.effort import spend
 from lagrange.document.derivation import Detail, Rule
 from lagrange.explain.report import report
 from lagrange.problem.loader import load
 from lagrange.render import html, json, terminal
+from lagsolve.main import main
 from tests.support.derivation_text import reading
-from tests.support.paths import ROOT
+from tests.support.paths import PROBLEMS, ROOT
 from tests.support.shared import SHIPPED, reported
 
 
@@ -117,3 +120,45 @@ def _note_calls(monkeypatch: pytest.MonkeyPatch, name: str, made: list[str]) -> 
         return called(*values, **named)
 
     monkeypatch.setattr(reports, name, noted)
+
+
+PENDULUM = "chapter6/ex18-double-pendulum"
+
+
+def too_much(*_: Any, **__: Any) -> None:
+    """In place of something that is explained."""
+    spend(1e9)
+
+
+@pytest.mark.parametrize("form", ["pretty", "latex", "html", "markdown", "json"])
+def test_a_step_that_takes_too_much_work(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """All others are printed, in every format; exit status 3 and a message say what is missing."""
+    monkeypatch.setattr(reports, "explain_works", too_much)
+    found = CliRunner().invoke(main, ("ex18", "--format", form))
+    assert found.exit_code == 3
+    reason = "explanations and pictures, the work allowed for one problem is used up"
+    assert f"given up at: {reason}" in found.stderr
+    assert reason in " ".join(found.stdout.split())
+    for title in ("Newton's law and the reactions", "Equations of motion", "Checks"):
+        assert title.replace("'", "’") in found.stdout.replace("'", "’").replace("&#x27;", "’")
+
+
+def test_what_refers_to_a_missing_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reports, "explain_works", too_much)
+    explained = report(load(PROBLEMS / f"{PENDULUM}.yaml"))
+    steps = [s for s in reported(PENDULUM).derivation.steps if s.rule is not Rule.WORKLESS]
+    assert [s.title for s in explained.derivation.steps] == [s.title for s in steps]
+    text = terminal.text(explained.derivation, explained.notation, 200)
+    assert "an equation left out here" in text
+    assert "(?)" not in text
+
+
+def test_a_page_that_takes_too_much_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In its place stand the steps of the full derivation."""
+    monkeypatch.setattr(reports, "steps_of_page", too_much)
+    explained = report(load(PROBLEMS / f"{PENDULUM}.yaml"), complete=False)
+    assert explained.derivation.at(Detail.STEPS) is explained.derivation.steps
+    rules = [s.rule for s in explained.derivation.steps]
+    assert (rules[0], rules[-1]) == (Rule.STATEMENT, Rule.CHECKS)
+    assert {Rule.WORKLESS, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION} <= {*rules}
+    assert explained.solution.given_up.startswith("explanations and pictures, ")

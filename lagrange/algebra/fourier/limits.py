@@ -72,13 +72,11 @@ MOST_CLEANED_WAVES = 40
 # Generators of a ring that many expressions share: a monomial is one number of as many digits.
 MOST_SHARED_GENERATORS = 40
 
-# Work of which `core/effort` counts units: terms that are divided by a cosine and by a sine in the time of one unit,
-# and terms of a polynomial of half angles, each of which takes several products (commit 75e8803a).
-TRIED_IN_A_UNIT = 5
-MULTIPLIED_IN_A_UNIT = 5
-
 LARGEST_COUNT = 1e9
 """Terms of a product, multiplied out, are counted up to this: more are never multiplied out."""
 # Steps (`core.effort`) for each letter of the name of an angle: SymPy writes a hundred thousand letters a second, and
 # angles of nested sines have hundreds of them.
 STEPS_OF_A_LETTER = 5
+
+PAIRS_IN_A_UNIT = 10
+"""Pairs of frequencies whose sum and difference are formed for a unit of work."""

@@ -24,6 +24,7 @@ from lagrange.algebra.fourier.limits import (
     HIGHEST_SEPARATED,
     LONGEST_SEARCHED,
     MOST_SEPARATED_ANGLES,
+    PAIRS_IN_A_UNIT,
     STEPS_OF_A_LETTER,
     TRIED_IN_A_UNIT,
 )
@@ -173,6 +174,7 @@ class Factoring:
         """Half sums and half differences of the frequencies, the simplest first."""
         # cos u divides Σ of waves only if these pair up into frequencies v ± u: u is half a sum or half a difference.
         frequencies = sorted({w for _, w in element.terms})
+        spend(len(frequencies) ** 2 / PAIRS_IN_A_UNIT)
         fine = not all(map(self._basis.is_whole, frequencies))
         sums = {abs(a + b) for a in frequencies for b in (0, *frequencies, *(-w for w in frequencies))}
         halves = {self._basis.half(w, fine) for w in sums if w}

@@ -71,3 +71,12 @@ def test_the_search_for_factors_is_work() -> None:
     many = ring.from_sympy(sp.Add(*(cos(3 * p + (k + 2) * q) for k, (p, q) in enumerate(permutations(angles, 2)))))
     with pytest.raises(GivenUpError), allowed(1_000):
         Factoring(ring).products(many)
+
+
+def test_pairs_of_frequencies_are_work() -> None:
+    """300 waves have 180,000 sums and differences of their frequencies: some seconds for thousands of waves."""
+    ring = FourierRing()
+    factoring = Factoring(ring)
+    e = ring.from_sympy(sp.Add(*(sin((n * n + 1) * theta) for n in range(300))))
+    with pytest.raises(GivenUpError), allowed(8_000):
+        factoring._halves(e)
