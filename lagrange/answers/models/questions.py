@@ -347,6 +347,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
+    if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
+        yield from _differences(claim.args[0], right.args[0], fixed, lengths)
+        return
     from lagrange.answers.models.one_place import of_arguments, of_one_place
 
     yield from of_arguments(claim, right)

@@ -14,7 +14,7 @@ values, the stated numbers are compared with the exponents in numbers: a decimal
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations, islice
 
@@ -38,7 +38,8 @@ from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.edits import cut, cuts
+from lagrange.expressions.edits import Draft, cut, cuts
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -82,6 +83,13 @@ class EquilibriumPoint:
         for _ in stated:
             e = e.xreplace(stated)
         return self.resting.solution.at(self.point, e) if e.free_symbols & coordinates else e
+
+    def is_at(self, conditions: Sequence[sp.Expr], values: Values) -> bool:
+        """Whether conditions on the position hold there."""
+        try:
+            return all(is_zero(self.at(c).xreplace(values)) is True for c in conditions)
+        except (DivisionByZeroError, NotAlgebraicError):
+            return False
 
     def sign(self, e: sp.Expr) -> int | None:
         """The sign of an expression, if it is the same for all values of the parameters."""
@@ -178,9 +186,21 @@ def _oscillating(solution: Solution) -> list[tuple[Linearization, Values]]:
     return [*oscillating, *((f.about, f.rates) for f in families)]
 
 
-def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) -> AnswerVerdict:
-    """The verdict on all lists together."""
+def check_frequencies(
+    stated: Sequence[Sequence[Fragment]],
+    solution: Solution,
+    defined: Mapping[str, sp.Expr] | None = None,
+    only_at: Sequence[sp.Expr] = (),
+) -> AnswerVerdict:
+    """The verdict on all lists together.
+
+    defined  names that the answer defines
+    only_at  what vanishes at the equilibrium whose frequencies they are stated to be
+    """
     reference, oscillating = reference_of_solution(solution), _oscillating(solution)
+    if defined:
+        scope = reference.scope
+        reference = replace(reference, scope=replace(scope, scalars={**scope.scalars, **defined}))
     linearizations = [f for f, _ in oscillating]
     try:
         stated = [
@@ -194,6 +214,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
         why = error.diagnostics[0].message
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
     places = [p for f, rates in oscillating for p in _places(f, rates)]
+    places = [p for p in places if not only_at or p.is_at(only_at, dict(reference.values))]
     damped = [p for f in linearizations for p in _damped(f, reference, rates=False)]
     if damped and not places:
         return _of_exponents(_NAME, stated, [[c**2 for c in claims] for claims in lists], damped, linearizations)
@@ -289,9 +310,22 @@ def _has_name(name: str, text: str) -> bool:
 
 
 def listed_frequencies(fragment: Fragment) -> list[Fragment]:
-    """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
+    """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too.
+
+    A value without a sign of equality has the label before it: of `omega^2 = 0, c/m` both are squares.
+    """
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
-    return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]
+    if not all("=" not in p.text or _LABELLED.match(p.text) for p in pieces):
+        return [fragment]
+    label = ""
+    for n, piece in enumerate(pieces):
+        if match := _LABELLED.match(piece.text):
+            label = match[0]
+        elif label and "=" not in piece.text:
+            draft = Draft(piece)
+            draft.apply([(0, 0, label.lstrip(" $"))])
+            pieces[n] = draft.finished(latex=is_latex(fragment))
+    return pieces
 
 
 def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
