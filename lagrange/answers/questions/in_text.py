@@ -210,7 +210,8 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion, and on the frequencies beside them."""
-    from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
+    from lagrange.answers.questions.frequencies import check_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import stated_frequencies
     from lagrange.answers.written.working import understood
 
     reference = reference_of_solution(solution)
@@ -273,7 +274,7 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.frequencies import listed_frequencies, stated_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies, stated_frequencies
 
     alone = stated_frequencies([fragment]) and len(listed_frequencies(fragment)) == 1
     pairs = in_pairs(fragment) if alone else []
