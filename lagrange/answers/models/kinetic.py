@@ -447,20 +447,29 @@ def angles_small_in_energy(m: Mechanics) -> Iterator[Variation]:
 
 
 def radius_for_distance(m: Mechanics) -> Iterator[Variation]:
-    """The length itself for the distance from an axis, l for l sin(theta), in the velocity of one particle."""
+    """The length itself for the distance from an axis, l for l sin(theta), in the velocities of what has it."""
+    found: dict[tuple[int, sp.Expr], list[str]] = {}
     for p in m.particles:
         for i in p.moving:
             factors = [{*sp.Mul.make_args(c)} for c in p.columns[i] if c != 0]
             common = set.intersection(*factors) if len(factors) > 1 else set[sp.Expr]()
             for wave in sorted((w for w in common if isinstance(w, sp.sin | sp.cos)), key=str):
-                columns = [*p.columns]
-                a, b, c = (x / wave for x in columns[i])
-                columns[i] = (a, b, c)
-                yield Variation(
-                    f"without the factor {written(wave, m.slots)} in the distance of {called(p.name)} from the axis",
-                    f"the velocity of {called(p.name)}",
-                    _changed(m, p, replace(p, columns=tuple(columns))),
-                )
+                found.setdefault((i, wave), []).append(p.name)
+    for (i, wave), names in found.items():
+        for group in ([[n] for n in names] if len(names) > 1 else []) + [names]:
+            of = ", ".join(map(called, group))
+            changed = m.inertia(lambda p, i=i, w=wave, g=group: _divided(p, i, w) if p.name in g else p)  # type: ignore[misc]
+            clause = f"without the factor {written(wave, m.slots)} in the distance of {of} from the axis"
+            yield Variation(clause, f"the velocity of {of}", changed)
+
+
+def _divided(p: Inertia, index: int, factor: sp.Expr) -> Inertia:
+    if p.turning:
+        return p
+    columns = [*p.columns]
+    a, b, c = (x / factor for x in columns[index])
+    columns[index] = (a, b, c)
+    return replace(p, columns=tuple(columns))
 
 
 def length_left_out(m: Mechanics) -> Iterator[Variation]:
