@@ -101,6 +101,7 @@ def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
     return replace(asked, branches=left) if left and len(left) < len(asked.branches) else asked
 
 
+_OTHERWISE = "it is right with `a/b c` read as `a/(b c)`, and `sin x^2` as `sin(x^2)`"
 _ONE_SIGN = "it is right with one of the two signs only"
 
 
@@ -118,6 +119,7 @@ class AskedClaim:
     ) -> None:
         self.asked = asked
         self.unit_fits = unit_fits
+        self.otherwise = otherwise
         self.solution = solution
         self.values, self.units = dict(reference.values), reference.units
         self.candidates = reference.candidates
@@ -155,6 +157,8 @@ class AskedClaim:
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
         if explaining and verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
             remark = self._explained(as_written(claim))
+        if self.otherwise and verdict is Verdict.EQUIVALENT:
+            remark = "; ".join(filter(None, [remark, _OTHERWISE]))
         return verdict, remark
 
     def _explained(self, claim: sp.Expr) -> str:
