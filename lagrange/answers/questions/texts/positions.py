@@ -70,7 +70,7 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
 def at_stated_positions(
     answer: Sequence[Fragment], stated: Sequence[Fragment], verdict: AnswerVerdict, solution: Solution
 ) -> AnswerVerdict:
-    """The verdict on right frequencies: wrong where one stands alone after a position and is that of another equilibrium."""
+    """The verdict on right frequencies: wrong where one stands after a single position, and is that of another one."""
     from lagrange.answers.questions.frequencies import check_frequencies
     from lagrange.answers.written.working import understood
 

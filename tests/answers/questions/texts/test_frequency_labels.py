@@ -11,7 +11,7 @@ from tests.answers.test_student_answers import verdict_on
 
 def test_values_after_a_square_are_squares() -> None:
     texts = [f.text.strip() for f in listed_frequencies(Fragment.of("omega^2 = 0, c/m"))]
-    assert texts == ["omega^2 = 0", "omega^2 =c/m"]
+    assert texts == ["omega^2 = 0", "omega^2 = c/m"]
 
 
 def test_what_other_lines_contain_is_no_frequency() -> None:
