@@ -21,6 +21,7 @@ from lagrange.answers.questions.own_answers import (
     compared_impending,
     compared_rest,
     conditions_of_rest,
+    explained_rest,
     on_freedom_and_class,
     readable,
 )
@@ -288,7 +289,7 @@ class Examiner:
 
     def _with_explanation(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
         """The verdict on wrong equilibria, with the changed problem of which they are the equilibria."""
-        from lagrange.answers.equilibria import alternatives_of, explained_equilibria
+        from lagrange.answers.equilibria import alternatives_of
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
         wrong = [
@@ -297,7 +298,7 @@ class Examiner:
             if e.verdict is Verdict.WRONG and len(verdict.equations) == len(working.judged)
         ]
         tried = (alternatives_of(working.judged), wrong if len(wrong) < len(working.judged) else [])
-        explanations = (explained_equilibria(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
+        explanations = (explained_rest(a, equilibria, self._statics_reference, self.problem) for a in tried if a)
         why = next(filter(None, explanations), "")
         others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
         occurring = {s.name for e in equilibria for c in e.conditions for s in c.expression.free_symbols}

@@ -87,6 +87,14 @@ def read_otherwise(fragment: Fragment, scope: Scope, limit: int = MAX_CHARACTERS
     return _read(fragment, scope, None, limit, lambda reading: reading.otherwise(), latex=True)
 
 
+def read_value_otherwise(fragment: Fragment, scope: Scope) -> Value | None:
+    """A value in the other reading of `a/b c` and `sin x^2`; None if it has no other.
+
+    Raises ProblemError at the place that cannot be read.
+    """
+    return _read(fragment, scope, None, MAX_CHARACTERS, lambda reading: reading.value_otherwise(), latex=True)
+
+
 def token_texts(fragment: Fragment, scope: Scope) -> list[str]:
     """The tokens of a part of an answer as texts, primes as `'`. Raises ProblemError at what has no meaning."""
     return _read(fragment, scope, None, MAX_CHARACTERS, lambda reading: reading.texts(), latex=True)
@@ -190,6 +198,14 @@ class _Reading:
             return None
         self._parser = Parser(self._fragment, self._tokens, self._scope, other=True)
         return self.equation()
+
+    def value_otherwise(self) -> Value | None:
+        """The whole text as a value in the other reading; None if there is none."""
+        self._parser.expression()
+        if not self._parser.doubts:
+            return None
+        self._parser = Parser(self._fragment, self._tokens, self._scope, other=True)
+        return self.value()
 
     def texts(self) -> list[str]:
         """The texts of the tokens; hidden brackets are omitted."""

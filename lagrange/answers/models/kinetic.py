@@ -237,6 +237,7 @@ def other_inertia(m: Mechanics) -> Iterator[Variation]:
     yield from _other_factors(m, standard=True)
     for r in m.rotations:
         yield from _about_another_point(m, r)
+        yield from _about_the_end(m, r)
         if len({*r.weights} - {0}) == 2:
             yield from _moments_exchanged(m, r)
     for p in m.particles if not m.rotations else ():
@@ -276,6 +277,19 @@ def _about_another_point(m: Mechanics, r: Inertia) -> Iterator[Variation]:
             yield Variation(
                 clause, f"the moment of inertia of {called(r.name)}", _changed(m, p, p.times({(i, i): sp.Integer(2)}))
             )
+
+
+def _about_the_end(m: Mechanics, r: Inertia) -> Iterator[Variation]:
+    """Of a rod that turns about a point of itself the moment of inertia about its end."""
+    moments = {*r.weights} - {0}
+    mass_centre = [p for p in m.particles if p.name == r.name and p.moving == r.moving and len(p.moving) == 1]
+    if len(moments) == 1 and next(iter(moments)).as_coeff_Mul()[0] == sp.Rational(1, 12) and mass_centre:
+        end = written(4 * next(iter(moments)), m.slots)
+        clause = f"with {end}, the moment of inertia of {called(r.name)} about its end, for that about the axis"
+        changed = _changed(m, mass_centre[0], None)
+        yield Variation(
+            clause, f"the moment of inertia of {called(r.name)}", _changed(changed, r, replace(r, factor=sp.Integer(4)))
+        )
 
 
 def _moments_exchanged(m: Mechanics, r: Inertia) -> Iterator[Variation]:
@@ -421,6 +435,41 @@ def sum_of_angles(m: Mechanics) -> Iterator[Variation]:
             of = ", ".join(called(p.name) for p in group)
             clause = f"with the wrong sign of {q} in the coefficients of the kinetic energy of {of}: a + b for a - b"
             yield Variation(clause, f"the angle in the kinetic energy of {of}", changed)
+
+
+def angles_small_in_energy(m: Mechanics) -> Iterator[Variation]:
+    """The angles are taken as small in T alone: its coefficients are those at zero."""
+    rule: dict[sp.Basic, sp.Basic] = dict.fromkeys(_angles(m), sp.S.Zero)
+    if any(q in s.free_symbols for i in m.inertias for c in i.columns for s in c for q in rule):
+        small = m.inertia(lambda i: replace(i, columns=_rewritten(i, rule)))
+        place = "the kinetic energy: its coefficients depend on the angles"
+        yield Variation("with cosines in the kinetic energy replaced by 1, as for small angles", place, small)
+
+
+def radius_for_distance(m: Mechanics) -> Iterator[Variation]:
+    """The length itself for the distance from an axis, l for l sin(theta), in the velocities of what has it."""
+    found: dict[tuple[int, sp.Expr], list[str]] = {}
+    for p in m.particles:
+        for i in p.moving:
+            factors = [{*sp.Mul.make_args(c)} for c in p.columns[i] if c != 0]
+            common = set.intersection(*factors) if len(factors) > 1 else set[sp.Expr]()
+            for wave in sorted((w for w in common if isinstance(w, sp.sin | sp.cos)), key=str):
+                found.setdefault((i, wave), []).append(p.name)
+    for (i, wave), names in found.items():
+        for group in ([[n] for n in names] if len(names) > 1 else []) + [names]:
+            of = ", ".join(map(called, group))
+            changed = m.inertia(lambda p, i=i, w=wave, g=group: _divided(p, i, w) if p.name in g else p)  # type: ignore[misc]
+            clause = f"without the factor {written(wave, m.slots)} in the distance of {of} from the axis"
+            yield Variation(clause, f"the velocity of {of}", changed)
+
+
+def _divided(p: Inertia, index: int, factor: sp.Expr) -> Inertia:
+    if p.turning:
+        return p
+    columns = [*p.columns]
+    a, b, c = (x / factor for x in columns[index])
+    columns[index] = (a, b, c)
+    return replace(p, columns=tuple(columns))
 
 
 def length_left_out(m: Mechanics) -> Iterator[Variation]:

@@ -12,13 +12,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 from random import Random
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.limits import MOST_ASKED_TERMS, MOST_IN_RATIO, VANISHING_DIGITS
+from lagrange.answers.limits import MOST_ASKED_TERMS, MOST_IN_RATIO, MOST_LETTERS_IN_A_VALUE, VANISHING_DIGITS
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
@@ -347,6 +347,9 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
                 if _same(stated, derived + factor * term):
                     what = f"a term{where}" if "denominator" in where else f"the term {_written(_unsigned(term))}"
                     yield how.format(what) + ("" if "denominator" in where else where)
+    if claim.func is right.func and isinstance(right, sp.acos | sp.asin | sp.atan):
+        yield from _differences(claim.args[0], right.args[0], fixed, lengths)
+        return
     from lagrange.answers.models.one_place import of_arguments, of_one_place
 
     yield from of_arguments(claim, right)
@@ -411,6 +414,12 @@ def _of_sums(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:
                     for part in parts:
                         if _same(stated, form.xreplace({whole: part})):
                             yield said.format(part=part, whole=_written(whole))
+    letters = sorted(claim.free_symbols & right.free_symbols, key=str)
+    if len(letters) > MOST_LETTERS_IN_A_VALUE:
+        return
+    for p, q in permutations(letters, 2):
+        if _same(claim.xreplace({p: p + q}), right):
+            yield f"this is the answer with {p} in place of {_written(p + q)}"
 
 
 def _of_one_term(claim: sp.Expr, right: sp.Expr) -> Iterator[str]:

@@ -84,6 +84,8 @@ MODELS = (
     Model("absolute for relative motion in a spring or damper", forces.against_the_ground),
     Model("angular velocity of what rolls or is carried", rolling.other_angular_velocity),
     Model("mass of another part", kinetic.mass_of_another),
+    Model("small angles in the kinetic energy", kinetic.angles_small_in_energy),
+    Model("radius for the distance from an axis", kinetic.radius_for_distance),
     Model("length left out of a position", kinetic.length_left_out),
     Model("length doubled in a position", kinetic.length_doubled),
     Model("product of velocities in T with another factor", kinetic.product_scaled),

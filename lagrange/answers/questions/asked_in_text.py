@@ -67,7 +67,10 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
         if _is_condition(fragment, questions, reference):
             continue
         compared = [*_verdicts(fragment, questions, solution, reference)]
-        compared = compared or [*_verdicts(fragment, questions, solution, wider)]
+        if scalars and not any(v.verdict is Verdict.EQUIVALENT for _, v in compared):
+            with_names = [*_verdicts(fragment, questions, solution, wider)]
+            right_so = any(v.verdict is Verdict.EQUIVALENT for _, v in with_names)
+            compared = with_names if right_so else compared or with_names
         right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
         named = [
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)

@@ -30,7 +30,7 @@ from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
-from lagrange.expressions.reader import Scope, read_value
+from lagrange.expressions.reader import Scope, read_value, read_value_otherwise
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.results import Asked, How
 from lagrange.mechanics.results import Solution
@@ -85,7 +85,14 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
 def claims_of(fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> list[AskedClaim]:
     """What a text states about a question; with `±` two of them. Raises ProblemError."""
     stated, fits = text_in_si(fragment, asked, reference)
-    return [AskedClaim(f, asked, solution, reference, fits) for f in with_both_signs(stated)]
+    both = with_both_signs(stated)
+    claims = [AskedClaim(f, asked, solution, reference, fits) for f in both]
+    if len(claims) == 1 and has_other_reading(both[0], claims[0].scope, asked.question.name):
+        other = AskedClaim(both[0], asked, solution, reference, fits, otherwise=True)
+        verdicts = [c.verdict(explaining=False)[0] for c in (claims[0], other)]
+        if verdicts[0] is not Verdict.EQUIVALENT and verdicts[1] is Verdict.EQUIVALENT:
+            return [other]
+    return claims
 
 
 def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
@@ -94,6 +101,7 @@ def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
     return replace(asked, branches=left) if left and len(left) < len(asked.branches) else asked
 
 
+_OTHERWISE = "it is right with `a/b c` read as `a/(b c)`, and `sin x^2` as `sin(x^2)`"
 _ONE_SIGN = "it is right with one of the two signs only"
 
 
@@ -101,16 +109,23 @@ class AskedClaim:
     """A stated answer to one question."""
 
     def __init__(
-        self, fragment: Fragment, asked: Asked, solution: Solution, reference: Reference, unit_fits: bool
+        self,
+        fragment: Fragment,
+        asked: Asked,
+        solution: Solution,
+        reference: Reference,
+        unit_fits: bool,
+        otherwise: bool = False,
     ) -> None:
         self.asked = asked
         self.unit_fits = unit_fits
+        self.otherwise = otherwise
         self.solution = solution
         self.values, self.units = dict(reference.values), reference.units
         self.candidates = reference.candidates
         self.own = self.candidates[0] if self.candidates else None
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
-        self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
+        self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name, otherwise)
         self.quantity = asked.question.quantity
         law = solution.law
         self.reaction = next((r for r in law.newton.reactions if r.given == self.quantity), None) if law else None
@@ -142,6 +157,8 @@ class AskedClaim:
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
         if explaining and verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
             remark = self._explained(as_written(claim))
+        if self.otherwise and verdict is Verdict.EQUIVALENT:
+            remark = "; ".join(filter(None, [remark, _OTHERWISE]))
         return verdict, remark
 
     def _explained(self, claim: sp.Expr) -> str:
@@ -436,14 +453,30 @@ def _vanishes(e: sp.Expr) -> bool | None:
     return numbers_rounding_to([e]) is not None if decimals_in([e]) else is_zero(e)
 
 
-def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
+def has_other_reading(fragment: Fragment, scope: Scope, name: str) -> bool:
+    """Whether a stated value has two readings, as `a/b c` has. Raises ProblemError."""
+    stated = statement(fragment, scope, name=name)
+    others = (tried(s, stated.scope, lambda f: read_value_otherwise(f, stated.scope)) for s in stated.sides)
+    return any(value is not None for value in others)
+
+
+def read_stated(
+    fragment: Fragment, scope: Scope, name: str, otherwise: bool = False
+) -> tuple[sp.Expr | None, sp.Expr | None]:
     """An expression, or an equation as an expression that is zero; the name of what is stated may be its left side.
+
+    otherwise  in the other reading of what has two
 
     Raises ProblemError.
     """
     stated = statement(fragment, scope, name=name)
     scope = stated.scope
-    values = [tried(side, scope, lambda f: read_value(f, scope, [], latex=True)) for side in stated.sides]
+
+    def value_of(side: Fragment) -> sp.Expr | Vector:
+        other = read_value_otherwise(side, scope) if otherwise else None
+        return read_value(side, scope, [], latex=True) if other is None else other
+
+    values = [tried(side, scope, value_of) for side in stated.sides]
     if len(values) > 1:
         lhs, rhs = values
         if isinstance(lhs, Vector) or isinstance(rhs, Vector):

@@ -13,8 +13,7 @@ values, the stated numbers are compared with the exponents in numbers: a decimal
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations, islice
 
@@ -29,6 +28,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.equilibria import with_both_signs
 from lagrange.answers.limits import HIGHEST_FREQUENCY_EQUATION, LONGEST_SQUARE
 from lagrange.answers.models.letters import NUMBER_OF_MEANINGS, explained_frequencies
+from lagrange.answers.questions.texts.frequency_labels import LABELLED, listed_frequencies
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
@@ -38,7 +38,6 @@ from lagrange.answers.written.statements import statement
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.expressions.edits import cut, cuts
 from lagrange.expressions.reader import read_value
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -82,6 +81,13 @@ class EquilibriumPoint:
         for _ in stated:
             e = e.xreplace(stated)
         return self.resting.solution.at(self.point, e) if e.free_symbols & coordinates else e
+
+    def is_at(self, conditions: Sequence[sp.Expr], values: Values) -> bool:
+        """Whether conditions on the position hold there."""
+        try:
+            return all(is_zero(self.at(c).xreplace(values)) is True for c in conditions)
+        except (DivisionByZeroError, NotAlgebraicError):
+            return False
 
     def sign(self, e: sp.Expr) -> int | None:
         """The sign of an expression, if it is the same for all values of the parameters."""
@@ -178,9 +184,21 @@ def _oscillating(solution: Solution) -> list[tuple[Linearization, Values]]:
     return [*oscillating, *((f.about, f.rates) for f in families)]
 
 
-def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) -> AnswerVerdict:
-    """The verdict on all lists together."""
+def check_frequencies(
+    stated: Sequence[Sequence[Fragment]],
+    solution: Solution,
+    defined: Mapping[str, sp.Expr] | None = None,
+    only_at: Sequence[sp.Expr] = (),
+) -> AnswerVerdict:
+    """The verdict on all lists together.
+
+    defined  names that the answer defines
+    only_at  what vanishes at the equilibrium whose frequencies they are stated to be
+    """
     reference, oscillating = reference_of_solution(solution), _oscillating(solution)
+    if defined:
+        scope = reference.scope
+        reference = replace(reference, scope=replace(scope, scalars={**scope.scalars, **defined}))
     linearizations = [f for f, _ in oscillating]
     try:
         stated = [
@@ -194,6 +212,7 @@ def check_frequencies(stated: Sequence[Sequence[Fragment]], solution: Solution) 
         why = error.diagnostics[0].message
         return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
     places = [p for f, rates in oscillating for p in _places(f, rates)]
+    places = [p for p in places if not only_at or p.is_at(only_at, dict(reference.values))]
     damped = [p for f in linearizations for p in _damped(f, reference, rates=False)]
     if damped and not places:
         return _of_exponents(_NAME, stated, [[c**2 for c in claims] for claims in lists], damped, linearizations)
@@ -257,48 +276,11 @@ def _explained(
         yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
 
 
-_LABELLED = re.compile(
-    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
-)
-_BETWEEN = re.compile(
-    r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
-)
-
-
-def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
-    """The lines of a text that state frequencies or periods, and do not define what other lines contain."""
-    frequencies = []
-    for f in answer:
-        match = _LABELLED.match(f.text)
-        name = match[0].strip(" $=") if match else ""
-        others = [_LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
-        is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
-        if is_natural and any(_ACCELERATION.search(text) for text in others):
-            continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
-        if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
-            frequencies.append(f)
-    return frequencies
-
-
-_ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
-
-
-def _has_name(name: str, text: str) -> bool:
-    """Whether a name occurs in a text, and is no part of another one."""
-    return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
-
-
-def listed_frequencies(fragment: Fragment) -> list[Fragment]:
-    """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too."""
-    pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
-    return pieces if all("=" not in p.text or _LABELLED.match(p.text) for p in pieces) else [fragment]
-
-
 def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
     """The frequency that a text states, or those that satisfy an equation for them. Raises ProblemError."""
     omega = reference.scope.scalar("omega")
     scope = replace(reference.scope, decimals="")
-    if "=" not in fragment.text or _LABELLED.match(fragment.text) or not isinstance(omega, sp.Symbol):
+    if "=" not in fragment.text or LABELLED.match(fragment.text) or not isinstance(omega, sp.Symbol):
         return [_read(fragment, reference)]
     stated = statement(fragment, scope, reference.declared)
     if len(stated.sides) != 2:

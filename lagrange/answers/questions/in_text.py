@@ -14,7 +14,12 @@ from lagrange.answers.questions.asked_in_text import asked_in_text
 from lagrange.answers.questions.numbers_with_units import stated_in_numbers
 from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
 from lagrange.answers.questions.texts.labels import without_place
-from lagrange.answers.questions.texts.positions import period_as_rate, positions_of, with_rate_as_omega
+from lagrange.answers.questions.texts.positions import (
+    at_stated_positions,
+    period_as_rate,
+    positions_of,
+    with_rate_as_omega,
+)
 from lagrange.answers.questions.texts.supports import supports_of
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
@@ -205,7 +210,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion, and on the frequencies beside them."""
-    from lagrange.answers.questions.frequencies import check_frequencies, stated_frequencies
+    from lagrange.answers.questions.frequencies import check_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import stated_frequencies
+    from lagrange.answers.written.working import understood
 
     reference = reference_of_solution(solution)
     answer = [e for f in answer for e in _sides_of_label(f, reference)]
@@ -216,6 +223,13 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             by_place = check_frequencies([[f] for f in stated], solution)  # one for each equilibrium
             frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
         rest = [f for f in answer if f not in stated]
+        if frequencies.verdict is Verdict.UNREADABLE and rest:
+            working = understood(rest, reference)
+            tried = check_frequencies([stated], solution, working.defined)
+            if working.defined and tried.verdict is not Verdict.UNREADABLE:
+                frequencies, rest = replace(tried, notes=working.notes), list(working.judged)
+        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and rest:
+            frequencies = at_stated_positions(answer, stated, frequencies, solution)
         if frequencies.verdict is Verdict.WRONG:  # omega, and the period, may be those of a steady motion itself
             others = _if_readable(answer, judge)
             if others is not None and others.verdict is Verdict.EQUIVALENT:
@@ -260,7 +274,7 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.frequencies import listed_frequencies, stated_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies, stated_frequencies
 
     alone = stated_frequencies([fragment]) and len(listed_frequencies(fragment)) == 1
     pairs = in_pairs(fragment) if alone else []

@@ -12,7 +12,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.readings import read_answer
-from lagrange.answers.references import reference_of_solution
+from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
     WORST_TO_BEST,
     AnswerVerdict,
@@ -22,7 +22,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.mechanics.results import Solution
-from lagrange.problem.model import Answers
+from lagrange.problem.model import Answers, Problem
 
 if TYPE_CHECKING:
     from lagrange.mechanics.constraints.classification import Classification
@@ -256,9 +256,24 @@ def _about_equilibria(
         return missing_equilibria(verdict.missing)
     if verdict.verdict is not Verdict.WRONG:
         return ""
-    from lagrange.answers.equilibria import explained_equilibria
+    return explained_rest(alternatives, equilibria, reference_of_solution(solution), solution.problem)
 
-    return explained_equilibria(alternatives, equilibria, reference_of_solution(solution), solution.problem)
+
+def explained_rest(
+    alternatives: Sequence[Sequence[Fragment]],
+    equilibria: Sequence[Equilibrium],
+    reference: Reference,
+    problem: Problem | None,
+) -> str:
+    """Of which changed problem these are the equilibria, or in which place a value differs; empty if not found."""
+    from lagrange.answers.equilibria import explained_equilibria
+    from lagrange.answers.models.positions import explained_position
+
+    if why := explained_equilibria(alternatives, equilibria, reference, problem):
+        return why
+    readings = [read_answer(f, reference.scope) for a in alternatives for f in a]
+    equations = [c for r in readings for c in r.components]
+    return next(filter(None, (explained_position(equations, e) for e in equilibria)), "")
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:

@@ -23,7 +23,9 @@ _IN_TEXT = (
 _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
 _RESULT = r"(?:Ans(?:wer)?|ANS(?:WER)?|Result|Q\.?E\.?D|q\.?e\.?d|Proved|Shown|Antwort|Ergebnis)"
 _ANSWER = rf"{_SPACE}[.,;]?\s*[(\[{{]?\s*{_RESULT}\.?\s*[)\]}}]?"
-_NUMBER = re.compile(rf"(?:{_ANY}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
+_BARE = r"(?<=[^\s,;:=+\-*/^({[&|~])(?:\s{3,}|\t\s*|\\qquad\s*)[0-9]{1,3}[a-z]?"
+"""A number without brackets, far to the right of something that ends an expression: not after a comma, as in a list."""
+_NUMBER = re.compile(rf"(?:{_ANY}|{_BARE}|{_ANSWER}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
 
 
 def number_at_the_end(text: str) -> tuple[int, str]:

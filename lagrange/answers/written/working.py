@@ -57,6 +57,8 @@ _AT_ZERO = re.compile(
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _WORDS = re.compile(r"[^\W\d]+")
 _INDEX = re.compile(r"[_^]\{[^{}]*\}")
+_DOTS = re.compile(r"d{1,3}ot\Z")
+"""`ddot(theta)` is a derivative, and no function of theta that an answer defines."""
 _NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
 """What does not occur in a side that is a name alone: a quick test before the side is read."""
 _RATE_OF = re.compile(
@@ -397,7 +399,7 @@ class _Sorting:
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if is_name(name):
                 return name, function
             case [name, "(", argument, ")"] if is_name(name) and argument in ("t", *self.reference.coordinates):
-                return ("", "") if name in DIFFERENTIALS or name in RESERVED else (name, "")
+                return ("", "") if name in DIFFERENTIALS or name in RESERVED or _DOTS.match(name) else (name, "")
             case [("sin" | "cos" | "tan") as function, name] if is_name(name):
                 return name, function
         return "", ""

@@ -21,6 +21,7 @@ QUESTIONS = [
     ("loop-the-loop", "press_at_the_bottom", "m*g*(1 + 7*h/R)", ""),
     ("leaving-a-sphere", "leaves", "cos(theta) = 1/2", "is the 1/2 of T missing?"),
     ("leaving-a-sphere", "pressure", "m*g*(2 - cos(theta))", "has the wrong sign"),
+    ("ballistic-pendulum", "swing", "cos(theta) = 1 - m^2*v^2/(2*M^2*g*l)", "with M in place of M + m"),
     ("released-pendulum", "tension", "m*g*cos(theta)", "that of a body at rest"),
     ("released-pendulum", "speed", "sqrt(2*g*l)", "that at the start is missing"),
 ]

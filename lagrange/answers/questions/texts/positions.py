@@ -67,6 +67,32 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
     return replace(verdict, name="equilibrium"), rest
 
 
+def at_stated_positions(
+    answer: Sequence[Fragment], stated: Sequence[Fragment], verdict: AnswerVerdict, solution: Solution
+) -> AnswerVerdict:
+    """The verdict on right frequencies: wrong where one stands after a single position, and is that of another one."""
+    from lagrange.answers.questions.frequencies import check_frequencies
+    from lagrange.answers.written.working import understood
+
+    reference = reference_of_solution(solution)
+    after: list[tuple[list[sp.Expr], Fragment]] = []
+    where: list[list[sp.Expr]] = []  # the positions since the frequency before
+    for f in answer:
+        if any(f is s for s in stated):
+            after.append((where[0] if len(where) == 1 else [], f))
+            where = []
+            continue
+        judged = understood([f], reference, moving=False).judged
+        if judged and all(_is_position(g, reference) for g in judged):
+            where.append([e for g in judged if isinstance(g, GivenEquation) for e in g.reading.components])
+    for position, f in after:
+        there = check_frequencies([[f]], solution, only_at=position) if position else verdict
+        if there.verdict is Verdict.WRONG and check_frequencies([[f]], solution).verdict is not Verdict.WRONG:
+            why = f"not right there: {f.text.strip()}; it is the frequency at another equilibrium"
+            return replace(verdict, verdict=Verdict.WRONG, diagnosis=why)
+    return verdict
+
+
 def _is_position(fragment: Fragment, reference: Reference) -> bool:
     """Whether an equation is one between coordinates and parameters."""
     if not isinstance(fragment, GivenEquation) or fragment.reading.error:

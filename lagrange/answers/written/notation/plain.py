@@ -24,7 +24,7 @@ from lagrange.answers.written.notation.special import special
 from lagrange.answers.written.notation.units import units_in_si
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
-from lagrange.expressions.edits import Draft, Edit, closings
+from lagrange.expressions.edits import Draft, Edit, closings, cuts
 from lagrange.expressions.latex_names import NAMED_FUNCTIONS, LatexNames
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
@@ -86,9 +86,19 @@ _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
 _OF_TIME = re.compile(r"(?<=[\w'])\[\s*t\s*\]")
 _APPLIED = re.compile(r"(?<![A-Za-z0-9_])(Arc(?:Sin|Cos|Tan)|[A-Z][a-z]{1,7}|D)\s*(?=\[)")
 _CALLED = re.compile(
-    r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
+    r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan2?|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
 )
-_CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
+_ARCTAN = re.compile(r"(?<![A-Za-z0-9_\\])arctan(?=\()")
+_COMMA = re.compile(r",")
+_CALLS = {
+    "arcsin": "asin",
+    "arccos": "acos",
+    "arctan": "atan",
+    "arctan2": "atan2",
+    "sgn": "sign",
+    "ln": "log",
+    "arccot": "acot",
+}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
 _DER = re.compile(r"(?<![A-Za-z0-9_])der\s*(?=\()")
 _SPOKEN = re.compile(
@@ -121,6 +131,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
     draft.replace(_OF_TIME, "")
     draft.apply(_called_with_brackets(draft.text, scope))
+    draft.apply(_of_two(draft.text))
     draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
     draft.apply(_grouping(draft.text))
     draft.replace(_ELEMENTWISE, "")
@@ -266,6 +277,14 @@ def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
         if match.end() in ends:
             yield match.start(), match.end() + 1, f"{name}("
             yield ends[match.end()], ends[match.end()] + 1, ")"
+
+
+def _of_two(text: str) -> Iterator[Edit]:
+    """`arctan(y, x)` of Maple as arctan2(y, x)."""
+    for match in _ARCTAN.finditer(text):
+        end = closings(text).get(match.end())
+        if end is not None and len(cuts(text[match.end() + 1 : end], _COMMA)) > 1:
+            yield match.end(), match.end(), "2"
 
 
 def _grouping(text: str) -> Iterator[Edit]:

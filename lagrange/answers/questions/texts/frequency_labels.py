@@ -1,0 +1,59 @@
+"""Lines of a text that state frequencies: `omega_1 = ...`, `omega^2 = 0, c/m`, `T = ...`, `f = ...`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from lagrange.core.diagnostics import Fragment
+from lagrange.expressions.edits import Draft, cut, cuts
+from lagrange.expressions.latex_layout import is_latex
+
+LABELLED = re.compile(
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
+)
+_BETWEEN = re.compile(
+    r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
+)
+
+
+def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
+    """The lines of a text that state frequencies or periods, and do not define what other lines contain."""
+    frequencies = []
+    for f in answer:
+        match = LABELLED.match(f.text)
+        name = match[0].strip(" $=") if match else ""
+        others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
+        is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
+        if is_natural and any(_ACCELERATION.search(text) for text in others):
+            continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
+        if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
+            frequencies.append(f)
+    return frequencies
+
+
+_ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
+
+
+def _has_name(name: str, text: str) -> bool:
+    """Whether a name occurs in a text, and is no part of another one."""
+    return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
+
+
+def listed_frequencies(fragment: Fragment) -> list[Fragment]:
+    """`omega_1 = ..., omega_2 = ...` in one text, each by itself; after a value there may be definitions, too.
+
+    A value without a sign of equality has the label before it: of `omega^2 = 0, c/m` both are squares.
+    """
+    pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
+    if not all("=" not in p.text or LABELLED.match(p.text) for p in pieces):
+        return [fragment]
+    label = ""
+    for n, piece in enumerate(pieces):
+        if match := LABELLED.match(piece.text):
+            label = match[0]
+        elif label and "=" not in piece.text:
+            draft = Draft(piece)
+            draft.apply([(0, 0, label.lstrip(" $"))])
+            pieces[n] = draft.finished(latex=is_latex(fragment))
+    return pieces
