@@ -158,10 +158,13 @@ def _shorten(solution: Solution, kept: dict[Rule, list[Equation]]) -> None:
         if whole and (short or all(e.operations <= LONGEST_ACCELERATION for e in unknown)):
             kept[Rule.EQUATIONS_OF_MOTION] = unknown
     for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
-        if not (others := [e for e in kept.get(rule, ()) if not any(_say_the_same(e.sides, a) for a in asked)]):
-            kept.pop(rule, None)
-        else:
+        others = [e for e in kept.get(rule, ()) if not any(_say_the_same(e.sides, a) for a in asked)]
+        if rule is Rule.SOLVED_REACTIONS:  # T = ¼ m g in the state that is asked for, and not what is long in general
+            others = [e for e in others if e.operations <= LONGEST_ANSWER or all(e.sides[0] != a[0] for a in asked)]
+        if others:
             kept[rule] = others
+        else:
+            kept.pop(rule, None)
 
 
 def _say_the_same(sides: Sequence[object], others: Sequence[object]) -> bool:

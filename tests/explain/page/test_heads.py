@@ -68,3 +68,10 @@ def test_a_balance_that_nothing_satisfies_is_not_divided_away() -> None:
     assert "1 = 0" not in text
     assert "𝐢 is horizontal and 𝐣 points down." in text
     assert "The pebble P has the mass m; its position and weight are" in text
+
+
+def test_a_long_force_in_general_gives_way_to_its_value_in_the_state_that_is_asked_for() -> None:
+    head = page("rod-cut-loose").partition(" 1 The system")[0]
+    assert "the motion and what is asked:" in head
+    assert head.count("T =") == 1
+    assert "T = ¼ m g when t = 0" in head

@@ -120,7 +120,12 @@ def not_negative(slack: sp.Expr, wanted: SolvedFor, signs: Signs) -> list[RestCo
             collected = _collected(symbols[0], _homogeneous(sp.expand(reduced), signs))
             if collected is not None:
                 return [collected]
-    terms = sp.Add.make_args(_homogeneous(sp.expand(reduced), signs))
+    written = _homogeneous(sp.expand(reduced), signs)
+    for tangent in sorted(written.atoms(sp.tan), key=str):
+        collected = _collected(tangent, written) if _is_on_both_sides(tangent, written) else None
+        if collected is not None:
+            return [collected]
+    terms = sp.Add.make_args(written)
     minus = [t for t in terms if t.could_extract_minus_sign()]
     left, right = sp.Add(*(-t for t in minus)), sp.Add(*(t for t in terms if t not in minus))
     return [RestCondition(sp.factor(left), sp.factor(right))]
@@ -187,13 +192,20 @@ def _linear(symbol: sp.Expr, e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def _collected(symbol: sp.Expr, e: sp.Expr) -> RestCondition | None:
-    """e ≥ 0 as A P ≤ B or B ≤ A P, the sign of A being unknown; None if it is not linear."""
+    """e ≥ 0 as A P ≤ B or B ≤ A P, the sign of A being unknown; None if it is not linear in P, or in tan θ."""
     rate, rest = _linear(symbol, e)
-    if symbol in rest.free_symbols:
+    if rest.has(symbol):
         return None
     if rest.could_extract_minus_sign():
         return RestCondition(sp.factor(-rest), sp.factor(rate) * symbol)
     return RestCondition(sp.factor(-rate) * symbol, sp.factor(rest))
+
+
+def _is_on_both_sides(tangent: sp.Expr, e: sp.Expr) -> bool:
+    """Whether tan θ ≤ 2μ + μ ν tan θ can be collected, (1 − μ ν) tan θ ≤ 2μ."""
+    rate, rest = _linear(tangent, e)
+    signs = {t.could_extract_minus_sign() for t in sp.Add.make_args(rate)}
+    return rest != 0 and not rest.has(tangent) and len(signs) == 2
 
 
 def without_weaker(conditions: Sequence[RestCondition], signs: Signs) -> tuple[RestCondition, ...]:

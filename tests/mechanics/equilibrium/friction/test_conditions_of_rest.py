@@ -197,6 +197,7 @@ find: equilibrium
         (HELIX, ["m*c*g/sqrt(m^2*g^2*R^2 + c^2*F^2 + F^2*R^2) <= mu"]),
         (HELIX.replace("  push: {on: P, vector: F*e_rho}\n", ""), ["c/R <= mu"]),
         (SMOOTH, ["tan(theta)/2 <= mu_A"]),
+        (ROUGH, ["(1 - mu_A*mu_B)*tan(theta) <= 2*mu_A"]),
         (COLLAR, ["h/(2*a) <= mu"]),
         (BOOK, ["W/(2*P) <= mu"]),
         (STACKED, ["F/(m*g) <= mu_1", "F/((M + m)*g) <= mu_2"]),
