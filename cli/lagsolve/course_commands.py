@@ -86,11 +86,9 @@ def grade(
     from pathlib import Path
 
     from lagsolve.grading.assignments import labelled, sorted_out
-    from lagsolve.grading.pool import available_cores
-    from lagsolve.grading.roster import Roster, read_roster, time_of
+    from lagsolve.grading.pool import Limits, available_cores
     from lagsolve.grading.run import GradingRun, InterruptedBatchError, all_results
-    from lagsolve.grading.students import Attempts
-    from lagsolve.grading.worker import Limits
+    from lagsolve.grading.students import Attempts, Roster, read_roster, time_of
     from lagsolve.output import write_rows
 
     named, answers = sorted_out(problems)

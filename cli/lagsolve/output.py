@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from lagrange.answers.verdicts import Judgement
     from lagrange.core.diagnostics import ProblemError
     from lagrange.document.derivation import Derivation
-    from lagrange.document.notation import Notation
+    from lagrange.document.names import Notation
     from lagrange.explain.report import Report
-    from lagrange.render.notes.exercises import Sheet
-    from lagrange.render.notes.svg_file import Figures
+    from lagrange.render.markdown import Sheet
+    from lagrange.render.svg import Figures
     from lagsolve.grading.table import TableRow
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
@@ -74,7 +74,7 @@ class Layout:
     def sheet(self, report: Report) -> Sheet:
         """The worksheet of a problem, its solution, or both."""
         from lagrange.explain.page.worksheets import worked_solution, worksheet
-        from lagrange.render.notes.exercises import Sheet
+        from lagrange.render.markdown import Sheet
 
         both = report.solution, report.derivation
         exercise = worksheet(*both) if self.worksheet else None
@@ -153,7 +153,7 @@ class Destination:
         """The pictures of a page of Markdown, which are files beside it."""
         if self.format != "markdown" or self.path is None or not self.path.suffix:
             return None
-        from lagrange.render.notes.svg_file import Figures
+        from lagrange.render.svg import Figures
 
         return Figures(self.path.stem)
 
@@ -171,22 +171,22 @@ class Destination:
             from lagrange.render.tex_layout import Vectors
 
             if self.layout.beamer:
-                from lagrange.render.notes import frames
+                from lagrange.render import frames
 
                 return frames.render(solved, self.fragment, Vectors(self.vectors))
             apart = "\n\\clearpage\n" if self.layout.is_exercise else "\n"
             return latex.render(solved, self.fragment, detail, Vectors(self.vectors), apart)
         if self.format == "markdown":
             from lagrange.render import markdown
-            from lagrange.render.notes.flavours import Flavour
+            from lagrange.render.flavours import Flavour
             from lagrange.render.tex_layout import Vectors
 
             flavour, vectors = Flavour(self.layout.reader), Vectors(self.vectors)
             if self.layout.is_exercise and flavour.labels:
-                from lagrange.render.notes import exercises
+                from lagrange.render import markdown
 
                 sheets = [self.layout.sheet(r) for r in reports if r is not None]
-                return exercises.render(sheets, vectors, flavour, figures)
+                return markdown.with_exercises(sheets, vectors, flavour, figures)
             return markdown.render(solved, detail, vectors, flavour, figures)
         if self.format == "html":
             from lagrange.animation.moving import moving_figure

@@ -74,8 +74,8 @@ def simulate(
         libraries = ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
         made, solved = _prepared(problem, settings, choice, on_stage, libraries, complete=True, page=ending == PAGE)
         from lagrange.core.effort import allowed_for
+        from lagrange.programs.prepared import longest_time
         from lagrange.programs.simulation import simulated
-        from lagrange.programs.special.durations import longest_time
 
         on_stage("integrating")
         end = until or longest_time(made.states, made.start)
@@ -129,8 +129,7 @@ def export(problem: str, target: str | None, settings: tuple[str, ...], choice: 
 
     with stage_shown() as on_stage:
         made, _ = _prepared(problem, settings, choice, on_stage, (), complete=False)
-        from lagrange.programs.languages import Target
-        from lagrange.programs.names import RESERVED, legal_name
+        from lagrange.programs.languages import RESERVED, Target, legal_name
         from lagrange.programs.source import source_file
 
         on_stage("writing")

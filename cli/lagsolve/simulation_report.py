@@ -10,7 +10,7 @@ from lagrange.document.math_writer import text
 from lagrange.problem.model import Parameter
 from lagrange.programs.limits import LARGEST_DRIFT
 from lagrange.programs.simulation import Event, EventKind, Simulation
-from lagrange.programs.units import Units
+from lagrange.programs.tables import Units
 from lagsolve.limits import ROUNDED_COMPONENT
 from lagsolve.output import terminal_width, wrapped
 

@@ -45,7 +45,7 @@ def write_file(path: Path, text: str | bytes, *, follow: bool = True) -> None:
 
 def write_figures(folder: Path, files: Mapping[str, str]) -> None:
     """Writes the figures of a page beside it. Raises ProblemError for a file that lagsolve did not write."""
-    from lagrange.render.notes.svg_file import MARK
+    from lagrange.render.svg import MARK
 
     for name in files:
         if not _is_ours(folder / name, MARK):

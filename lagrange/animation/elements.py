@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint

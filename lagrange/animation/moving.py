@@ -24,12 +24,20 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
-from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still, UnmovableError
+from lagrange.animation.figure import (
+    EquilibriumButton,
+    MovingFigure,
+    Slider,
+    Still,
+    UnmovableError,
+    coordinate_slider,
+    parameter_slider,
+    sampled,
+    surfaces,
+)
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
-from lagrange.animation.samples import sampled, surfaces
-from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
-from lagrange.core.operations import count_distinct, distinct_parts
+from lagrange.core.expression_size import count_distinct, distinct_parts
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -44,10 +52,19 @@ from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
 from lagrange.programs.contacts import coefficients_at_rest, guards
-from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
+from lagrange.programs.defaults import (
+    AMPLITUDE,
+    FREQUENCY,
+    GRAVITY,
+    UNDECLARED_GRAVITY,
+    angles_in,
+    drawn_system,
+    parameter_value,
+    samples,
+    slip_speeds,
+)
 from lagrange.programs.first_order import in_coordinates
 from lagrange.programs.languages import JAVASCRIPT, Argument, GeneratedFunction
-from lagrange.programs.special.samples import AMPLITUDE, FREQUENCY, UNDECLARED_GRAVITY, samples
 from lagrange.programs.starting import Start, start
 from lagrange.programs.state_equations import StateEquations, filled, state_equations
 

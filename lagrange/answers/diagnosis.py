@@ -49,7 +49,7 @@ from lagrange.answers.slips import (
     terms_of,
     variants,
 )
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.comparison import System, affine_rows

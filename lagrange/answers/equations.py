@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.limits import MAX_EQUATIONS
 from lagrange.answers.readings import (
     NOT_FOR_ALL,
@@ -27,7 +26,7 @@ from lagrange.answers.readings import (
     read_answer,
     without_displacements,
 )
-from lagrange.answers.recognition import Recognised, recognised
+from lagrange.answers.recognition import FROM_THE_START, Recognised, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, validity_conditions
 from lagrange.answers.verdicts import (
@@ -48,7 +47,7 @@ from lagrange.expressions.latex_layout import separated_latex
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
 
 if TYPE_CHECKING:
-    from lagrange.answers.conventions import Convention
+    from lagrange.answers.hints import Convention
     from lagrange.answers.models.search import Explanation
     from lagrange.answers.written.decimals import DecimalValues
 
@@ -394,8 +393,7 @@ def _with_reasons(
             from lagrange.answers.diagnosis import diagnosed, in_symbols
             from lagrange.answers.hints import Advisor, cause_of
             from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
-            from lagrange.answers.results.forces import explained_force
-            from lagrange.answers.results.one_sense import one_sense
+            from lagrange.answers.results.forces import explained_force, one_sense
 
             residues = attempt.candidate.residues
             advisor = Advisor(system.configuration.slots)
@@ -504,7 +502,7 @@ def _convention(attempt: _Attempt) -> Convention | None:
     standings = [s for several in attempt.standings for s in several]
     if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
         return None
-    from lagrange.answers.conventions import other_convention
+    from lagrange.answers.hints import other_convention
 
     convention = other_convention([e for es in attempt.components for e in es], attempt.candidate.residues)
     if convention is not None and convention.coordinate in attempt.candidate.positive:

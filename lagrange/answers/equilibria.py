@@ -26,7 +26,7 @@ from lagrange.answers.limits import (
     UNITS_OF_EXPLAINING,
 )
 from lagrange.answers.models.letters import geometry_of, letter_variations
-from lagrange.answers.models.variation import Variation
+from lagrange.answers.models.mechanics import Variation
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -52,7 +52,7 @@ from lagrange.core.symbols import Decimal, Sign
 from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -364,7 +364,7 @@ def _reasons(
     own = {s for x in (*e.expressions, *e.work.forces) for s in x.free_symbols}
     more = {s.name for c in stated for s in c.free_symbols} - {s.name for s in own}
     more &= {*reference.parameters}
-    from lagrange.answers.results.units import wrong_dimension
+    from lagrange.answers.results.meanings import wrong_dimension
 
     yield from filter(None, (wrong_dimension(c, reference.units) for c in stated))
     if more:

@@ -40,12 +40,11 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_ze
 from lagrange.answers.friction.logarithms import at, in_sums, with_logarithms
 from lagrange.answers.readings import Reading
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
-from lagrange.core.records import record
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold, record
 from lagrange.document.math_writer import text
+from lagrange.mechanics.equilibrium.admissible_positions import is_outside
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
-from lagrange.mechanics.equilibrium.searched.stated_in_numbers import are_covered
-from lagrange.mechanics.equilibrium.within_ranges import is_outside
+from lagrange.mechanics.equilibrium.searched.stated_places import are_covered
 
 RESTATED = "it restates a constraint"
 _NOWHERE = "it does not hold at any equilibrium"

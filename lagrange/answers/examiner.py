@@ -25,8 +25,13 @@ from lagrange.answers.questions.own_answers import (
     on_freedom_and_class,
     readable,
 )
-from lagrange.answers.questions.stated_constraints import about_constraints, check_constraints
-from lagrange.answers.questions.texts.values_alone import as_asked
+from lagrange.answers.questions.stated_constraints import (
+    about_constraints,
+    check_constraints,
+    is_about_freedom,
+    stated_in_words,
+)
+from lagrange.answers.questions.values_in_text import as_asked
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
@@ -35,15 +40,13 @@ from lagrange.answers.verdicts import (
     Judgement,
     Verdict,
 )
-from lagrange.answers.written.in_words import is_about_freedom, stated_in_words
 from lagrange.answers.written.lines import has_sign_of_equality
-from lagrange.answers.written.listed_values import with_all_values
+from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base, symbols_in
-from lagrange.expressions.reader import Scope
-from lagrange.expressions.relations import is_inequality
+from lagrange.expressions.reader import Scope, is_inequality
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Answers, Problem
@@ -118,7 +121,7 @@ class Examiner:
                 equations = () if only_words else tuple(f for f in answer if not is_about_freedom(f))
                 return self.check_answers(words, equations)
             if only_words:
-                from lagrange.answers.questions.texts.stability_alone import (
+                from lagrange.answers.questions.stability_in_text import (
                     check_stability_sentences,
                     is_about_stability,
                 )
@@ -142,10 +145,10 @@ class Examiner:
 
     def _compared(self, answer: Sequence[Fragment]) -> Judgement:
         """The verdict on equations of motion, of equilibrium, and on constraints."""
-        from lagrange.answers.questions.texts.at_release import is_about_release
-        from lagrange.answers.questions.virtual_work import with_stated_conditions
+        from lagrange.answers.questions.at_release import is_about_release
+        from lagrange.answers.questions.equilibrium_in_text import with_stated_conditions
         from lagrange.answers.written.lines import condition_alone, conditions_of
-        from lagrange.answers.written.prose import without_prose
+        from lagrange.answers.written.one_line import without_prose
         from lagrange.answers.written.working import Working, understood
 
         solution = self.solution
@@ -221,8 +224,8 @@ class Examiner:
         return replace(judged, others=(rest, *judged.others))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
-        from lagrange.answers.questions.texts.at_release import at_release
-        from lagrange.answers.results.one_sense import kept_from_start
+        from lagrange.answers.questions.at_release import at_release
+        from lagrange.answers.results.forces import kept_from_start
         from lagrange.answers.written.judging import verdict_on
 
         reference = self.reference.of_answers
@@ -361,7 +364,7 @@ class Examiner:
         if not answers.equations and others:
             return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         if solution.linear_motion is not None:
-            from lagrange.answers.questions.linear_motion import check_linear_motion_answers
+            from lagrange.answers.questions.linear_equations import check_linear_motion_answers
 
             return self._judgement(check_linear_motion_answers(answers.equations, solution), others)
         return self._judgement(check_equations(answers.equations, self.reference), others)

@@ -9,24 +9,34 @@ dimensions; a wrong model (the first of its table that makes these equations); a
 what the equation is instead. If gravity or a force that acts the other way makes the same equations as a coordinate
 measured the other way, there is no telling which was meant, and both are named. The place is the one term whose change
 makes the equation right, with the sign that it has on its side of the answer.
+
+Answers that are right for a coordinate measured in another way: θ from the upward vertical, x to the left.
+
+The answer is rewritten with q = −q*, q* + π, π − q*, q* ± π/2 or ±π/2 − q* for one coordinate q, and compared
+again. Only an angle, which occurs in sines and cosines, can be measured from another direction.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from enum import Enum
 
 import sympy as sp
 
-from lagrange.answers.conventions import Convention
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.answers.diagnosis import Diagnosis, Group
+from lagrange.answers.models.residues import Residues, follows
 from lagrange.answers.models.search import Explanation
 from lagrange.answers.slips import Slip, terms_of
 from lagrange.answers.verdicts import DOES_NOT_FOLLOW
-from lagrange.core.symbols import Slots
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, prime
 from lagrange.core.units import unit_of_dimension
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.values.dimensions import Mismatch
 
 _GROUPS = {
@@ -219,3 +229,59 @@ def _decimal(number: sp.Expr) -> str:
     """A number as it was probably written: 0.33 if it has a short decimal fraction."""
     decimal = f"{float(number):.12g}"
     return decimal if sp.Rational(decimal) == number else str(number)
+
+
+# Conventions
+
+
+class Turn(Enum):
+    """How a coordinate may have been measured instead."""
+
+    REVERSED = "the other way"
+    OPPOSITE = "from the opposite direction"
+    SUPPLEMENT = "from the opposite direction, the other way"
+    RIGHT_ANGLE = "from the perpendicular direction"
+    COMPLEMENT = "from the perpendicular direction, the other way"
+
+
+@record
+class Convention:
+    """A coordinate measured in another way: what the answer calls q is `meant` in the problem's coordinate q."""
+
+    coordinate: sp.Symbol
+    turn: Turn
+    meant: sp.Expr
+
+
+def other_convention(equations: Sequence[sp.Expr], residues: Residues) -> Convention | None:
+    """The other way of measuring one coordinate with which all the equations follow; None if there is none."""
+    try:
+        states = residues.states(equations)
+        for convention in _conventions(equations, residues.system.configuration.slots):
+            if all(follows(_in_convention(e, convention), states) for e in equations):
+                return convention
+    except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
+        pass
+    return None
+
+
+def _conventions(equations: Sequence[sp.Expr], slots: Slots) -> Iterator[Convention]:
+    used = set().union(*(e.free_symbols for e in equations))
+    waves = set().union(*(w.free_symbols for e in equations for w in e.atoms(sp.sin, sp.cos, sp.tan)))
+    for q in slots.coordinates:
+        if not used & {q, prime(q), prime(q, 2)}:
+            continue
+        yield Convention(q, Turn.REVERSED, -q)
+        if q in waves:
+            yield Convention(q, Turn.OPPOSITE, q + sp.pi)
+            yield Convention(q, Turn.SUPPLEMENT, sp.pi - q)
+            for quarter in (sp.pi / 2, -sp.pi / 2):
+                yield Convention(q, Turn.RIGHT_ANGLE, q + quarter)
+                yield Convention(q, Turn.COMPLEMENT, quarter - q)
+
+
+def _in_convention(equation: sp.Expr, convention: Convention) -> sp.Expr:
+    q = convention.coordinate
+    sign = convention.meant.diff(q)
+    rule = {q: convention.meant, prime(q): sign * prime(q), prime(q, 2): sign * prime(q, 2)}
+    return equation.xreplace(rule)

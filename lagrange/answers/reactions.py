@@ -16,10 +16,9 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.force_names import meanings_of_force, other_readings
-from lagrange.answers.initial_integrals import FROM_THE_START
 from lagrange.answers.limits import LONGEST_COMPARED_REACTION
-from lagrange.answers.readings import Reading, decimals_in
+from lagrange.answers.readings import Reading, decimals_in, meanings_of_force, other_readings
+from lagrange.answers.recognition import FROM_THE_START
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, numbers_rounding_to, remark_on, rounded_in_motion
@@ -65,7 +64,7 @@ def check_reaction(
                 why = explained_reaction(candidate.read(as_written(zero)), candidate.models)
                 if why:
                     return replace(stated, diagnosis=why, cause=why)
-    from lagrange.answers.results.units import wrong_dimension
+    from lagrange.answers.results.meanings import wrong_dimension
 
     if solution is not None:
         from lagrange.answers.results.forces import explained_size
@@ -132,9 +131,9 @@ ReactionClaim = tuple[sp.Expr, tuple[str, ...]]
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[ReactionClaim]:
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
-    from lagrange.answers.written.printed_names import printed_names
+    from lagrange.answers.written.names import printed_names
     from lagrange.answers.written.reading import tried
-    from lagrange.answers.written.stated_units import force_in_si, with_value_in_si
+    from lagrange.answers.written.values import force_in_si, with_value_in_si
 
     within = with_value_in_si(fragment, reference) if "=" in fragment.text else fragment
     fragment = within if within is not fragment else force_in_si(fragment, reaction, reference)
@@ -266,7 +265,7 @@ class StatedReactionsAtRest:
     def _explained(self, zero: sp.Expr) -> str:
         """How a wrong value differs from the reaction at one of the equilibria, in a sentence; empty if not found."""
         from lagrange.answers.models.questions import explained_value
-        from lagrange.answers.results.resting_reactions import of_one_letter
+        from lagrange.answers.results.resting import of_one_letter
 
         for reactions in self.reactions:
             configuration = reactions.configuration

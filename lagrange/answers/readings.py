@@ -18,32 +18,46 @@ virtual displacements if and only if the coefficient of each independent one van
     (m x'' + k x) δx = 0          m x'' + k x = 0                if x is free
 
 and these coefficients are compared like any other equations.
+
+What the name of a reaction may stand for in an answer.
+
+In the derivation it is a force, where the reaction is a single one (`reaction_signs`). A textbook may take the opposite
+force as positive, and with R = λ ∂f/∂r in mind the name may be that of the multiplier, with either sign in front of it.
+So a name N may stand for ρ N of the derivation,
+
+    ρ = 1, −1, 1/factor, −1/factor        (N = factor · λ; the last two where the factor is not ±1),
+
+with one ρ for each name in the whole answer.
 """
 
 from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
-from itertools import combinations, product
+from itertools import combinations, islice, product
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.answers.limits import MAX_ANGLES
+from lagrange.answers.limits import MAX_ANGLES, MOST_MEANINGS
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import Decimal, differential, prime, symbols_in, t, variation
 from lagrange.core.vectors import Vector
+from lagrange.document.math_writer import text
 from lagrange.expressions.latex_layout import OneEquation
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
-from lagrange.expressions.reader import Scope, read_equation
+from lagrange.expressions.reader import read_equation
+from lagrange.expressions.scope import Scope
 from lagrange.mechanics.constraints.displacements import virtual_displacements
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import ForceKind, SingleForce
 
 NOT_FOR_ALL = "it does not hold for all displacements that the constraints admit"
 
@@ -238,3 +252,68 @@ def _is_linear(equation: sp.Expr, displacements: Sequence[sp.Symbol]) -> bool:
     if any(not r.free_symbols.isdisjoint(displacements) for r in rates):
         return False
     return bool(equation.xreplace(dict.fromkeys(displacements, sp.S.Zero)) == 0)
+
+
+# Force names
+
+
+@record
+class ForceMeaning:
+    """ρ, and in words what the name is taken for; empty for what it is in the derivation."""
+
+    ratio: sp.Expr
+    remark: str
+
+
+def meanings_of_force(reaction: Reaction) -> tuple[ForceMeaning, ...]:
+    """What the name of one reaction may stand for, the meaning of the derivation first."""
+    name, single = reaction.force.name, reaction.single
+    same = ForceMeaning(sp.S.One, "")
+    opposite = ForceMeaning(sp.S.NegativeOne, _opposite(name, single))
+    if single is None or abs(single.factor) == 1:
+        return same, opposite
+    what = "tension" if single.kind is ForceKind.TENSION else "force"
+    remark = f"`{name}` is taken as the multiplier of the constraint; in the derivation it is the {what}"
+    negative = f"`{name}` is taken as minus the multiplier of the constraint; in the derivation it is the {what}"
+    per_force = 1 / single.factor
+    return same, opposite, ForceMeaning(per_force, remark), ForceMeaning(-per_force, negative)
+
+
+def _opposite(name: str, single: SingleForce | None) -> str:
+    if single is None:
+        return f"`{name}` is taken with the opposite sign; in the derivation it is the multiplier λ in R = λ ∂f/∂r"
+    if single.kind is ForceKind.TENSION:
+        return f"`{name}` is taken as a force that pushes; in the derivation it is a tension, positive if it pulls"
+    if single.direction is None:
+        return f"`{name}` is taken in the opposite direction"
+    along, against = _along(single.direction), _along(-single.direction)
+    return f"`{name}` is taken along {against} on `{single.on}`; in the derivation it acts along {along}"
+
+
+def _along(direction: Vector) -> str:
+    return f"`{text(direction.as_sum())}`"
+
+
+@record
+class NameReading:
+    """One meaning for each name of reactions in an answer: `ratios` ρ by symbol, and remarks by name."""
+
+    ratios: Mapping[sp.Symbol, sp.Expr]
+    remarks: Mapping[str, str]
+
+
+def other_readings(newton: Newton | None, used: Collection[str]) -> Iterator[NameReading]:
+    """All readings of the names that an answer uses, except that of the derivation; `MOST_MEANINGS` at most.
+
+    First those in which all names have the same kind of meaning, then those in which fewer of them differ.
+    """
+    named = [r for r in newton.reactions if r.given is not None and r.force.name in used] if newton else []
+    kinds = [meanings_of_force(r) for r in named]
+    choices = sorted(product(*(range(len(k)) for k in kinds)), key=_order)
+    for choice in islice((c for c in choices if any(c)), MOST_MEANINGS):
+        taken = {r.force: k[n] for r, k, n in zip(named, kinds, choice, strict=True) if n}
+        yield NameReading({s: m.ratio for s, m in taken.items()}, {s.name: m.remark for s, m in taken.items()})
+
+
+def _order(choice: Sequence[int]) -> tuple[bool, int, tuple[int, ...]]:
+    return len(set(choice)) > 1, sum(n > 0 for n in choice), tuple(choice)

@@ -4,7 +4,7 @@ A solved problem gives one system for the file's own coordinates and one for eac
 constraints that remain there as unknowns. An answer in the coordinates of a choice may also use the multipliers of
 constraints that these coordinates satisfy identically (the tension of a pendulum's rod, with the angle): it is compared
 with the file's own equations, rewritten in the choice. Names of forces in an answer are replaced by their meanings,
-T = −2 l λ; where an answer is not right with these, the other usual ones are tried (`force_names`).
+T = −2 l λ; where an answer is not right with these, the other usual ones are tried (`readings`).
 """
 
 from __future__ import annotations
@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.force_names import other_readings
-from lagrange.answers.readings import Reading, radii, with_positive_radii
+from lagrange.answers.readings import Reading, other_readings, radii, with_positive_radii
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_before
@@ -83,7 +82,7 @@ class ReferenceCandidate:
         """Whether claims, `written` so in an answer, hold for the motion from the initial state of the file."""
         if self.from_start is None:
             return False
-        from lagrange.answers.initial_integrals import holds_from_start
+        from lagrange.answers.recognition import holds_from_start
 
         forces = {s.name for s in (*self.multipliers, *self.meanings)}
         return holds_from_start(claims, written, self.from_start, self.system, forces)
@@ -305,7 +304,7 @@ def _reference_of(same: Identical) -> Reference:
 
 def _start_of(candidate: ReferenceCandidate, solution: Solution) -> Callable[[], sp.Expr | None] | None:
     """What vanishes after the initial state, found on first use; None if the file gives no initial state."""
-    from lagrange.answers.initial_integrals import relation_from_start
+    from lagrange.answers.recognition import relation_from_start
 
     view = next((v for v in solution.views if v.name == candidate.choice), None)
     if view is None or not solution.problem.initial:

@@ -22,8 +22,7 @@ from lagrange.answers.limits import (
     MAX_FACTOR_PARAMETERS,
     MAX_TERMS,
 )
-from lagrange.core.expression_size import Sizes
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import Sizes, count_operations
 from lagrange.core.symbols import Slots, base, prime
 
 NUMBERS = tuple(

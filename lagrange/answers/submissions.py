@@ -28,27 +28,28 @@ from time import perf_counter
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.points import Score, as_number, score, unread_score
-from lagrange.answers.questions.texts.stability_alone import is_about_stability
-from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
+from lagrange.answers.questions.stability_in_text import is_about_stability
+from lagrange.answers.questions.stated_constraints import stated_in_words
+from lagrange.answers.questions.values_in_text import is_expressions, with_sign_after_names
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
-from lagrange.answers.written.cases.by_sense import with_cases
-from lagrange.answers.written.in_words import stated_in_words
+from lagrange.answers.written.cases import with_cases
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined_lines
-from lagrange.answers.written.notation.decimal_commas import with_decimal_points
-from lagrange.answers.written.notation.macros import macros_of, with_macros
-from lagrange.answers.written.notation.markup import (
+from lagrange.answers.written.notation.documents import (
     cells_of_row,
     is_list_of_dashes,
+    macros_of,
     text_of_html,
+    with_macros,
     without_named_letters,
 )
 from lagrange.answers.written.notation.matrices import with_bracketed_arrays
+from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import declares, equations_of_program
-from lagrange.answers.written.notation.ratios import ratios_of
+from lagrange.answers.written.notation.rare import ratios_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import LayoutMark, Region, delimited, equations, has_equation, marks_of, rows
-from lagrange.expressions.relations import is_inequality
+from lagrange.expressions.reader import is_inequality
 from lagrange.problem.model import Answers
 from lagrange.problem.sources import decode
 from lagrange.problem.stated_answers import read_answers

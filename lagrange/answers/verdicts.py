@@ -26,7 +26,7 @@ from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text as plain
 from lagrange.document.math_writer import unicode
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.problem.model import Problem
 
 

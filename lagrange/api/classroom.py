@@ -25,7 +25,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.explain.report import Report, report
-from lagrange.mechanics.questions.in_numbers import branches_with
+from lagrange.mechanics.questions.ranges import branches_with
 from lagrange.problem.library import is_file_name, path_of
 from lagrange.problem.limits import MAX_BYTES
 from lagrange.problem.loader import read_problem

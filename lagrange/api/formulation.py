@@ -21,7 +21,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.document.derivation import Picture
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import WithMultipliers
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.dynamics.spot_values import SpotValue
-    from lagrange.mechanics.equilibrium.driven.response import Response
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.response import Response
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions

@@ -18,9 +18,8 @@ from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import InitialValue
-from lagrange.programs.prepared import require, require_functions
+from lagrange.programs.prepared import longest_time, require, require_functions
 from lagrange.programs.simulation import Event, Simulation, meant, simulated
-from lagrange.programs.special.durations import longest_time
 from lagrange.programs.starting import start
 from lagrange.programs.state_equations import state_equations
 

@@ -16,13 +16,23 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Block, Derivation, Detail, Equation, Mathematics, Picture, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Derivation,
+    Detail,
+    Equation,
+    Mathematics,
+    Picture,
+    Rule,
+    Step,
+    display,
+    prose,
+)
 from lagrange.document.math_writer import LATEX, Notation, Writer
 from lagrange.explain.report import report
 from lagrange.explain.words import plural, spoken
 from lagrange.problem.model import Find, Problem
-from lagrange.render.notes.notebook import cell
+from lagrange.render.html import cell
 
 
 class Equations(Shown, tuple[Any, ...]):

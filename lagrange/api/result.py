@@ -227,7 +227,7 @@ class Result(Shown):
 
     def _repr_html_(self) -> str:
         """The derivation with its figures, for a notebook."""
-        from lagrange.render.notes.notebook import cell
+        from lagrange.render.html import cell
 
         return cell(self.derivation, self.report.notation)
 

@@ -32,10 +32,9 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base, t
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.expressions.bounded_arithmetic import SCALAR_FUNCTIONS, BoundedArithmetic, TooExpensiveError
-from lagrange.expressions.scope import Scope
-from lagrange.expressions.suggestions import help_for_function, help_for_symbol
+from lagrange.expressions.scope import Scope, help_for_function, help_for_symbol
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 TIME = sp.Symbol("t")

@@ -5,11 +5,13 @@ field by field. `@dataclass(frozen=True)` compiles six methods for each class, a
 classes is a tenth of what a short run takes beyond importing SymPy. Here the methods are shared, and the fields of a
 class are looked at when its first record is made (a short run makes records of every third class). `__init__` is
 compiled only for arguments that do not fit, so that they are refused in Python's own words, and for `help`.
+
+Three-valued verdicts: True, False, or None where a question is undecided.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from functools import cache
 from inspect import Signature, signature
@@ -190,3 +192,12 @@ _SHARED: dict[str, Callable[..., Any]] = {
     "__setattr__": _set,
     "__delattr__": _delete,
 }
+
+
+# Verdicts of three values
+
+
+def all_hold(verdicts: Iterable[bool | None]) -> bool | None:
+    """Whether all verdicts are True: False if one is False, otherwise None if one is undecided (Kleene)."""
+    known = set(verdicts)
+    return False if False in known else None if None in known else True

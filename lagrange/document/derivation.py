@@ -1,23 +1,30 @@
 """A derivation is data: steps of prose, equations, tables and checks, with SymPy in them and never strings of it.
 
 Stages make steps, renderers format them; neither knows the other. A label is an id; the renderer gives the number.
-Short ways to build the blocks are in `builders`.
+
+References to equations: under other labels, where another step displays them; in words, where none does.
+
+What a paragraph is for in its step, or a few words in their paragraph, as data beside the words.
+
+The full derivation says everything; a page says the same in fewer words. It finds what it shortens by these purposes,
+which are given where a sentence is made, and never by its wording: the words may change without a page noticing.
+
+Short ways to build the blocks of a derivation: `prose("With ", math(x), ", ", Ref("motion"), " becomes")`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import field
-from enum import IntEnum, StrEnum
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from enum import Enum, IntEnum, StrEnum, auto
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeAlias, overload
+from typing import TYPE_CHECKING, TypeAlias, TypeGuard, overload
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.document.purposes import Purpose
 
 if TYPE_CHECKING:
     from lagrange.document.scene import Scene
@@ -243,3 +250,183 @@ class Derivation:
     def at(self, detail: Detail) -> Sequence[Step]:
         """The steps of a level of detail."""
         return self.steps if detail is Detail.FULL or not self.page else self.page
+
+
+# References
+
+
+def referring_to(blocks: Iterable[Block], labels: Mapping[str, str]) -> Iterator[Block]:
+    """The blocks with other labels in their references, also in conditions beside equations."""
+
+    def part(p: Part) -> Part:
+        return Ref(labels[p.label]) if isinstance(p, Ref) and p.label in labels else p
+
+    for b in blocks:
+        if isinstance(b, Prose):
+            yield replace(b, parts=tuple(map(part, b.parts)), short=tuple(map(part, b.short)))
+        elif isinstance(b, Display):
+            equations = (replace(e, condition=tuple(map(part, e.condition))) for e in b.equations)
+            yield replace(b, equations=tuple(equations))
+        else:
+            yield b
+
+
+def labels_in(steps: Iterable[Step]) -> set[str]:
+    """The labels of all equations that are displayed."""
+    return {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations if e.label}
+
+
+def not_referring(block: Block, is_missing: Callable[[str], bool]) -> Block:
+    """A block whose references to equations that are omitted are words."""
+
+    def named(parts: Iterable[Part]) -> tuple[Part, ...]:
+        return tuple("an equation left out here" if isinstance(p, Ref) and is_missing(p.label) else p for p in parts)
+
+    if isinstance(block, Prose):
+        return replace(block, parts=named(block.parts), short=named(block.short))
+    return replace(block, name=named(block.name)) if isinstance(block, CheckMark) else block
+
+
+# Purposes
+
+
+class Purpose(Enum):
+    """What words are for; beside each an example."""
+
+    # of paragraphs
+    DEFINITIONS = auto()  # For brevity, write
+    FRICTION_INSIDE = auto()  # The friction contains N, the reaction of rod, found below.
+    FORMS_TOGETHER = auto()  # Taken together, the constraints may imply finite relations
+    NOT_EXACT_EITHER = auto()  # (7) is not exact either: ∂a/∂x = 1 ≠ 0 = ∂b/∂y.
+    NEXT_PRODUCT = auto()  # With ω now for the form (7),
+    NEXT_NOT_INTEGRABLE = auto()  # This does not vanish: (7) is not integrable.
+    TIMELESS = auto()  # Time does not appear in (2): virtual displacements satisfy it too,
+    DRIFT = auto()  # Possible and virtual displacements differ, because ...
+    SOLVING = auto()  # Solving for δx, where x ≠ 0, gives
+    FREE = auto()  # δy remains free.
+    VIRTUAL = auto()  # In a virtual displacement
+    ACTING = auto()  # On P acts its weight.
+    LAW = auto()  # Newton's law, mass times acceleration ..., have the components
+    COUNT = auto()  # The 2 components ... are 3 equations for 4 unknowns
+    ONLY_SUM = auto()  # Only the sum need vanish
+    KINEMATICS = auto()  # The acceleration and the rate of change of the angular momentum are
+    WRITTEN_OUT = auto()  # Written out, it reads
+    PRINCIPLE = auto()  # and d'Alembert's principle (4) reads
+    ELIMINATED = auto()  # ψ is eliminated through its velocity.
+    RATES = auto()  # Solving (5) for the velocities, and differentiating, gives
+    MULTIPLIERS = auto()  # With multipliers instead, nothing is eliminated.
+    NOT_SUBSTITUTED = auto()  # The constraint restricts velocities and is not substituted into T before ...
+    MAY_PUSH = auto()  # A rod may also push
+    CONTACT = auto()  # The floor can only push: it stays in contact as long as N ≥ 0, that is,
+    ONLY_PUSHES = auto()  # A support that can only push requires N > 0
+    WAVES = auto()  # There are solutions proportional to cos(ω t), with a constant amplitude, where
+    RESONANCE = auto()  # The denominator vanishes at a frequency of free oscillations
+    IN_TERMS_OF = auto()  # In terms of position and velocity,
+    # of paragraphs on what a result says
+    IN_SHORT = auto()
+    CONSERVED = auto()
+    MOMENTUM = auto()  # conserved, linear or angular
+    AT_REST = auto()
+    SMALL_MOTION = auto()
+    LIMIT = auto()
+    UNITS = auto()
+    # of words in a paragraph
+    SUBJECT = auto()  # The accelerations
+    VERB = auto()  # is, are
+    WHERE = auto()  # , where
+    NOUN = auto()  # as generalized coordinates
+    CONCLUSION = auto()  # , so the system is
+    REASON = auto()  # the end of the first reason
+    MOMENTA = auto()  # and its angular momentum about the mass centre
+    REACHED = auto()  # The space of reachable configurations has dimension 3. ...
+    SUM_AND_MOMENT = auto()  # On the disc act ... In terms of the forces, their sum and their moment are
+    NO_TIME = auto()  # Time appears in none of them.
+    COMPONENTS = auto()  # the components
+    ALONG = auto()  # Along the motion
+    THAT_IS = auto()  # , that is,
+    LEFT_SIDES = auto()  # the colon after `N times the left side of (3)`
+    EVERY_COORDINATE = auto()  # so for every coordinate
+    GIVEN_VALUES = auto()  # with the given values
+    AFTERMATH = auto()  # : at resonance there is no steady state
+
+
+class Phrase(str):
+    """Words of a paragraph that have a purpose of their own in it.
+
+    instead  what a page says in their place where it says less
+    """
+
+    purpose: Purpose | None
+    instead: str
+
+    def __new__(cls, words: str, purpose: Purpose | None = None, instead: str = "") -> Phrase:
+        """The words with their purpose."""
+        phrase = super().__new__(cls, words)
+        phrase.purpose, phrase.instead = purpose, instead
+        return phrase
+
+
+# Builders
+
+
+def prose(*parts: Part, detail: Detail = Detail.STEPS, purpose: Purpose | None = None) -> Prose:
+    """A paragraph from text and mathematics."""
+    return Prose(parts, detail, purpose=purpose)
+
+
+def has_purpose(block: Block | None, purpose: Purpose) -> TypeGuard[Prose]:
+    """Whether it is a paragraph of that purpose."""
+    return isinstance(block, Prose) and block.purpose is purpose
+
+
+def parts_of(block: Block) -> Iterator[Part]:
+    """What a paragraph, or the conditions of displayed equations, are made of."""
+    if isinstance(block, Prose):
+        yield from block.parts
+    elif isinstance(block, Display):
+        yield from (p for e in block.equations for p in e.condition)
+
+
+def index_of(purpose: Purpose, parts: Sequence[Part]) -> int | None:
+    """Where the first words of that purpose are; None if there are none."""
+    return next((n for n, part in enumerate(parts) if isinstance(part, Phrase) and part.purpose is purpose), None)
+
+
+def math(*sides: Mathematics, relation: str = "=") -> Math:
+    """Inline mathematics a = b = c."""
+    return Math(sides, relation)
+
+
+def paragraph(*sentences: Prose) -> Prose:
+    """Sentences as one paragraph, with the purpose of the first."""
+    parts: list[Part] = []
+    for n, sentence in enumerate(sentences):
+        parts += [" ", *sentence.parts] if n else sentence.parts
+    return Prose(tuple(parts), min(s.detail for s in sentences), purpose=sentences[0].purpose)
+
+
+def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:
+    """Displayed equations."""
+    return Display(equations, boxed, detail)
+
+
+def paired(equations: Sequence[Equation]) -> tuple[Equation, ...]:
+    """Equations two in a line, the second as what follows the first, which has the number."""
+    pairs = [equations[n : n + 2] for n in range(0, len(equations), 2)]
+    return tuple(replace(pair[0], condition=(Math(pair[1].sides),)) if len(pair) == 2 else pair[0] for pair in pairs)
+
+
+def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:
+    """`a, b and c`, as parts of a paragraph."""
+    return series(((part,) for part in parts), last)
+
+
+def series(items: Iterable[Sequence[Part]], last: str = " and ") -> tuple[Part, ...]:
+    """`a of b, c of d and e of f`: a list of which each item has several parts."""
+    clauses = list(items)
+    parts: list[Part] = []
+    for n, clause in enumerate(clauses):
+        if n:
+            parts.append(last if n == len(clauses) - 1 else ", ")
+        parts += clause
+    return tuple(parts)

@@ -32,8 +32,7 @@ from lagrange.core.symbols import (
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
 from lagrange.document.limits import LONGEST_LIST
-from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
-from lagrange.document.notation import Notation, SymbolKind
+from lagrange.document.names import BREAK, END, START, Notation, Piece, Precedence, SymbolKind, WrittenName, plain
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, split_term
 from lagrange.document.style_latex import Latex, RunningLatex, WideLatex
 from lagrange.document.styles import BARE, POWERED, BoldVectors, Text, Unicode

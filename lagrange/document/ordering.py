@@ -23,8 +23,7 @@ from enum import IntEnum
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, Inert, Partial, UnitVector, Unspecified, VectorSymbol, Wedge, counting
-from lagrange.document.names import WrittenName
-from lagrange.document.notation import MOVING, Notation, SortPlace, SymbolKind, alphabetic
+from lagrange.document.names import MOVING, Notation, SortPlace, SymbolKind, WrittenName, alphabetic
 
 BasePower = tuple[sp.Expr, sp.Expr]  # base and exponent
 

@@ -7,11 +7,21 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol, prime, t, variation
-from lagrange.core.triads import names_before_last
-from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Equation, Matrices, Part
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.core.vectors import FIXED, UNITS, Triad, Vector, names_before_last
+from lagrange.document.derivation import (
+    Block,
+    Equation,
+    Matrices,
+    Part,
+    Phrase,
+    Purpose,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    series,
+)
 from lagrange.explain.words import friction_called, plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation

@@ -7,13 +7,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
+from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step, listed, math, prose
 from lagrange.explain.limits import LONGEST_SPOT
 from lagrange.explain.words import constraints_called, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.results import Solution
-from lagrange.mechanics.rewriting.spot_formulas import acceleration_formula, values_that_matter
+from lagrange.mechanics.rewriting.readable_forms import acceleration_formula, values_that_matter
 
 
 def explain_checks(

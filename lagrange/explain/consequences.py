@@ -7,15 +7,11 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.symbols import CONSTANT, CrossProduct, DotProduct, TimeDerivative, VectorSymbol, prime, t
-from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Block, Emphasis, Part, Rule, Step
+from lagrange.document.derivation import Block, Emphasis, Part, Rule, Step, listed, math, prose
 from lagrange.mechanics.consequences.at_rest import shape, without_dependent
-from lagrange.mechanics.consequences.directions import Hodograph
-from lagrange.mechanics.consequences.gathered import Consequences
-from lagrange.mechanics.consequences.limit_motion import LimitMotion
-from lagrange.mechanics.consequences.modes import Beats, DoubleResonance
-from lagrange.mechanics.consequences.sleeping import SleepingAxis
-from lagrange.mechanics.consequences.vectors import ConeVector, ConstantSpin
+from lagrange.mechanics.consequences.gathered import Consequences, LimitMotion
+from lagrange.mechanics.consequences.oscillations import Beats, DoubleResonance, SleepingAxis
+from lagrange.mechanics.consequences.vectors import ConeVector, ConstantSpin, Hodograph
 from lagrange.mechanics.results import InCoordinates
 
 

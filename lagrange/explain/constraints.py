@@ -15,20 +15,39 @@ import sympy as sp
 
 from lagrange.algebra.forms.frobenius import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Emphasis,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    series,
+)
 from lagrange.explain.constraint_systems import (
+    explain_bending,
     explain_hidden,
     explain_losses,
     explain_manoeuvre,
+    explain_reduction,
     explain_redundant,
     explain_together,
     form_letter,
+    without_form,
 )
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.limits import SHOWN_PAIRS
-from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
 from lagrange.explain.words import brief, capital, constraints_called, counted, in_words, joined, plural, spoken, the
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent

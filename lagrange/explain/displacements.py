@@ -6,14 +6,26 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, differential, t, variation
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Phrase,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+)
 from lagrange.explain.bodies import virtual_rotations
+from lagrange.explain.constraint_systems import by_chetaev
 from lagrange.explain.limits import LONGEST_DISPLACEMENT
-from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import joined, plural, suffix_of, the
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import (

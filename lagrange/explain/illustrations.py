@@ -16,9 +16,8 @@ import sympy as sp
 
 from lagrange.core.diagnostics import GaveUpError
 from lagrange.core.effort import allowed_for
-from lagrange.document.builders import listed, math
-from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
-from lagrange.document.notation import Notation
+from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step, listed, math
+from lagrange.document.names import Notation
 from lagrange.explain.limits import UNITS_OF_A_PICTURE
 from lagrange.explain.words import bare, plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates

@@ -6,11 +6,26 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Matrices,
+    Part,
+    Phrase,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    series,
+)
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.limits import LONGEST_ACCELERATIONS

@@ -6,13 +6,27 @@ from collections.abc import Collection, Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, t
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.contact.held_bodies import explain_held_bodies
+from lagrange.document.derivation import (
+    Block,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    series,
+)
+from lagrange.explain.contact.one_sided import explain_held_bodies
 from lagrange.explain.limits import LONGEST_IN_TEXT, MOST_LAWS
 from lagrange.explain.words import (
     capital,

@@ -8,14 +8,29 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import UnitSymbol
-from lagrange.document.builders import display, index_of, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
-from lagrange.document.purposes import Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Display,
+    Equation,
+    Math,
+    Part,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    index_of,
+    listed,
+    math,
+    prose,
+    series,
+)
 from lagrange.explain.limits import MOST_SHAPES
 from lagrange.explain.questions import angle_of, answer_label
 from lagrange.explain.words import plural, suffix_of, title_in
-from lagrange.mechanics.equilibrium.critical_values import critical_values
-from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position, critical_values
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -160,7 +175,7 @@ def _excluded_answers(solution: Solution, values: Values) -> Iterator[str]:
     """The labels of answers to questions whose conditions the values violate."""
     if not solution.asked:
         return
-    from lagrange.mechanics.questions.in_numbers import branches_with
+    from lagrange.mechanics.questions.ranges import branches_with
 
     for asked in solution.asked:
         left = branches_with(asked, values)

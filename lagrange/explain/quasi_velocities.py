@@ -5,9 +5,21 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.symbols import VectorSymbol, prime, variation
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Phrase,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+)
 from lagrange.explain.bodies import directions_of, stated_triads
 from lagrange.explain.displacements import points_called
 from lagrange.explain.motion import scaling

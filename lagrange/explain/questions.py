@@ -9,12 +9,26 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Math,
+    Part,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+    series,
+)
 from lagrange.explain.words import as_stated, at_start, plural, sign_conditions, spoken, suffix_of, title_in
+from lagrange.mechanics.questions.closed_motions import FromStart
 from lagrange.mechanics.questions.forms import under_one_root
-from lagrange.mechanics.questions.from_start import FromStart
 from lagrange.mechanics.questions.results import (
     AnswerBranch,
     Asked,

@@ -7,12 +7,25 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Sign, t
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+)
 from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION, LONGEST_REACTIONS
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
@@ -26,7 +39,7 @@ from lagrange.problem.model import Keeper
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
-    from lagrange.mechanics.nearby.long_reactions import LongReactions
+    from lagrange.mechanics.nearby.long_equations import LongReactions
 
 
 def explain_reactions(

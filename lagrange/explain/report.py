@@ -21,9 +21,8 @@ from lagrange.core.effort import Attempts, allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import velocity_before
 from lagrange.core.vectors import Vector
-from lagrange.document.derivation import Derivation, MadeWhenRead, Step
-from lagrange.document.notation import Notation
-from lagrange.document.references import labels_in, not_referring
+from lagrange.document.derivation import Derivation, MadeWhenRead, Step, labels_in, not_referring
+from lagrange.document.names import Notation
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.constraints import (
     explain_classification,
@@ -47,8 +46,8 @@ from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.page.arrangement import steps_of_page, without_names_of_choices
 from lagrange.explain.page.names import short_names
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
-from lagrange.explain.remarks import remarks as remarks_on
 from lagrange.explain.statement import explain_statement
+from lagrange.explain.statement import remarks as remarks_on
 from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
@@ -59,9 +58,8 @@ from lagrange.mechanics.energy_symbols import (
     small_displacements,
     states_potential,
 )
-from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.results import InCoordinates, Solution, values_in
 from lagrange.mechanics.solution import OnStage, silent, solve
-from lagrange.mechanics.solution_values import values_in
 from lagrange.problem.model import Problem
 from lagrange.problem.values import no_values
 
@@ -353,14 +351,14 @@ def _small_oscillations(view: InCoordinates) -> Step | None:
 def _forced(view: InCoordinates) -> Step | None:
     if view.forced is None:
         return None
-    from lagrange.explain.rest.response import explain_response
+    from lagrange.explain.rest.steady_motions import explain_response
 
     return explain_response(view.forced, view.response)
 
 
 def _in_momenta(make: Attempts, view: InCoordinates, solution: Solution) -> Iterator[Step | None]:
     if view.hamiltonian is not None:
-        from lagrange.explain.energy.hamilton import explain_hamiltonian
+        from lagrange.explain.energy.energies import explain_hamiltonian
 
         yield make(explain_hamiltonian, view.hamiltonian, energy_symbols(solution))
     if view.steady is not None:

@@ -9,13 +9,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.spoken_name import SpokenName
 from lagrange.core.units import NO_DIMENSION, split_number, unit_of
-from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Detail, Math, Part, Prose
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import Detail, Math, Part, Phrase, Prose, Purpose, listed, math, prose
 from lagrange.explain.limits import DECIMALS, DIGITS_AS_STATED, MOST_PARTS_OF_PI
 from lagrange.mechanics.constraints.variable_mass import REACTIVE
+from lagrange.problem.load_context import SpokenName
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.signs import SignCondition

@@ -19,8 +19,7 @@ from lagrange.core.symbols import Decimal, Unspecified, base, differential, prim
 from lagrange.core.vectors import Vector
 from lagrange.expressions.bounded_arithmetic import BoundedArithmetic
 from lagrange.expressions.limits import HIGHEST_PRESCRIBED_RATE, MAX_EXPONENT, MAX_NESTED_EXPONENT
-from lagrange.expressions.scope import UNITS, FunctionDeclaration, Scope
-from lagrange.expressions.suggestions import TreeReport
+from lagrange.expressions.scope import UNITS, FunctionDeclaration, Scope, TreeReport
 from lagrange.expressions.syntax_tree import (
     FUNCTIONS,
     INVERSE_HYPERBOLIC,

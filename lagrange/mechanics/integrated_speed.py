@@ -12,7 +12,7 @@ import sympy as sp
 from sympy.simplify.fu import TR8
 
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter, prime, t
 from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm

@@ -42,8 +42,8 @@ def stages_of_large(problem: Problem, on_stage: Callable[[str], None]) -> Iterat
 
 def _with_long_equations(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the equations of motion in abbreviations."""
-    from lagrange.mechanics.nearby.accelerations import check_state, start_in_numbers
     from lagrange.mechanics.nearby.long_equations import check_long_equations, long_equations
+    from lagrange.mechanics.nearby.one_state import check_state, start_in_numbers
 
     on_stage("equations of motion")
     equations = long_equations(solution.problem, solution.own.configuration)
@@ -68,7 +68,7 @@ def _with_linear_motion(solution: Solution, on_stage: Callable[[str], None]) -> 
 def _with_rest(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
     """The solution with the position of equilibrium near the one that the file gives."""
     from lagrange.mechanics.equilibrium.checks import require_statics
-    from lagrange.mechanics.nearby.rest_in_numbers import check_rest_in_numbers, rest_in_numbers
+    from lagrange.mechanics.nearby.one_state import check_rest_in_numbers, rest_in_numbers
 
     on_stage("equilibrium")
     problem, configuration = solution.problem, solution.own.configuration
@@ -79,7 +79,7 @@ def _with_rest(solution: Solution, on_stage: Callable[[str], None]) -> Solution:
 
 def with_long_reactions(solution: Solution) -> Solution:
     """The solution with the reactions that were too long in every set of coordinates."""
-    from lagrange.mechanics.nearby.long_reactions import check_long_reactions, long_reactions
+    from lagrange.mechanics.nearby.long_equations import check_long_reactions, long_reactions
 
     own, law = solution.own, solution.law
     solved = [v.dynamics.reactions for v in solution.views if v.dynamics and v.dynamics.reactions]

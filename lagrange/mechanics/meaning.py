@@ -23,7 +23,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, kept_surface
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, partial, t
 from lagrange.core.units import NO_DIMENSION, unit_of_dimension

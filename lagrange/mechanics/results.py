@@ -2,51 +2,56 @@
 
 The file's own coordinates and each choice of generalized coordinates have one record, `InCoordinates`, of the same
 fields; `Solution` has what does not depend on coordinates.
+
+The values of a solved problem, with the units of the forces that it names.
+
+A named reaction is a force (`dynamics.newton`), whatever the dimension of its constraint. It is in N even where a
+number in a question, `x = 2 m`, hides the unit of its formula. Nothing is said of a name that stands for a multiplier.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
+from lagrange.core.units import unit_of
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.checks import (
-    Check,
-)
+from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction
 from lagrange.mechanics.dynamics.spot_values import SpotValue
 from lagrange.problem.model import Problem
+from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
-    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
-    from lagrange.mechanics.nearby.accelerations import StateInNumbers
     from lagrange.mechanics.nearby.linear_motion import LinearMotion
-    from lagrange.mechanics.nearby.long_equations import LongEquations
-    from lagrange.mechanics.nearby.long_reactions import LongReactions
-    from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
-    from lagrange.mechanics.questions.from_start import FromStart
+    from lagrange.mechanics.nearby.long_equations import LongEquations, LongReactions
+    from lagrange.mechanics.nearby.one_state import RestInNumbers, StateInNumbers
+    from lagrange.mechanics.questions.closed_motions import FromStart
     from lagrange.mechanics.questions.results import Asked
+    from lagrange.values.quantities import Values
 
 
 @record
@@ -192,3 +197,15 @@ class Solution:
         c = self.classification
         decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
         return decided and not self.given_up and all(check.passed for check in self.checks)
+
+
+# Solution values
+
+
+def values_in(solution: Solution) -> Values | None:
+    """The values of the problem that was solved; None where it has none."""
+    values, newton = values_of(solution.problem), unit_of("N")
+    if values is None or newton is None or solution.law is None or not values.units:
+        return values
+    forces = {r.force: newton.dimension for r in solution.law.newton.reactions if r.named}
+    return replace(values, units={**forces, **values.units})

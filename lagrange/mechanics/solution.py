@@ -131,7 +131,7 @@ def _asks_at_rest(problem: Problem) -> bool:
     """Whether the questions of a file are about a system at rest, with dry friction at its limit."""
     if Find.MOTION in problem.find or not {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} or not problem.questions:
         return False
-    from lagrange.mechanics.questions.rest.at_rest import are_about_rest
+    from lagrange.mechanics.questions.at_rest import are_about_rest
 
     rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     return are_about_rest(problem) and (not rough or Find.IMPENDING in problem.find)
@@ -354,7 +354,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
 
 def _is_driven(solution: Solution) -> bool:
     """Whether harmonic or prescribed motions are left in the equations of motion of every set of coordinates."""
-    from lagrange.mechanics.equilibrium.driven.drives import harmonics
+    from lagrange.mechanics.equilibrium.drives import harmonics
     from lagrange.mechanics.equilibrium.relative_equilibrium import is_time
 
     problem = solution.problem
@@ -370,8 +370,8 @@ def _is_driven(solution: Solution) -> bool:
 
 def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the forced linear equations in free coordinates and, for a harmonic drive, the steady state."""
-    from lagrange.mechanics.equilibrium.driven.forced_systems import forced_systems
-    from lagrange.mechanics.equilibrium.driven.response import check_forced, check_response, response
+    from lagrange.mechanics.equilibrium.drives import forced_systems
+    from lagrange.mechanics.equilibrium.response import check_forced, check_response, response
 
     on_stage("forced oscillations")
     problem, taken = solution.problem, _names(solution.problem)
@@ -387,8 +387,8 @@ def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
             return view
         still = resting[view.name]
         configuration = moving[view.name].configuration
-        from lagrange.mechanics.equilibrium.driven.response import forced_equations
         from lagrange.mechanics.equilibrium.linearization import linearization
+        from lagrange.mechanics.equilibrium.response import forced_equations
 
         linear = linearization(law.equations(still.configuration, still.elimination), taken)
         equations = forced_equations(linear, configuration, systems.small)
@@ -452,8 +452,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
-    from lagrange.mechanics.equilibrium.springs_at_rest import with_spring_forces
-    from lagrange.mechanics.equilibrium.static_reactions import static_reactions
+    from lagrange.mechanics.equilibrium.static_reactions import static_reactions, with_spring_forces
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
@@ -535,7 +534,7 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
         places.append(MotionView(dynamics, integrals, law))
     configurations = [v.configuration for v in solution.views]
     if not solution.problem.questions:
-        from lagrange.mechanics.questions.from_start import motion_from_start
+        from lagrange.mechanics.questions.closed_motions import motion_from_start
 
         return replace(solution, from_start=motion_from_start(solution.problem, places, configurations))
     asked = answers_to_questions(solution.problem, places, configurations)
@@ -544,7 +543,7 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
 def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to questions about positions of equilibrium."""
-    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest, position_of_rest
+    from lagrange.mechanics.questions.at_rest import answers_at_rest, check_answers_at_rest, position_of_rest
 
     on_stage("questions")
     problem = solution.problem

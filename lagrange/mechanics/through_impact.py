@@ -5,21 +5,30 @@ with the velocities just after it, under the old constraints and those of the ne
 of restitution is 0: a bullet that lodges stays in the block, a ball that rebounds is free. It is a problem of its own,
 solved like any other: its equations of motion, first integrals and checks know nothing of the impact. Energy is lost in
 the instant of the impact, and may be conserved from then on.
+
+Where the impulse of a reaction vanishes: a hand that holds a rod is not jarred where 3 a = 2 l.
+
+An impulse is a quotient of polynomials in the parameters. It vanishes, and where it does so to an odd power it changes
+its sense, where a factor of its numerator does: a sum of terms of both signs in positive parameters. Such a place
+counts only if the position that it belongs to exists, that is if the constraints remain real there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.records import record
 from lagrange.core.symbols import base, prime
+from lagrange.mechanics.limits import MOST_VANISHING_TERMS
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, impulsive_motion
 from lagrange.mechanics.momenta.impact_checks import check_impact
 from lagrange.mechanics.results import Solution
-from lagrange.problem.model import Choice, Constraint, Find, InitialValue, Problem
+from lagrange.problem.keys import Find
+from lagrange.problem.model import Choice, Constraint, InitialValue, Problem
 
 
 def with_impact(solution: Solution, taken: frozenset[str], solve_after: Callable[[Problem], Solution]) -> Solution:
@@ -104,3 +113,41 @@ def _within(choice: Choice, persistent: Sequence[Constraint]) -> Choice | None:
         else:
             return None
     return replace(choice, coordinates=tuple(coordinates), substitute=substitute) if persistent else choice
+
+
+# Impulses that vanish
+
+
+@record
+class Vanishing:
+    """left = right, where the impulse is zero; `turns` if it has opposite senses on the two sides."""
+
+    left: sp.Expr
+    right: sp.Expr
+    turns: bool
+
+
+def vanishings(value: sp.Expr, coefficients: Sequence[sp.Expr]) -> Iterator[Vanishing]:
+    """The places where an impulse vanishes; `coefficients`: of the constraints in the position of the impact."""
+    for factor in sp.Mul.make_args(sp.factor(sp.fraction(sp.together(value))[0])):
+        base, exponent = factor.as_base_exp()
+        terms = sp.Add.make_args(base)
+        if len(terms) != MOST_VANISHING_TERMS or not exponent.is_Integer or not base.is_polynomial(*base.free_symbols):
+            continue
+        first, second = (a for a in sorted(terms, key=lambda a: a.could_extract_minus_sign()))
+        if not first.is_positive or not second.is_negative or not _exists(first, -second, coefficients):
+            continue
+        yield Vanishing(first, -second, exponent % 2 == 1)
+
+
+def _exists(left: sp.Expr, right: sp.Expr, coefficients: Sequence[sp.Expr]) -> bool:
+    """Whether the constraints are real there, tried at one place."""
+    symbols = sorted({s for e in (left - right, *coefficients) for s in e.free_symbols}, key=lambda s: s.name)
+    for s in sorted((left - right).free_symbols, key=lambda s: s.name):
+        if sp.degree(left - right, s) != 1:
+            continue
+        [place] = sp.solve(left - right, s)
+        values = {other: sp.Rational(n + 7, 7) for n, other in enumerate(symbols) if other != s}
+        at = {**values, s: place.xreplace(values)}
+        return all(e.xreplace(at).is_real is not False for e in coefficients)
+    return False

@@ -10,19 +10,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from lagrange.core.triads import unit_vector
-from lagrange.core.vectors import FIXED
+from lagrange.core.vectors import FIXED, unit_vector
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import PagePoint, Scene, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
-from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
-from lagrange.pictures.solids import TURN, across
+from lagrange.pictures.solids import TURN, across, with_implied_shapes
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
 

@@ -16,7 +16,7 @@ from contextlib import suppress
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, VectorSymbol
 from lagrange.core.vectors import Vector

@@ -3,27 +3,41 @@
 The picture shows what the derivation says of every such surface: the normal ∇f, a virtual displacement δr in the
 tangent plane, and, where time occurs in f, the surface a moment later, with a possible displacement dr = δr + (that of
 the surface). The free body beside it has the applied forces, the normal force and the friction.
+
+A particle in space on a surface or a curve that its constraints give: bowls, cones, cylinders, planes, wires.
+
+One relation f(x, y, z) = 0 is a surface. If turning about a line along k through O leaves f as it is, the surface is
+drawn by turning a profile, the curve of f in the plane through the axis and the particle; otherwise as a patch of
+places around the particle. Two relations leave a curve, which is followed by steps along ∇f × ∇g, each brought back by
+Newton's method.
 """
 
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 
 import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitVector, Unspecified, VectorSymbol, differential, t
-from lagrange.document.math_writer import Notation
+from lagrange.document.names import Notation
 from lagrange.document.scene import PagePoint, Scene, StrokeKind
-from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
-from lagrange.pictures.floats import FloatVector, inner, minus, outer, place, plus, unit
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, place, plus, solved, unit
+from lagrange.pictures.limits import SAME_PLACE
+from lagrange.pictures.poses import Pose
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward
+from lagrange.pictures.systems import SystemPicture
 from lagrange.pictures.views import View, view
+from lagrange.problem.keys import Keeper
 from lagrange.problem.model import Friction
 
-_HALF, _PIECES = 1.9, 16
+_HALF_PATCH, _PIECES_OF_PATCH = 1.9, 16
 _SHIFT = 0.8
 _PLACE: FloatVector = (0.2, 3.3, 1.5)
 """Half the width of the patch, its pieces, its displacement in dt, and the place of the particle, in centimetres."""
@@ -126,7 +140,7 @@ def surface_scene(solution: Solution, notation: Notation) -> Scene | None:
 
 def _body(sketch: Sketch, surface: _Surface) -> None:
     """The surface, and where it is a moment later."""
-    steps = [_HALF * (2 * k / _PIECES - 1) for k in range(_PIECES + 1)]
+    steps = [_HALF_PATCH * (2 * k / _PIECES_OF_PATCH - 1) for k in range(_PIECES_OF_PATCH + 1)]
     if surface.view.planar:
         curves = [[surface.at(x, 0.0) for x in steps]]
         sketch.line([surface.page(p) for p in curves[0]], StrokeKind.ROD)
@@ -215,3 +229,223 @@ def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
         sketch.label("velocity", ahead, toward(at, ahead), optional=True)
     sketch.label(point.name.replace("_", " "), at, (-0.7, 0.5), clear=PARTICLE, optional=True)
     return sketch.scene(notation)
+
+
+# Space
+
+
+_STEPS, _TURNS, _HALF = 12, 24, 0.45
+"""Pieces of a profile, of a turn, and half the width of a patch as a part of the distance from O to the particle."""
+_LONG = 260
+"""Steps of a curve to either side of the particle."""
+_TABLE = re.compile(r"\b(table|floor|horizontal plane)\b", re.IGNORECASE)
+Field = Callable[[FloatVector], float]
+
+
+@record
+class InSpace:
+    """What constraints in space look like: surfaces as grids of places, curves, and flat tables with their corners."""
+
+    grids: tuple[list[list[FloatVector]], ...] = ()
+    curves: tuple[list[FloatVector], ...] = ()
+    tables: tuple[list[FloatVector], ...] = ()
+
+    @property
+    def places(self) -> tuple[FloatVector, ...]:
+        """The places that have to fit on the page."""
+        grids = (place for grid in self.grids for row in (grid[0], grid[-1]) for place in row)
+        return (*grids, *(place for line in (*self.curves, *self.tables) for place in line))
+
+    def draw(self, system: SystemPicture, sketch: Sketch) -> None:
+        """Draw them."""
+        for corners in self.tables:
+            sketch.face([system.page(c) for c in corners], 2, -1e4)
+        for grid in self.grids:
+            patch(sketch, system.view, system.page, grid)
+        for line in self.curves:
+            sketch.line([system.page(place) for place in line], StrokeKind.CURVE)
+
+
+def constraints_in_space(system: SystemPicture) -> InSpace:
+    """The surface or the curve of every particle that is kept on one, and the tables on which others move."""
+    grids, curves, tables = [], [], []
+    for p in system.configuration.points if system.is_bare and not system.view.planar else ():
+        if p.mass == 0 or any(r.name == p.name for r in system.configuration.rotations):
+            continue
+        with suppress(NoValueError):
+            fields, here = _fields(system, p), system.pose.at(p.position)
+            if len(fields) == 2:
+                curves.append(curve(fields, here))
+            elif len(fields) == 1:
+                grids.append(surface(fields[0], here))
+            elif _is_on_table(system, p):
+                tables.append(_table(here))
+    return InSpace(tuple(grids), tuple(curves), tuple(tables))
+
+
+def _is_on_table(system: SystemPicture, p: MassPoint) -> bool:
+    """Whether the text speaks of a table and the particle moves in a horizontal plane."""
+    x, y, z = p.position.fixed().components
+    moving = {*system.pose.coordinates}
+    flat = not z.free_symbols & moving and len((x.free_symbols | y.free_symbols) & moving) == 2
+    return flat and bool(_TABLE.search(system.text))
+
+
+def _table(here: FloatVector) -> list[FloatVector]:
+    """The corners of a flat piece of a horizontal plane, around O and the particle."""
+    reach = 1.2 * max(abs(here[0]), abs(here[1]), 1e-3)
+    return [(a * reach, b * reach, here[2]) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+
+
+def _fields(system: SystemPicture, p: MassPoint) -> list[Field]:
+    """The relations on a particle alone, as functions of its place; none if it has other coordinates than its own."""
+    components = p.position.fixed().components
+    own = [q for q in system.pose.coordinates if any(c.has(q) for c in components)]
+    if len(own) != 3:
+        return []
+    fields = []
+    for row in system.configuration.rows:
+        reaction = next((r for r in system.newton.reactions if r.name == row.name), None)
+        if row.finite is None or reaction is None:
+            continue
+        f = sp.sympify(row.finite, strict=True)
+        moving = f.free_symbols & {*system.pose.coordinates}
+        if not moving & {*own}:
+            continue
+        if not moving <= {*own} or system.is_rod(reaction) or reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
+            return []
+        fields.append(_field(f, own, components, system.pose))
+    return fields
+
+
+def _field(f: sp.Expr, own: Sequence[sp.Symbol], components: Sequence[sp.Expr], pose: Pose) -> Field:
+    """f as a function of the place; only for coordinates that are the components themselves."""
+    if tuple(own) != tuple(components) and {*own} != {*components}:
+        raise NoValueError("other coordinates than components")
+    order = [components.index(q) for q in own]
+
+    def at(place: FloatVector) -> float:
+        moved = Pose(pose.configuration, {**pose.values, **{q: place[n] for q, n in zip(own, order, strict=True)}})
+        return moved.number(f)
+
+    return at
+
+
+def _slope(f: Field, at: FloatVector, size: float) -> FloatVector:
+    step = 1e-5 * size
+    ways = ((step, 0.0, 0.0), (0.0, step, 0.0), (0.0, 0.0, step))
+    x, y, z = ((f(plus(at, w)) - f(minus(at, w))) / (2 * step) for w in ways)
+    return x, y, z
+
+
+def _onto(f: Field, at: FloatVector, way: FloatVector | None, size: float) -> FloatVector:
+    """The place of the surface near another one, along a direction or the shortest way. Raises NoValueError."""
+    for _ in range(30):
+        off = f(at)
+        slope = _slope(f, at, size)
+        along = slope if way is None else way
+        rate = inner(slope, along)
+        if abs(rate) < 1e-9:
+            raise NoValueError("no place of the surface")
+        at = plus(at, along, -off / rate)
+        if abs(off / rate) * math.hypot(*along) < SAME_PLACE * size:
+            return at
+    raise NoValueError("no place of the surface")
+
+
+def surface(f: Field, here: FloatVector) -> list[list[FloatVector]]:
+    """Places of a surface around the particle, or all around its axis."""
+    size = max(math.hypot(*here), 1e-3)
+    if _is_turned(f, here, size):
+        profile = _profile(f, here, size)
+        start = math.atan2(here[1], here[0])
+        angles = [start + 2 * math.pi * n / _TURNS for n in range(_TURNS + 1)]
+        return [[(r * math.cos(a), r * math.sin(a), z) for a in angles] for r, z in profile]
+    normal = unit(_slope(f, here, size))
+    least = min(range(3), key=lambda n: abs(normal[n]))
+    u = unit(outer(tuple(1.0 if n == least else 0.0 for n in range(3)), normal))  # type: ignore[arg-type]
+    v = outer(normal, u)
+    steps = [_HALF * size * (2 * n / _STEPS - 1) for n in range(_STEPS + 1)]
+    return [[_onto(f, plus(plus(here, u, a), v, b), normal, size) for b in steps] for a in steps]
+
+
+def _is_turned(f: Field, here: FloatVector, size: float) -> bool:
+    """Whether the surface is one of revolution about k through O: f vanishes where the particle is turned about it."""
+    if math.hypot(here[0], here[1]) < 1e-2 * size:
+        return False
+    x, y, z = here
+    turned = [(x * math.cos(a) - y * math.sin(a), x * math.sin(a) + y * math.cos(a), z) for a in (0.7, 1.9, 4.1)]
+    scale = math.hypot(*_slope(f, here, size)) * size
+    return all(abs(f(place)) < 1e-6 * scale for place in turned)
+
+
+def _profile(f: Field, here: FloatVector, size: float) -> list[tuple[float, float]]:
+    """Distance from the axis and height along the profile, from the axis, or from as far below, beyond the particle."""
+    radius, height = math.hypot(here[0], here[1]), here[2]
+    out = (here[0] / radius, here[1] / radius, 0.0)
+    step = size / 40
+    ends: list[list[tuple[float, float]]] = []
+    for sense in (1.0, -1.0):
+        at, points = here, [(radius, height)]
+        for _ in range(120):
+            slope = _slope(f, at, size)
+            r, z = inner(slope, out), slope[2]
+            norm = math.hypot(r, z)
+            if norm < 1e-9:
+                break
+            tangent = plus((0.0, 0.0, sense * r / norm), out, -sense * z / norm)
+            with suppress(NoValueError):
+                moved = _onto(f, plus(at, tangent, step), plus((0.0, 0.0, z / norm), out, r / norm), size)
+                distance = inner(moved, out)
+                if distance < 0:
+                    points.append((0.0, points[-1][1] + (moved[2] - points[-1][1]) / 2))
+                    break
+                points.append((distance, moved[2]))
+                at = moved
+                reached = math.hypot(distance - radius, moved[2] - height)
+                wider = distance - radius
+                limit = 0.2 if wider > 0.05 * reached else 2.5 if wider < -0.05 * reached else 0.6
+                if reached > limit * size:
+                    break
+                continue
+            break
+        ends.append(points)
+    points = [*reversed(ends[1][1:]), *ends[0]]
+    chosen = [round(n * (len(points) - 1) / _STEPS) for n in range(_STEPS + 1)]
+    return [points[n] for n in chosen] if len(points) > _STEPS else points
+
+
+def curve(fields: Sequence[Field], here: FloatVector) -> list[FloatVector]:
+    """The curve on which two relations hold, to both sides of the particle, or around until it closes."""
+    size = max(math.hypot(*here), 1e-3)
+    step = size / 30
+    halves = []
+    for sense in (1.0, -1.0):
+        at, points = here, [here]
+        for n in range(_LONG):
+            slopes = [_slope(f, at, size) for f in fields]
+            way = unit(outer(slopes[0], slopes[1]))
+            at = _back(fields, plus(at, way, sense * step), size)
+            if math.dist(at, (0.0, 0.0, 0.0)) > 1.25 * size:
+                break
+            points.append(at)
+            if n > 5 and math.dist(at, here) < 0.9 * step:
+                return [*points, here]
+        halves.append(points)
+    return [*reversed(halves[1][1:]), *halves[0]]
+
+
+def _back(fields: Sequence[Field], at: FloatVector, size: float) -> FloatVector:
+    """The place at which both relations hold, near another one. Raises NoValueError."""
+    for _ in range(20):
+        off = [f(at) for f in fields]
+        slopes = [_slope(f, at, size) for f in fields]
+        gram = [[inner(a, b) for b in slopes] for a in slopes]
+        weights = solved(gram, off)
+        moved = at
+        for w, s in zip(weights, slopes, strict=True):
+            moved = plus(moved, s, -w)
+        if math.dist(moved, at) < SAME_PLACE * size:
+            return moved
+        at = moved
+    raise NoValueError("the curve ends")

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import Notation
@@ -22,11 +22,10 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.blocks import Blocks
+from lagrange.pictures.blocks import Blocks, mark_slopes
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
-from lagrange.pictures.implied_shapes import with_implied_shapes
 from lagrange.pictures.inferred import Inferred, fulcrum, rail
 from lagrange.pictures.limits import LONGEST_ROD_LABEL, SAME_ON_PAGE
 from lagrange.pictures.loads import ARROW, Arrows, as_words, constraint_curve
@@ -45,10 +44,9 @@ from lagrange.pictures.sketch import (
     touches,
     toward,
 )
-from lagrange.pictures.slopes import mark_slopes
-from lagrange.pictures.solids import Solids
-from lagrange.pictures.space import InSpace, constraints_in_space
+from lagrange.pictures.solids import Solids, with_implied_shapes
 from lagrange.pictures.springs_dampers import SpringsDampers
+from lagrange.pictures.surfaces import InSpace, constraints_in_space
 from lagrange.pictures.systems import SystemPicture, is_string, rod_ends
 from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 

@@ -21,8 +21,8 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
+from lagrange.mechanics.constraints.coordinates import of_mass_centre
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.constraints.measures import of_mass_centre
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod

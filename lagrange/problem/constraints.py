@@ -21,17 +21,15 @@ from functools import partial
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.algebra.forms.reductions import Alternative, Alternatives, Why
-from lagrange.algebra.forms.velocity_polynomials import is_affine
+from lagrange.algebra.forms.velocity_polynomials import Alternative, Alternatives, Why, is_affine
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
-from lagrange.expressions.relations import limit_of
+from lagrange.expressions.reader import limit_of
 from lagrange.problem import keys
-from lagrange.problem.declared_names import Namespace
 from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
-from lagrange.problem.load_context import LoadContext
+from lagrange.problem.load_context import LoadContext, Namespace
 from lagrange.problem.model import Constraint, Given, Keeper
 from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
 from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar

@@ -24,8 +24,8 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified
 from lagrange.core.units import has_unit, unit_of
 from lagrange.expressions.reader import RESERVED, FunctionDeclaration, Scope
-from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
+from lagrange.problem.load_context import DeclaredNames, canonical, names_in
 from lagrange.problem.model import Coordinate, Parameter, Problem, Range
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 from lagrange.problem.values import bounded_symbol, parameter_symbol, read_number_with_unit, read_range, with_value

@@ -15,9 +15,8 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, ProblemError, suggestion
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
-from lagrange.problem.declared_names import Namespace, canonical, names_in
 from lagrange.problem.keys import FORCES, IMPULSES, SENSES
-from lagrange.problem.load_context import LoadContext
+from lagrange.problem.load_context import LoadContext, Namespace, canonical, names_in
 from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,

@@ -20,7 +20,7 @@ from lagrange.core.effort import allowed_for
 from lagrange.core.symbols import CONSTANT
 from lagrange.expressions.reader import Scope
 from lagrange.problem.constraints import read_constraints
-from lagrange.problem.coordinate_choices import choice_relative_to_motion, read_choices, read_speeds
+from lagrange.problem.coordinate_choices import choice_relative_to_motion, read_choices, read_frame, read_speeds
 from lagrange.problem.declarations import (
     first_scope,
     note_unused,
@@ -33,7 +33,6 @@ from lagrange.problem.declarations import (
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.figures import read_figure
 from lagrange.problem.forces import read_forces, read_gravity
-from lagrange.problem.frames import read_frame
 from lagrange.problem.keys import AXES, PROBLEM, Find
 from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
@@ -44,12 +43,12 @@ from lagrange.problem.questions import (
     read_initial,
     read_questions,
     scope_of_questions,
+    with_dimensions_compared,
     with_initial_before,
 )
 from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
-from lagrange.problem.units.question_units import with_dimensions_compared
 from lagrange.problem.values import check_dimensions, note_inertia, with_settings
 from lagrange.problem.variants.vary import read_vary
 from lagrange.problem.yaml.composer import parse

@@ -27,13 +27,10 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor, Three, moments_of_mass, principal_minors
 from lagrange.core.printable import is_hidden
 from lagrange.core.records import record
-from lagrange.core.spoken_name import SpokenName
-from lagrange.core.triads import axis_names, names_before_last
-from lagrange.core.vectors import Vector
-from lagrange.problem.declared_names import names_in
+from lagrange.core.vectors import Vector, axis_names, names_before_last
 from lagrange.problem.keys import BODY, EXCHANGE, ORIENTATION, PARTICLE, SEQUENCES, WAYS_OF_TURNING
 from lagrange.problem.limits import MAX_WORDS_LENGTH
-from lagrange.problem.load_context import LoadContext
+from lagrange.problem.load_context import LoadContext, SpokenName, names_in
 from lagrange.problem.model import Body, Exchange, Particle
 from lagrange.problem.sections import (
     CONSTANT,

@@ -15,16 +15,23 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.algebra.forms.reductions import Reduction
+from lagrange.algebra.forms.velocity_polynomials import Reduction
 from lagrange.algebra.fourier.vector_cleanup import cleaned_up
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
 from lagrange.core.inertia import NO_PRODUCTS, InertiaTensor
 from lagrange.core.mime import Shown
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
-from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
 from lagrange.core.units import Dimension
-from lagrange.core.vectors import Components, Triad, Vector
+from lagrange.core.vectors import (
+    Components,
+    Orientation,
+    Triad,
+    Vector,
+    turned_by_angle,
+    turned_by_rotations,
+    turned_with_axes,
+)
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
 from lagrange.problem.keys import Drawn as Drawn

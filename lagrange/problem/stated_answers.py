@@ -28,13 +28,11 @@ from lagrange.core.units import has_unit, split_number, unit_of
 from lagrange.expressions.edits import Draft, cut
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
-from lagrange.expressions.reader import Scope, read_equation, read_value
-from lagrange.expressions.relations import limit_of
-from lagrange.problem.declared_names import canonical
+from lagrange.expressions.reader import Scope, limit_of, read_equation, read_value
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.keys import ANSWERS, CLASSES, POINTS
 from lagrange.problem.limits import MOST_SIGNS
-from lagrange.problem.load_context import FragmentReader, LoadContext
+from lagrange.problem.load_context import FragmentReader, LoadContext, canonical
 from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question, Weight
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, assert_never
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span, suggestion
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign
 from lagrange.core.units import NO_DIMENSION, Dimension, Unit, near_unit, si_unit, split_number, unit_called, unit_of

@@ -1,6 +1,6 @@
 """Expressions as Python functions.
 
-The text that is compiled is written by `printer.py` and `languages.py` from numbers, a short list of functions, and
+The text that is compiled is written by `languages.py` from numbers, a short list of functions, and
 names of the program's own: y0, p3, c12. Nothing in it comes from a file. Parts that depend on parameters alone are
 evaluated once, when the function is made.
 """
@@ -14,8 +14,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.programs.languages import PYTHON, Argument, GeneratedFunction
-from lagrange.programs.printer import Printer
+from lagrange.programs.languages import PYTHON, Argument, GeneratedFunction, Printer
 from lagrange.programs.straight_line import StraightLine, straight_line
 
 Compiled = Callable[..., Any]

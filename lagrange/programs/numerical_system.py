@@ -21,7 +21,7 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.core.operations import distinct_parts
+from lagrange.core.expression_size import distinct_parts
 from lagrange.core.symbols import partial, t
 from lagrange.programs.compiled import Compiled, compiled
 from lagrange.programs.integrator import RateFunction, State

@@ -21,7 +21,7 @@ from lagrange.document.math_writer import latex
 from lagrange.programs.limits import MOST_PLANES
 from lagrange.programs.numerical_system import NumericalSystem
 from lagrange.programs.simulation import Simulation
-from lagrange.programs.units import Units
+from lagrange.programs.tables import Units
 
 FORMATS = {".svg": "svg", ".png": "png", ".pdf": "pdf"}
 _COLOURS = ("#1f5aa6", "#c8461e", "#2f7d4f", "#7a4fa3", "#8a6d1a", "#3a8fa0", "#a83a6a", "#555555")

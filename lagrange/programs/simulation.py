@@ -27,7 +27,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.problem.model import ENERGY, Question

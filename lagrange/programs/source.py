@@ -17,14 +17,12 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_distinct
+from lagrange.core.expression_size import count_distinct
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, t
 from lagrange.document.math_writer import text
-from lagrange.programs.languages import LANGUAGES, GeneratedFunction, Language, Target
+from lagrange.programs.languages import LANGUAGES, GeneratedFunction, Language, Printer, ProgramNames, Target
 from lagrange.programs.limits import LONGEST_PROGRAM
-from lagrange.programs.names import ProgramNames
-from lagrange.programs.printer import Printer
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
 from lagrange.programs.straight_line import StraightLine, can_be_eliminated, solved_in_line, straight_line

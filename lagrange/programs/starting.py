@@ -15,7 +15,7 @@ from importlib.util import find_spec
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Span, suggestion
-from lagrange.core.operations import distinct_parts
+from lagrange.core.expression_size import distinct_parts
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.units import split_number

@@ -23,7 +23,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
-from lagrange.core.operations import distinct_parts
+from lagrange.core.expression_size import distinct_parts
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -33,8 +33,7 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Assumption, Parameter, Problem
 from lagrange.programs.contacts import Contact, contacts
-from lagrange.programs.first_order import FirstOrderEquations, in_coordinates, in_speeds
-from lagrange.programs.special.long_motion import long_energy, long_first_order
+from lagrange.programs.first_order import FirstOrderEquations, in_coordinates, in_speeds, long_energy, long_first_order
 
 
 @record

@@ -18,7 +18,7 @@ from itertools import chain, count
 
 import sympy as sp
 
-from lagrange.core.operations import count_distinct, distinct_parts
+from lagrange.core.expression_size import count_distinct, distinct_parts
 from lagrange.core.records import record
 from lagrange.programs.limits import LARGEST_ELIMINATED, LONGEST_SEARCHED
 

@@ -15,15 +15,13 @@ from lagrange.render.json_steps import condition
 if TYPE_CHECKING:
     from lagrange.mechanics.constraints.kinematics import Configuration
     from lagrange.mechanics.constraints.variable_mass import VariableMass
-    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
+    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
-    from lagrange.mechanics.nearby.accelerations import StateInNumbers
-    from lagrange.mechanics.nearby.linear_motion import LinearMotion
-    from lagrange.mechanics.nearby.long_equations import LongEquations
-    from lagrange.mechanics.nearby.long_reactions import LongReactions
-    from lagrange.mechanics.nearby.stable_range import StableRange
+    from lagrange.mechanics.nearby.linear_motion import LinearMotion, StableRange
+    from lagrange.mechanics.nearby.long_equations import LongEquations, LongReactions
+    from lagrange.mechanics.nearby.one_state import StateInNumbers
     from lagrange.mechanics.results import InCoordinates, Solution
 
 Write = Callable[[Any], str]

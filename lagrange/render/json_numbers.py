@@ -47,7 +47,7 @@ def critical(view: InCoordinates, values: Values | None) -> dict[str, Any]:
     """`critical`: conditions that are solved for the one parameter without a value."""
     if values is None:
         return {}
-    from lagrange.mechanics.equilibrium.critical_values import critical_values
+    from lagrange.mechanics.equilibrium.in_numbers import critical_values
 
     bounds = critical_values(view.equilibrium, view.stability, view.linearization, values)
     entries = [{"name": v.parameter.name, "relation": v.relation} | _measured(v.bound) for v in bounds]
@@ -109,7 +109,7 @@ def quantity(expression: sp.Expr | None, values: Values | None, write: Write) ->
 def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     """`number` and `unit` of an answer that has one value; of an angle and its opposite it is the positive one."""
     unknown = {"number": None, "unit": None}
-    from lagrange.mechanics.questions.in_numbers import branches_with
+    from lagrange.mechanics.questions.ranges import branches_with
     from lagrange.mechanics.questions.results import one_value
 
     left = branches_with(asked, values)

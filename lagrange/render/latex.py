@@ -31,10 +31,9 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import LATEX, RUNNING_LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape, prefixes_of, slug
 from lagrange.render.limits import LATEX_LINE, TALL_BOX
-from lagrange.render.selection import shown
+from lagrange.render.selection import Emitter, block_lines, shown
 from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, ems, unbroken, with_ampersand
 from lagrange.render.tikz import picture
-from lagrange.render.walk import Emitter, block_lines
 
 PACKAGES = r"""\usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}

@@ -6,6 +6,10 @@ punctuation as Markdown's, so there is no `\,` and no `\{`; for some an undersco
 a space precedes it; and there is no dollar inside mathematics. For MyST and Quarto equations have labels instead of
 numbers (`notes.flavours`): one for each formula, so that several numbered equations are several formulas. Pictures are
 files beside the page, where there is a page to put them beside.
+
+Worksheets in Markdown as the blocks for exercises that MyST and Quarto have: `{exercise}`, `{solution}`, `#exr-`.
+
+Inside such a block there are no headings: the titles of the parts are paragraphs.
 """
 
 from __future__ import annotations
@@ -16,6 +20,7 @@ from dataclasses import replace
 from itertools import groupby
 
 from lagrange.core.printable import printable
+from lagrange.core.records import record
 from lagrange.document.derivation import (
     CheckMark,
     Derivation,
@@ -32,15 +37,15 @@ from lagrange.document.derivation import (
     Step,
     Table,
 )
-from lagrange.document.math_writer import LATEX, RUNNING_LATEX, UNICODE, WIDE_LATEX, Notation, Writer
+from lagrange.document.math_writer import LATEX, RUNNING_LATEX, UNICODE, WIDE_LATEX, Writer
+from lagrange.document.names import Notation
 from lagrange.render.escape import escape as tex
 from lagrange.render.escape import prefixes_of, slug
+from lagrange.render.flavours import Flavour, Labels
 from lagrange.render.limits import MARKDOWN_LINE
-from lagrange.render.notes.flavours import Flavour, Labels
-from lagrange.render.notes.svg_file import Figures, svg_file
-from lagrange.render.selection import shown
+from lagrange.render.selection import Emitter, block_lines, shown
+from lagrange.render.svg import Figures, svg_file
 from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, with_ampersand
-from lagrange.render.walk import Emitter, block_lines
 
 MARKS = {True: "✓", False: "✗", None: "?"}
 _DIALECT = (
@@ -244,3 +249,41 @@ def _text(words: str) -> str:
     r"""Words as `\text`, except for letters that need mathematics (`$\alpha$`), which come outside it."""
     pieces = re.split(r"\$([^$]*)\$", tex(words))
     return "".join(p if n % 2 else rf"\text{{{p}}}" if p else "" for n, p in enumerate(pieces))
+
+
+# Exercises
+
+
+@record
+class Sheet:
+    """An exercise, its solution, or both."""
+
+    exercise: Derivation | None
+    solution: Derivation | None
+    notation: Notation
+
+
+def with_exercises(sheets: Sequence[Sheet], vectors: Vectors, flavour: Flavour, figures: Figures | None = None) -> str:
+    """The exercises and solutions, each as a block."""
+    either = [s.exercise or s.solution for s in sheets]
+    labels = prefixes_of([d.title.removesuffix(": solution") for d in either if d is not None])
+    blocks = (b for sheet, label in zip(sheets, labels, strict=True) for b in _blocks(sheet, label, flavour, figures))
+    return vectors.written("\n\n".join(blocks) + "\n")
+
+
+def _blocks(sheet: Sheet, label: str, flavour: Flavour, figures: Figures | None) -> Iterator[str]:
+    if sheet.exercise is not None:
+        body = _body(sheet.exercise, sheet.notation, flavour, figures, label)
+        yield "\n\n".join(flavour.exercise(escape(sheet.exercise.title), label, body))
+    if sheet.solution is not None:
+        body = _body(sheet.solution, sheet.notation, flavour, figures, f"{label}-solution")
+        yield "\n\n".join(flavour.solution(escape(sheet.solution.title), label, body))
+
+
+def _body(
+    derivation: Derivation, notation: Notation, flavour: Flavour, figures: Figures | None, prefix: str
+) -> Iterator[str]:
+    page = Page(derivation, notation, Detail.STEPS, flavour, figures, prefix)
+    if derivation.source:
+        yield f"*{escape(derivation.source).strip()}*"
+    yield from page.steps(page.content.steps, inside=flavour.labels)

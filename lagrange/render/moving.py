@@ -21,7 +21,7 @@ from lagrange.animation.figure import MovingFigure, Slider
 from lagrange.core.printable import printable
 from lagrange.core.symbols import prime
 from lagrange.document.math_writer import UNICODE, Writer
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.render.escape import html_text as escape
 from lagrange.render.limits import STEPS_OF_A_SLIDER
 from lagrange.render.mathml import Formulas

@@ -3,6 +3,12 @@
 Numbers count the equations that are shown, so that they have no gaps; a reference to an equation that is not shown is
 replaced by the equation itself. A step too large to be read is cut after its beginning and says how many equations are
 omitted; JSON has everything.
+
+The walk over the blocks of a step, the same in every format for readers.
+
+A format is an `Emitter`: it writes one block of each kind, and the walk calls it in the order of the step. Two kinds
+come in runs of neighbours, because formats join them: paragraphs in LaTeX have an empty line between them, and checks
+make one list. What a line is (text, a paragraph, coloured cells) is the format's own affair.
 """
 
 from __future__ import annotations
@@ -10,13 +16,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property, lru_cache
+from itertools import groupby
+from typing import Protocol, TypeVar
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import listed
 from lagrange.document.derivation import (
     Block,
     CheckMark,
@@ -31,8 +38,11 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Step,
+    Table,
+    Task,
+    listed,
+    not_referring,
 )
-from lagrange.document.references import not_referring
 from lagrange.render.limits import BEGINNING, LARGEST_STEP, SHORTEST_RUN
 
 
@@ -266,3 +276,65 @@ def entry_by_entry(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[
     )
     others = (Prose(("The other entries of ", Math((name,)), " are zero.")),)
     return (Display(entries), *(others if any(e == 0 for row in rows for e in row) else ()))
+
+
+# Walk
+
+
+Line = TypeVar("Line", covariant=True)
+
+
+class Emitter(Protocol[Line]):
+    """One format: how each kind of block is written, as lines."""
+
+    def paragraphs(self, run: Sequence[Prose]) -> Iterable[Line]:
+        """Paragraphs that follow one another."""
+
+    def display(self, block: Display) -> Iterable[Line]:
+        """Equations."""
+
+    def table(self, block: Table) -> Iterable[Line]:
+        """A table."""
+
+    def matrices(self, block: Matrices) -> Iterable[Line]:
+        """Matrices; one that is too wide is written entry by entry."""
+
+    def checks(self, run: Sequence[CheckMark]) -> Iterable[Line]:
+        """Checks that follow one another."""
+
+    def picture(self, block: Picture) -> Iterable[Line]:
+        """A picture; nothing in a format that has none."""
+        del block
+        return ()
+
+    def task(self, block: Task) -> Iterable[Line]:
+        """A task on a worksheet; without room in a format that is not written on."""
+        return self.paragraphs((Prose(block.parts),))
+
+
+def block_lines(blocks: Iterable[Block], emitter: Emitter[Line]) -> Iterator[Line]:
+    """The lines of some blocks in one format."""
+    for kind, run in groupby(blocks, key=type):
+        if kind is Prose:
+            yield from emitter.paragraphs([b for b in run if isinstance(b, Prose)])
+        elif kind is CheckMark:
+            yield from emitter.checks([b for b in run if isinstance(b, CheckMark)])
+        else:
+            for block in run:
+                yield from _block(block, emitter)
+
+
+def _block(block: Block, emitter: Emitter[Line]) -> Iterable[Line]:
+    match block:
+        case Display():
+            return emitter.display(block)
+        case Table():
+            return emitter.table(block)
+        case Matrices():
+            return emitter.matrices(block)
+        case Picture():
+            return emitter.picture(block)
+        case Task():
+            return emitter.task(block)
+        case Prose() | CheckMark():
+            raise AssertionError("these come in runs")

@@ -37,7 +37,7 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import BOLD, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
-from lagrange.render.selection import ShownSteps, entry_by_entry, shown
+from lagrange.render.selection import Emitter, ShownSteps, block_lines, entry_by_entry, shown
 from lagrange.render.terminal_layout import (
     Grid,
     Styled,
@@ -48,7 +48,6 @@ from lagrange.render.terminal_layout import (
     side_by_side,
     table_lines,
 )
-from lagrange.render.walk import Emitter, block_lines
 
 if TYPE_CHECKING:
     from rich.console import Console

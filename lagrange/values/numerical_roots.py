@@ -24,7 +24,7 @@ import mpmath
 import sympy as sp
 from mpmath import iv
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.values.limits import (
     CUT,

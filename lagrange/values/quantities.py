@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.shortest_form import with_whole_contents
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol, base, t
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from lagrange.answers.initial_integrals import relation_from_start
+from lagrange.answers.recognition import relation_from_start
 from tests.support.shared import solved
 
 

@@ -7,11 +7,11 @@ import re
 import pytest
 
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.questions.texts.values_alone import is_expressions, with_sign_after_names
+from lagrange.answers.questions.values_in_text import is_expressions, with_sign_after_names
 from lagrange.answers.submissions import answer_to
 from lagrange.answers.written.lines import condition_alone
 from lagrange.answers.written.notation.matrices import with_bracketed_arrays
-from lagrange.answers.written.notation.units import in_one_number
+from lagrange.answers.written.notation.numbers import in_one_number
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.core.symbols import Decimal
 from lagrange.core.units import unit_of

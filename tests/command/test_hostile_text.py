@@ -18,8 +18,7 @@ from click.testing import CliRunner
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.submissions import Grader, Submission
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
-from lagrange.document.builders import prose
-from lagrange.document.derivation import Emphasis, Step
+from lagrange.document.derivation import Emphasis, Step, prose
 from lagrange.problem.loader import read_problem
 from lagrange.problem.stated_answers import read_answers
 from lagrange.render import html, latex, markdown, terminal

@@ -18,7 +18,7 @@ from click.testing import CliRunner
 from jsonschema import Draft7Validator, Draft202012Validator
 
 from lagrange.core.diagnostics import ProblemError, Source
-from lagrange.problem import forces, frames, keys
+from lagrange.problem import coordinate_choices, forces, keys
 from lagrange.problem.loader import read_problem
 from lagrange.problem.sections import Section
 from lagsolve import json_schema
@@ -118,7 +118,7 @@ def test_it_has_the_declared_words() -> None:
     assert len(parts["force"]["anyOf"]) == len(keys.FORCES)
     assert parts["sense"]["enum"] == [*keys.SENSES]
     assert set(forces._READERS) == set(keys.FORCES)
-    assert set(frames._TRIADS) == set(keys.FrameType) == set(keys.FRAME_COORDINATES)
+    assert set(coordinate_choices._TRIADS) == set(keys.FrameType) == set(keys.FRAME_COORDINATES)
 
 
 def test_every_key_is_described() -> None:

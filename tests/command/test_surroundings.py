@@ -24,9 +24,9 @@ from lagsolve.exit_statuses import UNDECIDED
 from lagsolve.grading import run as grading
 from lagsolve.grading.examine import _graded
 from lagsolve.grading.journal import Journal
+from lagsolve.grading.pool import Limits
 from lagsolve.grading.run import GradingRun, graded
 from lagsolve.grading.table import TableRow, table_text
-from lagsolve.grading.worker import Limits
 from lagsolve.limits import PIPED_WIDTH, WIDEST
 from lagsolve.output import terminal_width
 from tests.support.paths import ROOT

@@ -1,4 +1,7 @@
-"""Records are to be told from frozen dataclasses by nothing but what they cost."""
+"""Records are to be told from frozen dataclasses by nothing but what they cost.
+
+Kleene's logic of three values.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 
 
 def described(made: Callable[[type], type]) -> tuple[type, type]:
@@ -180,3 +183,14 @@ def test_a_record_that_could_not_be_completed_is_completed_when_it_is_used_again
                 use()
     assert Plane(1).x == 1
     assert [f.name for f in fields(Plane)] == ["x"]
+
+
+# Verdicts
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "expected"),
+    [([], True), ([True, True], True), ([True, None], None), ([None, False, True], False), ([False], False)],
+)
+def test_undecided_is_not_false(verdicts: list[bool | None], expected: bool | None) -> None:
+    assert all_hold(verdicts) is expected

@@ -1,11 +1,18 @@
-"""State slots: the explicit time derivative against SymPy's derivative of functions of time."""
+"""State slots: the explicit time derivative against SymPy's derivative of functions of time.
+
+Signs of functions of parameters with a range, against sampled values.
+"""
 
 from __future__ import annotations
+
+import pickle
 
 import pytest
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import (
+    Bounded,
     Sign,
     Slots,
     Unspecified,
@@ -13,8 +20,10 @@ from lagrange.core.symbols import (
     derivative,
     differential,
     multiplier,
+    never_vanishes,
     partial,
     prime,
+    sign_in_range,
     t,
     variation,
 )
@@ -104,3 +113,55 @@ def test_a_sign_is_constant_away_from_its_jump() -> None:
     assert partial(sp.Abs(x**2 - 1), x) == 2 * x * sp.sign(x**2 - 1)
     twice = slots.time_derivative(slots.time_derivative(sp.Abs(x)))
     assert twice == sp.sign(x) * slots.accelerations[0]
+
+
+# Ranges
+
+
+pi = sp.pi
+a_ranges = Bounded("a", sp.S.Zero, pi / 2, (True, True))
+b_ranges = Bounded("b", sp.S.Zero, pi / 2)
+c = Bounded("c", -pi / 4, pi / 3)
+d = Bounded("d", sp.Rational(1, 2), sp.Integer(2))
+
+FUNCTIONS = [
+    sp.sin(a_ranges), sp.cos(a_ranges), sp.tan(a_ranges), sp.sin(2 * a_ranges), sp.cos(2 * a_ranges), sp.cos(a_ranges / 2), sp.sin(a_ranges - pi / 2), sp.sin(b_ranges),
+    sp.cos(b_ranges), sp.sin(2 * b_ranges), sp.cos(c), sp.sin(c), c - pi / 2, a_ranges - pi / 2, sp.sin(a_ranges + b_ranges), sp.cos(a_ranges - b_ranges), sp.sin(3 * a_ranges),
+    sp.cot(a_ranges), 1 - 3 * d, d - 2, 2 * d - c, sp.cos(d), sp.sin(d), sp.sin(d + a_ranges), sp.tan(2 * c), sp.sin(5 * d),
+]  # fmt: skip
+DECIDED = {
+    sp.sin(a_ranges): 1, sp.cos(a_ranges): 1, sp.tan(a_ranges): 1, sp.sin(2 * a_ranges): 1, sp.cos(a_ranges / 2): 1, sp.cos(c): 1, c - pi / 2: -1,
+    a_ranges - pi / 2: -1, sp.sin(a_ranges + b_ranges): 1, sp.cot(a_ranges): 1, 1 - 3 * d: -1, sp.sin(d): 1, sp.cos(a_ranges - b_ranges): 1,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("f", FUNCTIONS, ids=str)
+def test_signs_agree_with_samples(f: sp.Expr) -> None:
+    sign = sign_of(f)
+    assert sign == DECIDED.get(f, sign)
+    values = [f]
+    for s in sorted(f.free_symbols, key=str):
+        steps = [sp.Rational(n, 12) for n in range(0 if not s.strict[0] else 1, 13 if not s.strict[1] else 12)]
+        values = [v.subs(s, s.low + (s.high - s.low) * part) for v in values for part in steps]
+    if sign is not None:
+        assert all((v.evalf() > 0) if sign == 1 else (v.evalf() < 0) for v in values)
+
+
+def test_ends_that_belong_to_the_range_are_not_forgotten() -> None:
+    assert sign_in_range(sp.sin(b_ranges)) is None
+    assert sign_in_range(sp.cos(b_ranges)) is None
+    assert not never_vanishes(sp.cos(b_ranges))
+    assert never_vanishes(sp.cos(a_ranges))
+
+
+def test_parameters_with_different_ranges_are_different() -> None:
+    assert a_ranges != Bounded("a", sp.S.Zero, pi / 2)
+    assert a_ranges == Bounded("a", sp.S.Zero, pi / 2, (True, True))
+    assert a_ranges != sp.Symbol("a", positive=True)
+    assert pickle.loads(pickle.dumps(a_ranges)) == a_ranges
+    assert (a_ranges.is_positive, b_ranges.is_positive, b_ranges.is_nonnegative, c.is_positive) == (
+        True,
+        None,
+        True,
+        None,
+    )

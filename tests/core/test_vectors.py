@@ -1,13 +1,16 @@
-"""Vectors in turning triads, against the same vectors in i, j, k."""
+"""Vectors in turning triads, against the same vectors in i, j, k.
+
+The triads of textbooks are orthonormal, and turn as they should.
+"""
 
 from __future__ import annotations
 
 import pytest
 import sympy as sp
 
+from lagrange.core import vectors
 from lagrange.core.symbols import Slots, prime, t
-from lagrange.core.triads import cylindrical, polar, spherical
-from lagrange.core.vectors import FIXED, Triad, Vector
+from lagrange.core.vectors import FIXED, Triad, Vector, cylindrical, polar, spherical
 
 r, theta, phi, z = sp.symbols("r theta phi z", real=True)
 SLOTS = Slots((r, theta, phi, z))
@@ -104,3 +107,34 @@ def test_a_vector_is_rewritten_with_its_triad(triad: Triad) -> None:
     assert all(phi not in c.free_symbols for c in (*rewritten.components, *rewritten.fixed().components))
     assert rewritten == vector.fixed().xreplace(rule)
     assert vector.rewritten(lambda e: e.xreplace({z: r})).triad == triad
+
+
+# Triads
+
+
+r_triads, theta_triads, phi_triads, z_triads = sp.symbols("r theta phi z", real=True)
+
+
+@pytest.mark.parametrize(
+    "triad",
+    [
+        vectors.polar(r_triads, phi_triads),
+        vectors.cylindrical(r_triads, phi_triads, z_triads),
+        vectors.spherical(r_triads, theta_triads, phi_triads),
+    ],
+    ids=["polar", "cylindrical", "spherical"],
+)
+def test_unit_vectors_are_orthonormal_and_right_handed(triad: object) -> None:
+    e = sp.Matrix([list(vectors.unit_vector(triad, n).fixed().components) for n in range(3)])  # type: ignore[arg-type]
+    assert sp.simplify(e * e.T - sp.eye(3)) == sp.zeros(3)
+    assert sp.simplify(e.det()) == 1
+
+
+def test_the_first_vector_points_from_the_origin() -> None:
+    radial = vectors.unit_vector(vectors.spherical(r_triads, theta_triads, phi_triads), 0)
+    assert isinstance(radial, Vector)
+    assert radial.fixed().components[2] == sp.cos(theta_triads)
+
+
+def test_names_of_axes() -> None:
+    assert vectors.axis_names("top")[0] != vectors.names_before_last("top")[0]

@@ -14,7 +14,7 @@ from lagrange.core.symbols import (
 )
 from lagrange.core.vectors import Triad, Vector
 from lagrange.document.math_writer import TEXT, Notation, Writer, latex, text, unicode
-from lagrange.document.notation import SymbolKind
+from lagrange.document.names import SymbolKind
 
 
 def symbols(names):

@@ -10,7 +10,7 @@ from lagrange.core.symbols import (
     t,
 )
 from lagrange.document.math_writer import Notation, latex, text, unicode
-from lagrange.document.notation import SymbolKind
+from lagrange.document.names import SymbolKind
 from tests.document.test_math_writer import FACTORS, TERMS
 
 

@@ -1,4 +1,7 @@
-"""Constraints as a system: redundant ones, manoeuvres, Frobenius."""
+"""Constraints as a system: redundant ones, manoeuvres, Frobenius.
+
+Constraints that are not linear in the velocities: Chetaev's rule, and why there is no finite relation.
+"""
 
 from __future__ import annotations
 
@@ -29,4 +32,23 @@ from tests.support.derivation_text import said_in
     ],
 )
 def test_what_is_said_of_several_constraints(name: str, rule: Rule, said: str) -> None:
+    assert said in said_in(name, rule)
+
+
+# Nonlinear
+
+
+@pytest.mark.parametrize(
+    ("name", "rule", "said"),
+    [
+        (
+            "appell-hamel",
+            Rule.PFAFFIAN_FORM,
+            " is neither linear in the velocities nor equivalent to linear equations. It has no differential form and lies outside the ",
+        ),
+        ("appell-hamel", Rule.DISPLACEMENTS, " and follows from nothing above. Here it reads"),
+        ("appell-hamel", Rule.INTEGRABILITY, "No plane contains them: the constraint is "),
+    ],
+)
+def test_what_is_said_of_appell_and_hamel(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule)

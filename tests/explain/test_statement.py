@@ -1,4 +1,7 @@
-"""The statement of a problem."""
+"""The statement of a problem.
+
+Notes on what may not be meant.
+"""
 
 from __future__ import annotations
 
@@ -6,10 +9,14 @@ from collections.abc import Callable
 
 import pytest
 
+from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Display, Rule
 from lagrange.document.math_writer import unicode
 from lagrange.explain.report import report
-from lagrange.explain.statement import force_called
+from lagrange.explain.statement import force_called, remarks
+from lagrange.mechanics.dynamics.motion import Method
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from tests.support.derivation_text import words
@@ -68,3 +75,26 @@ find: [equilibrium]
 def test_weights_that_the_file_numbers_are_weights() -> None:
     assert [force_called(n, False) for n in ("weight_1", "weight2", "weights")] == [
         "its weight", "its weight", "the force weights"]  # fmt: skip
+
+
+# Remarks
+
+
+PUSHED = """
+title: Pushed
+parameters: {m: positive, g: positive, beta: VALUE}
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {push: {on: P, vector: m*g*FACTOR*i}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("value", "factor", "codes"),
+    [("30", "cos(beta)", ["angle-in-radians"]), ("30 deg", "cos(beta)", []), ("1", "cos(beta)", []),
+     ("30", "beta*cos(beta)", [])],
+)  # fmt: skip
+def test_a_bare_angle_of_several_turns_is_noted(value: str, factor: str, codes: list[str]) -> None:
+    text = PUSHED.replace("VALUE", value).replace("FACTOR", factor)
+    found = remarks(solve(read_problem(Source("pushed.yaml", text))), Method.DALEMBERT)
+    assert [d.code for d in found] == codes

@@ -7,10 +7,10 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.core.spoken_name import SpokenName
 from lagrange.document.derivation import Math
 from lagrange.explain.words import at_start, bare, in_decimals, in_words, introduced, spoken, the
 from lagrange.mechanics.questions.forms import given_state
+from lagrange.problem.load_context import SpokenName
 from lagrange.problem.model import Problem
 
 

@@ -1,4 +1,7 @@
-"""Questions about the motion after an impact, against results worked out by hand."""
+"""Questions about the motion after an impact, against results worked out by hand.
+
+Where an impulse vanishes, and that the place exists.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import sympy as sp
 from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
+from lagrange.mechanics.through_impact import Vanishing, vanishings
 from lagrange.problem.loader import read_problem
 from tests.support.shared import reported
 
@@ -122,3 +126,24 @@ def test_a_question_in_a_coordinate_that_is_lost_is_refused() -> None:
     text = text.replace("quantity: theta', when: t = 0", "quantity: phi', when: t = 0")
     with pytest.raises(NotCoveredError, match="`phi` after the impact"):
         solve(read_problem(Source("case.yaml", text)))
+
+
+# Vanishing impulses
+
+
+a, b, l, h, R, J = sp.symbols("a b l h R J", positive=True)
+
+
+def test_the_centre_of_percussion() -> None:
+    assert [*vanishings(J * (3 * a - 2 * l) / (2 * l), [sp.S.One, l / 2])] == [Vanishing(3 * a, 2 * l, turns=True)]
+
+
+def test_an_even_power_keeps_the_sense() -> None:
+    [found] = vanishings(J * (a - l) ** 2 / l**2, [])
+    assert not found.turns
+
+
+def test_what_cannot_vanish_or_would_need_an_imaginary_position_is_not_a_place() -> None:
+    assert not [*vanishings(J * (a + l) / l, [])]
+    assert [*vanishings(J * (2 * h - 3 * R) / R, [sp.sqrt(2 * h * R - h**2)])]
+    assert not [*vanishings(J * (2 * h - 5 * R) / R, [sp.sqrt(2 * h * R - h**2)])]

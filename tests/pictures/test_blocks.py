@@ -1,10 +1,20 @@
-"""Blocks, and what they slide on as far as the text says."""
+"""Blocks, and what they slide on as far as the text says.
+
+The angle of an incline at its foot.
+"""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
+import lagrange
+from lagrange.document.names import Notation
 from lagrange.document.scene import Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.system_drawing import configuration_scene
+from lagrange.pictures.systems import system_in_file
 from tests.pictures.test_inferred import drawn, lines
 
 ONE = "parameters: [m, k, a, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
@@ -58,3 +68,45 @@ def test_a_pulley_at_the_edge_is_held_by_the_table() -> None:
         bracket.points[1] in ground.points
         or min(abs(bracket.points[1][0] - x) + abs(bracket.points[1][1] - y) for x, y in ground.points) < 1e-6
     )
+
+
+# Slopes
+
+
+DOWN = (
+    "parameters: {m: positive, R: positive, alpha: acute, g: positive}\ncoordinates: [x, theta]\n"
+    "bodies: {cylinder: {mass: m, inertia: m*R^2/2, position: x*i + R*j, angle: -theta}}\n"
+    "constraints: {rolling: x' = R*theta'}\n"
+)
+
+
+def of_file(text: str) -> Scene:
+    system = system_in_file(kinematics_and_law(lagrange.loads(f"title: A cylinder rolls down a plane\n{text}")))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    return scene
+
+
+def slope(scene: Scene) -> float:
+    [ground] = [line.points for line in scene.lines if line.kind is StrokeKind.GROUND]
+    return abs(math.atan2(ground[1][1] - ground[0][1], ground[1][0] - ground[0][0]))
+
+
+def test_a_cylinder_on_an_incline_has_the_angle_at_its_foot() -> None:
+    scene = of_file(DOWN + "gravity: g*sin(alpha)*i - g*cos(alpha)*j\n")
+    foot = min((p for line in scene.lines if line.kind is StrokeKind.GROUND for p in line.points), key=lambda p: p[1])
+    level = [
+        line.points
+        for line in scene.lines
+        if line.kind is StrokeKind.REFERENCE and any(math.dist(p, foot) < 1e-9 for p in line.points)
+    ]
+    assert len(level) == 1
+    assert level[0][0][1] == pytest.approx(level[0][1][1])
+    assert 0.1 < min(slope(scene), math.pi - slope(scene)) < 1.4
+    assert any("alpha" in str(label.content) for label in scene.labels)
+
+
+def test_a_level_plane_has_none() -> None:
+    scene = of_file(DOWN.replace("R*j,", "R*cos(alpha)^2*j + R*sin(alpha)^2*j,") + "gravity: -g*j\n")
+    assert not any("alpha" in str(label.content) for label in scene.labels)

@@ -1,4 +1,7 @@
-"""Unknowns, speeds and choices of coordinates."""
+"""Unknowns, speeds and choices of coordinates.
+
+Frames and their unit vectors.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import t
+from lagrange.core.vectors import Vector
 from tests.support.problem_texts import ALL, read
 
 x, y, theta = (sp.Symbol(n, real=True) for n in ("x", "y", "theta"))
@@ -60,3 +64,36 @@ def test_small_oscillations_relative_to_what_moves(constraints: str, find: str, 
     for choice in problem.choices:
         assert choice.substitute is not None
         assert t in choice.substitute[sp.Symbol("phi", real=True)].free_symbols
+
+
+# Frames
+
+
+x_frames, y_frames, theta_frames = (sp.Symbol(n_frames, real=True) for n_frames in ("x", "y", "theta"))
+
+
+def vector(*components: sp.Expr | int) -> Vector:
+    p, q, r = (sp.sympify(e) for e in components)
+    return Vector((p, q, r))
+
+
+@pytest.mark.parametrize(
+    ("frame", "coordinates", "first"),
+    [
+        ("{type: cartesian}", "[x, y, z]", (1, 0, 0)),
+        ("{type: polar, coordinates: [r, phi]}", "[r, phi]", ("cos(phi)", "sin(phi)", 0)),
+        ("{type: cylindrical, coordinates: [rho, phi, z]}", "[rho, phi, z]", ("cos(phi)", "sin(phi)", 0)),
+        (
+            "{type: spherical, coordinates: [r, theta, phi]}",
+            "[r, theta, phi]",
+            ("sin(theta)*cos(phi)", "sin(theta)*sin(phi)", "cos(theta)"),
+        ),
+    ],
+)
+def test_frames(frame: str, coordinates: str, first: tuple[object, ...]) -> None:
+    names = coordinates.strip("[]").split(", ")
+    unit = "i" if "cartesian" in frame else f"e_{names[0]}"
+    problem = read(f"title: T\ncoordinates: {coordinates}\nframe: {frame}\nlet: {{n: {unit}}}\n")
+    symbols = {n: sp.Symbol(n, real=True) for n in ("theta", "phi")}
+    expected = vector(*(sp.sympify(e, symbols) for e in first))
+    assert problem.scope.vectors["n"].fixed() == expected

@@ -10,9 +10,9 @@ import pytest
 
 from lagrange.core.diagnostics import ProblemError
 from lagrange.expressions.limits import MAX_CHARACTERS
-from lagrange.problem import declared_names, sources
-from lagrange.problem.declared_names import canonical, derivatives_in, names_in
+from lagrange.problem import load_context, sources
 from lagrange.problem.limits import MAX_BYTES
+from lagrange.problem.load_context import canonical, derivatives_in, names_in
 from lagrange.problem.sources import read_source
 
 
@@ -80,7 +80,7 @@ def test_a_large_file_is_not_read_to_its_end(tmp_path: Path) -> None:
 
 def test_a_text_that_is_no_expression_is_not_taken_apart(monkeypatch: pytest.MonkeyPatch) -> None:
     """A megabyte would become half a million tokens before anybody said that it is too long."""
-    monkeypatch.setattr(declared_names, "tokens", lambda _: pytest.fail("it was read"))
+    monkeypatch.setattr(load_context, "tokens", lambda _: pytest.fail("it was read"))
     text = "a " * MAX_CHARACTERS
     assert names_in(text) == derivatives_in(text) == ()
     assert canonical(text) == text

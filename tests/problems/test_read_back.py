@@ -14,7 +14,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.equations import Verdict
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.submissions import equations_in_file
-from lagrange.answers.written.printed_names import printed_names
+from lagrange.answers.written.names import printed_names
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.core.symbols import differential, t, variation
 from lagrange.core.vectors import Vector

@@ -1,4 +1,7 @@
-"""Programs in each language: their function f is that of the page, their comments are closed."""
+"""Programs in each language: their function f is that of the page, their comments are closed.
+
+Names of a problem as names of a programming language.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +12,11 @@ from pathlib import Path
 from random import Random
 
 import pytest
+import sympy as sp
 
 import lagrange
 from lagrange.core.symbols import t
-from lagrange.programs.languages import LANGUAGES, Target
+from lagrange.programs.languages import LANGUAGES, RESERVED, ProgramNames, Target, legal_name
 from lagrange.programs.prepared import Prepared, prepared
 from lagrange.programs.source import source_file
 from tests.support.processes import PATIENCE
@@ -169,3 +173,16 @@ def test_no_text_of_a_file_leaves_its_comment(language: str, tmp_path: Path) -> 
     y = [0.1, 0.2, 0.3, 0.4]
     [rate] = run(made, [y], tmp_path)
     assert max(map(abs, errors(made, 0.3, y, rate))) < 1e-12
+
+
+# Names
+
+
+def test_names_are_legal_and_differ() -> None:
+    assert [legal_name(n) for n in ("theta'", "θ''", "x_1", "2x", "π", "ξ₁")] == [
+        "theta_dot", "theta_ddot", "x_1", "", "pi", "xi",
+    ]  # fmt: skip
+    names = ProgramNames()
+    made = [names.readable(sp.Symbol(n)) for n in ("lambda", "x'", "x_dot", "I", "sin", "é", "f", "a", "a")]
+    assert made == ["lambda_", "x_dot", "x_dot_1", "I_", "sin_", "s", "f_", "a", "a"]
+    assert not set(made) & RESERVED

@@ -12,9 +12,8 @@ import sympy as sp
 
 import lagrange
 from lagrange.core.symbols import t
-from lagrange.programs.languages import JAVASCRIPT, LANGUAGES, PYTHON, GeneratedFunction
+from lagrange.programs.languages import FUNCTIONS, JAVASCRIPT, LANGUAGES, PYTHON, GeneratedFunction, Printer
 from lagrange.programs.prepared import prepared
-from lagrange.programs.printer import FUNCTIONS, Printer
 from tests.programs.test_languages import RUNS, finished
 
 SMALL = """

@@ -8,9 +8,8 @@ import pytest
 
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.problem.loader import read_problem
-from lagrange.programs.prepared import prepared
+from lagrange.programs.prepared import longest_time, prepared
 from lagrange.programs.simulation import simulated
-from lagrange.programs.special.durations import longest_time
 from lagrange.programs.starting import settings_of
 from tests.api.test_motion import solved
 from tests.programs.test_simulation import made_of, of

@@ -1,4 +1,9 @@
-"""The web page: what it contains, that nothing in it comes from elsewhere, and what a real browser makes of it."""
+"""The web page: what it contains, that nothing in it comes from elsewhere, and what a real browser makes of it.
+
+A derivation in a notebook.
+"""
+
+from __future__ import annotations
 
 import re
 from html.parser import HTMLParser
@@ -6,10 +11,22 @@ from html.parser import HTMLParser
 import pytest
 import sympy as sp
 
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, Table
-from lagrange.document.math_writer import Notation
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
+from lagrange.document.names import Notation
 from lagrange.render import html
+from lagrange.render.html import style_sheet
 from tests.support.browser import CHROMIUM, measured
 from tests.support.paths import PROBLEMS
 from tests.support.sample_derivations import SAMPLES, pendulum
@@ -151,3 +168,15 @@ def test_a_browser_draws_everything_and_nothing_is_cut_off(shipped, pixels):
     assert abs(found["width"] - pixels) < 30
     assert found["drawn"] > 1000
     assert found["faults"] == []
+
+
+# Notebook
+
+
+def test_the_style_sheet_reaches_nothing_outside() -> None:
+    rules = re.sub(r"@media[^{]*\{", "", style_sheet())
+    selectors = [s.strip() for rule in re.findall(r"([^{}]+)\{", rules) for s in rule.split(",")]
+    assert len(selectors) > 60
+    assert [s for s in selectors if ".lagsolve" not in s] == []
+    assert style_sheet().count("{") == style_sheet().count("}")
+    assert len(re.findall(r"[^{}]+\{", html.CSS)) < len(re.findall(r"[^{}]+\{", style_sheet()))

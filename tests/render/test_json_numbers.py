@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import lagrange
 from lagrange.document.math_writer import text
+from lagrange.mechanics.results import values_in
 from lagrange.mechanics.solution import solve
-from lagrange.mechanics.solution_values import values_in
 from lagrange.render.json_numbers import quantity
 
 WEIGHT = """

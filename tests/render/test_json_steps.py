@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Equation
+from lagrange.document.derivation import Equation, display, math, prose
 from lagrange.document.math_writer import text
 from lagrange.render.json_steps import block, side_as_sum
 

@@ -5,8 +5,19 @@ import re
 import pytest
 import sympy as sp
 
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, Table
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
 from lagrange.document.math_writer import Notation
 from lagrange.render import latex
 from tests.support.sample_derivations import SAMPLES, driven_pendulum, pendulum

@@ -1,4 +1,9 @@
-"""Markdown: what GitHub, Jupyter, Quarto and pandoc agree on; read by a real pandoc where there is one."""
+"""Markdown: what GitHub, Jupyter, Quarto and pandoc agree on; read by a real pandoc where there is one.
+
+Worksheets as blocks of MyST and Quarto: closed, without headings inside, the solution bound to its exercise.
+"""
+
+from __future__ import annotations
 
 import re
 import shutil
@@ -9,11 +14,27 @@ import sympy as sp
 
 from lagrange.core.symbols import variation
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, Table
-from lagrange.document.math_writer import Notation
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
+from lagrange.document.names import Notation
+from lagrange.explain.page.worksheets import worked_solution, worksheet
 from lagrange.render import markdown
+from lagrange.render.flavours import Flavour
+from lagrange.render.svg import Figures
+from lagrange.render.tex_layout import Vectors
 from tests.support.paths import PROBLEMS
+from tests.support.processes import PATIENCE
 from tests.support.sample_derivations import SAMPLES, pendulum
 from tests.support.shared import reported
 
@@ -149,3 +170,60 @@ def test_pandoc_reads_every_formula(reader):
 
 def solved(path):
     return reported(path, complete=False)
+
+
+# Exercises
+
+
+def text(flavour: Flavour, *, exercise: bool = True, solution: bool = True, figures: Figures | None = None) -> str:
+    found = reported("ex11-ideal-pendulum", complete=False)
+    both = found.solution, found.derivation
+    sheet = markdown.Sheet(
+        worksheet(*both) if exercise else None, worked_solution(*both) if solution else None, found.notation
+    )
+    return markdown.with_exercises([sheet, sheet], Vectors.BOLD, flavour, figures)
+
+
+def test_myst() -> None:
+    figures = Figures("page")
+    page = text(Flavour.MYST, figures=figures)
+    assert re.findall(r"^`{5}\{(\w+)\} (.*)\n:label: (.*)$", page, re.MULTILINE) == [
+        ("exercise", "Ideal pendulum", "ideal-pendulum"),
+        ("solution", "ideal-pendulum", "ideal-pendulum-solution"),
+        ("exercise", "Ideal pendulum", "ideal-pendulum-2"),
+        ("solution", "ideal-pendulum-2", "ideal-pendulum-2-solution"),
+    ]
+    assert len(re.findall("^`{5}$", page, re.MULTILINE)) == 4
+    assert not re.search("^#", page, re.MULTILINE)
+    labels = re.findall(r"^\$\$ \((\S+)\)$", page, re.MULTILINE)
+    assert len(set(labels)) == len(labels) > 20
+    assert set(re.findall(r"\{eq\}`(\S+?)`", page)) <= set(labels)
+    assert [*figures.files] == ["page.svg", "page-2.svg", "page-3.svg"]
+
+
+def test_parts_have_the_same_numbers() -> None:
+    sheet, solution = (
+        re.findall(r"^\*\*\d+.*\*\*$", text(Flavour.MYST, exercise=e, solution=not e), re.MULTILINE)
+        for e in (True, False)
+    )
+    assert sheet == solution
+    assert sheet[0] == r"**1\. The constraint and the degrees of freedom**"
+
+
+def test_quarto() -> None:
+    page = text(Flavour.QUARTO)
+    assert page.count(":::: {#exr-ideal-pendulum}\n\n## Ideal pendulum\n") == 1
+    assert page.count(":::: {.solution}\n") == 2
+    assert len(re.findall("^::::$", page, re.MULTILINE)) == 4
+    assert len(re.findall("^#", page, re.MULTILINE)) == 2
+
+
+@pytest.mark.skipif(shutil.which("pandoc") is None, reason="there is no pandoc")
+def test_pandoc_sees_the_divs() -> None:
+    done = subprocess.run(
+        ["pandoc", "-f", "markdown", "-t", "html", "--mathml"],
+        input=text(Flavour.QUARTO), capture_output=True, text=True, timeout=PATIENCE, check=True,
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.count('<div class="solution">') == 2
+    assert 'id="exr-ideal-pendulum-2"' in done.stdout

@@ -1,25 +1,43 @@
-"""Systems too large to be read: what is printed of them, and that JSON has everything; how the work grows."""
+"""Systems too large to be read: what is printed of them, and that JSON has everything; how the work grows.
+
+One walk over the blocks of a step for every format.
+"""
 
 from __future__ import annotations
 
 import json
 import re
 from collections import Counter
+from collections.abc import Iterator, Sequence
 from functools import cache
+from typing import Any
 
 import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
-from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Derivation, Detail, Display, Equation, Math, Matrices, Prose, Ref, Rule, Step
-from lagrange.document.notation import Notation
+from lagrange.document.derivation import (
+    Derivation,
+    Detail,
+    Display,
+    Equation,
+    Math,
+    Matrices,
+    Prose,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    prose,
+)
+from lagrange.document.names import Notation
 from lagrange.explain.report import Report, report
 from lagrange.problem.loader import read_problem
 from lagrange.render import html, latex, markdown, terminal
 from lagrange.render import json as as_json
 from lagrange.render.limits import BEGINNING, LARGEST_STEP
-from lagrange.render.selection import shown
+from lagrange.render.selection import block_lines, shown
 from tests.support.families import FAMILIES
 
 ZERO = sp.S.Zero
@@ -143,3 +161,27 @@ def count(counts: Counter[str], monkeypatch: pytest.MonkeyPatch, place: object, 
         return original(*args, **kwargs)
 
     monkeypatch.setattr(place, name, counting)
+
+
+# Walk
+
+
+x = sp.Symbol("x")
+
+
+class Named:
+    """Writes the name of each kind of block, and of how many it is."""
+
+    def paragraphs(self, run: Sequence[Any]) -> Iterator[str]:
+        yield f"paragraphs {len(run)}"
+
+    def display(self, block: Any) -> Iterator[str]:
+        yield f"display {len(block.equations)}"
+
+    def table(self, block: Any) -> Iterator[str]:
+        yield f"table {len(block.rows)}"
+
+
+def test_paragraphs_that_follow_one_another_are_one_run() -> None:
+    blocks = [prose("a"), prose("b"), display(Equation((x, x))), Table(("h",), (("c",),)), prose("d")]
+    assert [*block_lines(blocks, Named())] == ["paragraphs 2", "display 1", "table 1", "paragraphs 1"]  # type: ignore[arg-type]

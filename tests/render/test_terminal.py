@@ -7,8 +7,7 @@ import sympy as sp
 from rich.cells import cell_len
 from rich.console import Console
 
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step
+from lagrange.document.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, display, math, prose
 from lagrange.document.math_writer import Notation
 from lagrange.render import terminal
 from tests.support.sample_derivations import SAMPLES, pendulum

@@ -6,8 +6,7 @@ import pytest
 import sympy as sp
 from rich.cells import cell_len
 
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step, Table
+from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step, Table, display, math, prose
 from lagrange.document.math_writer import Notation
 from lagrange.document.names import BREAK, END, START
 from lagrange.render import terminal

@@ -5,8 +5,7 @@ import re
 import pytest
 import sympy as sp
 
-from lagrange.document.builders import display
-from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step
+from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step, display
 from lagrange.document.math_writer import Notation
 from lagrange.render import latex
 from lagrange.render.limits import LATEX_LINE

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from lagsolve.grading.worker import Limits
+from lagsolve.grading.pool import Limits
 
 GENEROUS = Limits(120, 512)
 """Seconds and megabytes that no test reaches by itself."""

@@ -4,8 +4,20 @@ import sympy as sp
 
 from lagrange.core.symbols import DotProduct, Partial, UnitVector, VectorSymbol, differential, prime, t, variation
 from lagrange.core.vectors import Triad, Vector
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import CheckMark, Derivation, Detail, Emphasis, Equation, Ref, Rule, Step, Table
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Emphasis,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
 from lagrange.document.math_writer import Notation
 
 d, delta = differential, variation

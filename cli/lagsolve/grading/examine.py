@@ -26,7 +26,7 @@ from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
-from lagsolve.grading.worker import CallFailedError, CallStoppedError, Limits, LostError, SetupError, Worker
+from lagsolve.grading.pool import CallFailedError, CallStoppedError, Limits, LostError, SetupError, Worker
 from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, MOST_PROBLEMS, POLL_SECONDS, TRIES
 
 

@@ -18,16 +18,20 @@ from lagrange.answers.submissions import Graded, Submission
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
 from lagsolve.command_group import write_stderr
-from lagsolve.grading.division import AssignedProblem, divided
 from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare, problem_of
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
-from lagsolve.grading.pool import Pool
-from lagsolve.grading.roster import Roster
-from lagsolve.grading.students import Attempts, attributed, identity
-from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, named_submissions, one_entry
+from lagsolve.grading.pool import Limits, Pool, SetupError
+from lagsolve.grading.students import Attempts, Roster, attributed, identity
+from lagsolve.grading.submissions import (
+    AssignedProblem,
+    UnreadSubmission,
+    UnreadSubmissionError,
+    divided,
+    named_submissions,
+    one_entry,
+)
 from lagsolve.grading.table import HEADER, TableRow, csv_text
-from lagsolve.grading.worker import Limits, SetupError
 from lagsolve.limits import AHEAD, PROGRESS_ELSEWHERE, PROGRESS_ON_TERMINAL, SETUP_SECONDS
 from lagsolve.written_files import unwritable, write_file
 

@@ -13,8 +13,7 @@ from typing import Any
 
 from lagrange.answers.verdicts import Verdict
 from lagrange.api.classroom import feedback_text
-from lagsolve.grading.roster import Roster
-from lagsolve.grading.students import Attempts
+from lagsolve.grading.students import Attempts, Roster
 from lagsolve.grading.table import TableRow, number
 from lagsolve.platforms.parts import ProblemResult
 

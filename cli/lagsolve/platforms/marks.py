@@ -19,8 +19,7 @@ from collections.abc import Sequence
 from html import escape
 
 from lagrange.core.records import record
-from lagsolve.grading.roster import Roster
-from lagsolve.grading.students import rows_that_count
+from lagsolve.grading.students import Roster, rows_that_count
 from lagsolve.grading.table import TableRow, cell, number
 
 CANVAS_HEADER = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")

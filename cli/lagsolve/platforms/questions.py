@@ -20,7 +20,7 @@ from lagrange.core.diagnostics import Source
 from lagrange.core.printable import printable
 from lagrange.document.derivation import Derivation, Emphasis, Math, Part, Picture, Ref
 from lagrange.document.math_writer import LATEX, UNICODE, Writer
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.explain.page.texts import set_text
 from lagrange.explain.report import Report, report
 from lagrange.problem.keys import Find

@@ -25,17 +25,15 @@ from lagrange.algebra.closed_forms.limits import (
     MOST_BRANCHINGS,
     UNITS_OF_SOLUTIONS,
 )
-from lagrange.algebra.closed_forms.linear_in_powers import (
-    solved_for_powers,
-    vanish_at_origin_alone,
-    without_common_squares,
-    zeros_of_even_sum,
-)
 from lagrange.algebra.closed_forms.polynomial_roots import (
     factored_quotient,
     irreducible_factors,
     numerator,
+    solved_for_powers,
     square_root,
+    vanish_at_origin_alone,
+    without_common_squares,
+    zeros_of_even_sum,
 )
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
@@ -64,7 +62,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 
 

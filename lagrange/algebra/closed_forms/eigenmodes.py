@@ -41,7 +41,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, different_from_ze
 from lagrange.algebra.exact.linear_algebra import nullspace
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 
 Matrix = tuple[tuple[sp.Expr, ...], ...]

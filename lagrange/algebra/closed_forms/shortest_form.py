@@ -11,7 +11,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import INNER_FRACTION, LONGEST_REWRITTEN
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 
 
 def shortest_form(e: sp.Expr) -> sp.Expr:

@@ -19,9 +19,9 @@ from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED, SHORTEST_TRIED,
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
+from lagrange.core.symbols import sign_in_range
 
 
 @record

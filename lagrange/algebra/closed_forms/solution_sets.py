@@ -21,7 +21,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, dif
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 
 

@@ -19,7 +19,7 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import SolutionSet
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 
 
 def quotients(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> Iterator[tuple[sp.Expr, sp.Expr]]:

@@ -14,9 +14,9 @@ from math import lcm
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import HIGHEST_MULTIPLE
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
+from lagrange.core.symbols import sign_in_range
 
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 

@@ -31,7 +31,7 @@ from lagrange.algebra.exact.limits import (
     MOST_WANTED_SQUARES,
 )
 from lagrange.algebra.exact.prime_field import ALWAYS_SQUARES, M
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Unspecified
 
 SIGNED = 1

@@ -84,7 +84,7 @@ LONGEST_RULE = 60
 # Powers of an unknown, multiples of an angle and degrees of a root in a block [2].
 HIGHEST_BLOCK_POWER = 8
 
-# Places where a sign changes (`sign_regions`): secant steps along a line, the parameter beyond which it is left, lines
+# Places where a sign changes (`sampler`): secant steps along a line, the parameter beyond which it is left, lines
 # along one symbol each, and rounds of parabolas towards an extremum.
 SECANT_STEPS = 40
 FARTHEST_WALL = 10**7

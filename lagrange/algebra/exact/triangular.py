@@ -33,7 +33,7 @@ from lagrange.algebra.exact.limits import (
 from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.solved_blocks import ContradictoryError, NotSolvableError, SolvedBlock
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, t
 

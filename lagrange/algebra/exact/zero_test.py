@@ -8,7 +8,7 @@ degree d that vanishes is zero, up to the probabilities that
     the prime divides all of it:     2^-46 for every 88 bits of its coefficients.
 
 The points of one question share their prime: two of them square the first probability and leave the second
-(`points_needed`). Where values depend on signs (`sign_regions`), the points must meet all of them:
+(`points_needed`). Where values depend on signs (`sampler`), the points must meet all of them:
 
     zero at all points: zero;   at none: not zero;   at some: real numbers of eighty digits decide.
 
@@ -52,8 +52,7 @@ from lagrange.algebra.exact.prime_field import (
     reconstructed,
 )
 from lagrange.algebra.exact.real_points import RealPoint
-from lagrange.algebra.exact.sampler import NoPointError, Sampler
-from lagrange.algebra.exact.sign_regions import Branches, points_beside_walls
+from lagrange.algebra.exact.sampler import Branches, NoPointError, Sampler, points_beside_walls
 from lagrange.core.effort import remembered
 
 __all__ = [

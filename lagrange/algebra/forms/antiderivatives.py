@@ -30,7 +30,7 @@ from lagrange.algebra.forms.limits import (
     MOST_UNDEFINED,
     MOST_WAVES,
 )
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Unspecified
 
 _ROOTS = (sp.S.Half, -sp.S.Half, -sp.Rational(3, 2))

@@ -45,7 +45,7 @@ from lagrange.algebra.forms.limits import (
     HIGHEST_FLAG_ORDER,
     LONGEST_DIRECTION,
 )
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 

@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative, multiplied_out
 from lagrange.algebra.forms.limits import LARGEST_INTEGRAND
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, partial, t
 
 Pairs = list[tuple[sp.Symbol, sp.Expr]]

@@ -33,8 +33,7 @@ from lagrange.algebra.forms.limits import (
     MOST_FACTORED_TERMS,
     MOST_GENERATORS,
 )
-from lagrange.core.expression_size import Sizes
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import Sizes, count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base, t
 

@@ -46,7 +46,7 @@ from lagrange.algebra.forms.limits import (
     SPARE_SYMMETRY_ROWS,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 
 FactorExponents = dict[int, sp.Expr]

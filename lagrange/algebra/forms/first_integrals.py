@@ -41,7 +41,7 @@ from lagrange.algebra.forms.limits import (
     MOST_INTEGRATED_TERMS,
     MOST_RATIO_ENTRIES,
 )
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Slots, Unspecified, base, t
 
 Form = Sequence[sp.Expr]

@@ -45,10 +45,9 @@ from lagrange.algebra.forms.limits import (
     LONGEST_TIDIED_FORM,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
-from lagrange.core.records import record
+from lagrange.core.expression_size import count_operations
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import Slots
-from lagrange.core.verdicts import all_hold
 
 
 @record

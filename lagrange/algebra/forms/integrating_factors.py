@@ -59,7 +59,7 @@ from lagrange.algebra.forms.limits import (
     MOST_WITHOUT_POTENTIAL,
     RELATION_STEPS,
 )
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base
 

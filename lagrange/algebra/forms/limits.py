@@ -81,7 +81,7 @@ MOST_CONSTANT_UNKNOWNS = 200
 # Inadmissible points in a row, for each function, before a trial is given up.
 MOST_FAILED_POINTS = 20
 
-# One form as a combination of others (`combinations`): forms in it [2], operations of the determinants' entries [9],
+# One form as a combination of others: forms in it [2], operations of the determinants' entries [9],
 # operations of the result, which is printed in a line [14].
 MOST_COMBINED_FORMS = 3
 LARGEST_COMBINED = 60

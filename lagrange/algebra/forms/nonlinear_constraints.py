@@ -33,10 +33,14 @@ from lagrange.algebra.forms.limits import (
     MOST_FACTORED_BRANCH_TERMS,
     MOST_REDUCED,
 )
-from lagrange.algebra.forms.reductions import Alternative, Alternatives, Reduction, SideCondition, Why
 from lagrange.algebra.forms.velocity_polynomials import (
+    Alternative,
+    Alternatives,
     Polynomial,
+    Reduction,
+    SideCondition,
     Square,
+    Why,
     degree,
     is_affine,
     is_definite,

@@ -25,7 +25,7 @@ from lagrange.algebra.forms.factor_methods import shortened
 from lagrange.algebra.forms.frobenius import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.algebra.forms.limits import LARGEST_SOLVED_CONSTRAINT
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, t
 

@@ -8,7 +8,7 @@ All bound the time of one step or the length of what is printed. A number in bra
 TERMS_PER_UNIT = 2
 PRODUCTS_PER_UNIT = 20
 # Terms that are divided by a cosine and by a sine (`product_to_sum`), and terms of a polynomial of half angles, each of
-# which takes several products (`fractions`), for a unit of work.
+# which takes several products (`linear_systems`), for a unit of work.
 TRIED_IN_A_UNIT = 5
 MULTIPLIED_IN_A_UNIT = 5
 # From here on a term costs four times as much, for the memory: sin sin ... sin x, twenty deep, filled 900 MB.
@@ -39,7 +39,7 @@ HIGHEST_SEPARATED = 12
 # printed as it is (test_textbook: a sum of forty squares).
 LONGEST_FACTORED = 24
 
-# Quotients in lowest terms (`fractions`): terms of numerator or denominator [99; 1 beyond], the highest multiple of an
+# Quotients in lowest terms: terms of numerator or denominator [99; 1 beyond], the highest multiple of an
 # angle in them [6; 1 beyond, 12], terms in the half-angle tangents [430] (four links of a chain have thousands, commit
 # 868d2ca), and operations of a quotient whose common factors are sought [674].
 LONGEST_CANCELLED = 120

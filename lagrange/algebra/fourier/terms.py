@@ -19,9 +19,8 @@ import sympy as sp
 
 from lagrange.algebra.fourier.limits import LONGEST_FACTORED
 from lagrange.algebra.fourier.polynomials import common_number, factorization, pack, unpack
-from lagrange.core.ranges import never_vanishes
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, never_vanishes
 
 Exponent = int | Fraction  # Python's numbers: SymPy's are ten times as slow to add and compare
 Factors = dict[sp.Expr, Exponent]  # what is multiplied -> exponent

@@ -28,8 +28,7 @@ from lagrange.algebra.fourier.limits import (
     MOST_CLEANED_WAVES,
 )
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.expression_size import Sizes
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import Sizes, count_operations
 from lagrange.core.symbols import partial
 
 

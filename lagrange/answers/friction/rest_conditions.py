@@ -21,15 +21,14 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, REST_SAMPLES
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
-from lagrange.answers.results.approximate import approximate, root_near
+from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
-from lagrange.core.records import record
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold, record
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.relations import limit_of
+from lagrange.expressions.reader import limit_of
 from lagrange.mechanics.equilibrium.friction.balance import RoughContact
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
@@ -95,7 +94,7 @@ def _explained(
     """What wrong conditions are instead, or which sense of friction is missing; empty if that is not found, or one of
     several cases has to hold."""
     from lagrange.answers.results import conditions
-    from lagrange.answers.results.belts import belt_meanings
+    from lagrange.answers.results.conditions import belt_meanings
 
     given, cases = _in_parts(stated, rest, values)
     if len(cases) != 1:
@@ -117,7 +116,7 @@ def _explained(
             changed = [_Stated("", m.xreplace(dict(meaning.rule)), False) for m in missing]
             if all(any(_rounds_to(s, c) for c in changed) for s in wrong):
                 return f"this is the condition {meaning.clause}"
-        from lagrange.answers.results.contacts import explained_by_contacts
+        from lagrange.answers.results.conditions import explained_by_contacts
 
         return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
     other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
@@ -238,7 +237,7 @@ _COMMA = re.compile(",")
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:
     from lagrange.answers.written.reading import read_as_written
-    from lagrange.answers.written.stated_units import with_value_in_si
+    from lagrange.answers.written.values import with_value_in_si
 
     limit, side = limit_of(fragment, "a condition", strict=True)
     limit = with_value_in_si(limit, reference)
@@ -252,8 +251,8 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
 
 def _of_another_body(stated: Sequence[_Stated], solution: Solution) -> str:
     """The conditions of rolling for another moment of inertia, as a sentence; empty if they are none."""
-    from lagrange.answers.results.bodies import other_bodies
     from lagrange.answers.results.conditions import is_limit
+    from lagrange.answers.results.meanings import other_bodies
 
     others = other_bodies(solution)
     if others is None or not stated:

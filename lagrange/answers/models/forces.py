@@ -10,8 +10,15 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.models.kinetic import carriers
-from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Mechanics, weight_shares
-from lagrange.answers.models.variation import Variation, called, written
+from lagrange.answers.models.mechanics import (
+    AppliedForceKind,
+    ForceShare,
+    Mechanics,
+    Variation,
+    called,
+    weight_shares,
+    written,
+)
 from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Load

@@ -15,10 +15,9 @@ from random import Random
 import sympy as sp
 
 from lagrange.answers.limits import MOST_FREQUENCIES, MOST_IN_SERIES, RANDOM_DIGITS, RANDOM_ZERO_DIGITS
-from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Inertia, Mechanics
+from lagrange.answers.models.mechanics import AppliedForceKind, ForceShare, Inertia, Mechanics, called
 from lagrange.answers.models.pairs import LIKELY
 from lagrange.answers.models.search import Models
-from lagrange.answers.models.variation import called
 from lagrange.core.symbols import base, partial, t
 
 _LIKELY = LIKELY | {

@@ -14,8 +14,16 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.models.mechanics import AppliedForceKind as ForceKind
-from lagrange.answers.models.mechanics import Inertia, Mechanics, Pair, particle, weight_shares
-from lagrange.answers.models.variation import Variation, called, written
+from lagrange.answers.models.mechanics import (
+    Inertia,
+    Mechanics,
+    Pair,
+    Variation,
+    called,
+    particle,
+    weight_shares,
+    written,
+)
 from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Components
 from lagrange.mechanics.constraints.displacements import virtual_displacements

@@ -21,9 +21,9 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
 )
 from lagrange.answers.limits import MAX_LETTER_VARIATIONS
+from lagrange.answers.models.mechanics import Variation
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.models.states import ModelState
-from lagrange.answers.models.variation import Variation
 from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration

@@ -31,7 +31,7 @@ from lagrange.answers.limits import (
 )
 from lagrange.answers.readings import Reading
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 
 _State = Mapping[sp.Basic, complex]
 _FUNCTIONS: dict[type, Callable[[complex], complex]] = {

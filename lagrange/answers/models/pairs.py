@@ -13,10 +13,9 @@ from itertools import combinations, islice
 import sympy as sp
 
 from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_OF_ONE_KIND, MAX_PAIR_WORK
-from lagrange.answers.models.mechanics import Mechanics
+from lagrange.answers.models.mechanics import Mechanics, Variation
 from lagrange.answers.models.search import Explanation, Models, changed_space, said_of_all, unusable
 from lagrange.answers.models.table import MODELS, Model
-from lagrange.answers.models.variation import Variation
 
 LIKELY = frozenset(
     (

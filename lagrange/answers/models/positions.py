@@ -16,7 +16,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, 
 from lagrange.answers.limits import LONGEST_SQUARE
 from lagrange.answers.models.questions import explained_value
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _WAVES = (sp.sin, sp.cos, sp.tan)

@@ -22,7 +22,7 @@ from lagrange.answers.limits import MOST_ASKED_TERMS, MOST_IN_RATIO, MOST_LETTER
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.mechanics.questions.results import Asked, IntegralKind
 
 Substitution = dict[sp.Basic, sp.Basic]

@@ -33,11 +33,9 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
 )
 from lagrange.answers.limits import BRANCHING_STATES, MAX_MODEL_WORK, REAL_STATES, STATES
-from lagrange.answers.models.groups import TermGroup, term_groups
-from lagrange.answers.models.mechanics import Mechanics
-from lagrange.answers.models.states import ModelState
+from lagrange.answers.models.mechanics import Mechanics, Variation
+from lagrange.answers.models.states import ModelState, TermGroup, term_groups
 from lagrange.answers.models.table import MODELS
-from lagrange.answers.models.variation import Variation
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, t

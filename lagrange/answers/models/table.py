@@ -12,9 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from lagrange.answers.models import coordinates, forces, kinetic, quasi, rolling
-from lagrange.answers.models.mechanics import Mechanics
-from lagrange.answers.models.variation import Variation
+from lagrange.answers.models import forces, kinematics, kinetic
+from lagrange.answers.models.mechanics import Mechanics, Variation
 from lagrange.core.records import record
 
 
@@ -36,10 +35,10 @@ MODELS = (
     Model("gravity reversed", forces.gravity_reversed),
     Model("friction the other way", forces.friction_reversed),
     Model("force reversed", forces.force_reversed),
-    Model(MEASURED_FROM_ELSEWHERE, coordinates.measured_from_elsewhere),
+    Model(MEASURED_FROM_ELSEWHERE, kinematics.measured_from_elsewhere),
     Model("momentum of exchanged mass", forces.exchanged_momentum),
     Model("constraint put into T", kinetic.constraint_in_energy),
-    Model("quasi-velocities taken for velocities", quasi.products_left_out),
+    Model("quasi-velocities taken for velocities", kinematics.products_left_out),
     Model("moving frame or support taken as fixed", kinetic.frame_at_rest),
     Model("rotational energy left out", kinetic.rotation_left_out),
     Model("carried velocity left out", kinetic.velocity_left_out),
@@ -60,7 +59,7 @@ MODELS = (
     Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
     Model("sine and cosine exchanged in a force", forces.components_exchanged),
     Model("support taken as fixed in a force", forces.support_at_rest),
-    Model("moving surface taken as fixed", coordinates.surface_at_rest),
+    Model("moving surface taken as fixed", kinematics.surface_at_rest),
     Model("energy of a spring or potential without its half", forces.energy_doubled),
     Model("one half left out", kinetic.half_left_out),
     Model("force at the end for the middle", forces.at_the_end),
@@ -73,16 +72,16 @@ MODELS = (
     Model("sign of a coordinate in a position", kinetic.coordinate_reversed),
     Model("sum for difference of angles", kinetic.sum_of_angles),
     Model("coordinate taken as constant", kinetic.constant_coordinate),
-    Model("relative for absolute", coordinates.relative_for_absolute),
-    Model("complementary angle", coordinates.complement),
-    Model("parameters exchanged", coordinates.exchanged),
-    Model("parameter left out", coordinates.left_out),
-    Model("sum for difference of lengths", coordinates.sum_of_lengths),
-    Model("one parameter for another", coordinates.one_for_another),
+    Model("relative for absolute", kinematics.relative_for_absolute),
+    Model("complementary angle", kinematics.complement),
+    Model("parameters exchanged", kinematics.exchanged),
+    Model("parameter left out", kinematics.left_out),
+    Model("sum for difference of lengths", kinematics.sum_of_lengths),
+    Model("one parameter for another", kinematics.one_for_another),
     Model("force in the wrong equation", forces.in_the_wrong_equation),
     Model("force on one end only", forces.on_one_end),
     Model("absolute for relative motion in a spring or damper", forces.against_the_ground),
-    Model("angular velocity of what rolls or is carried", rolling.other_angular_velocity),
+    Model("angular velocity of what rolls or is carried", kinematics.other_angular_velocity),
     Model("mass of another part", kinetic.mass_of_another),
     Model("small angles in the kinetic energy", kinetic.angles_small_in_energy),
     Model("radius for the distance from an axis", kinetic.radius_for_distance),
@@ -90,7 +89,7 @@ MODELS = (
     Model("length doubled in a position", kinetic.length_doubled),
     Model("product of velocities in T with another factor", kinetic.product_scaled),
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
-    Model("length taken as given", coordinates.length_for_coordinate),
+    Model("length taken as given", kinematics.length_for_coordinate),
     Model("factor 2", kinetic.factor_two),
 )
 """In the order of their likelihood. Several may make the same equations; then the first is named."""

@@ -17,11 +17,9 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.equilibria import with_both_signs
-from lagrange.answers.force_names import ForceMeaning, meanings_of_force
 from lagrange.answers.limits import ROUNDING_DIGITS
-from lagrange.answers.questions.named_values import Judged, check_each
-from lagrange.answers.questions.numbers_with_units import text_in_si
-from lagrange.answers.readings import decimals_in
+from lagrange.answers.questions.named_values import Judged, check_each, text_in_si
+from lagrange.answers.readings import ForceMeaning, decimals_in, meanings_of_force
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import UNDECIDED, WORST_TO_BEST, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, numbers_rounding_to
@@ -170,9 +168,7 @@ class AskedClaim:
             explained_by_energy,
             explained_value,
         )
-        from lagrange.answers.results.instants import explained_instant
-        from lagrange.answers.results.starts import explained_at_start
-        from lagrange.answers.results.uniform_motion import explained_uniform
+        from lagrange.answers.results.motion import explained_at_start, explained_instant, explained_uniform
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -222,13 +218,13 @@ class AskedClaim:
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
         if lost := next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), ""):
             return lost
-        from lagrange.answers.results.units import wrong_dimension
+        from lagrange.answers.results.meanings import wrong_dimension
 
         return wrong_dimension(stated, self.units, right[0]) if right else ""
 
     def _of_another_body(self, stated: sp.Expr, of: sp.Expr) -> str:
         """The answer for another moment of inertia, as a sentence; empty if it is none."""
-        from lagrange.answers.results.bodies import other_bodies
+        from lagrange.answers.results.meanings import other_bodies
 
         others = other_bodies(self.solution)
         if others is None:

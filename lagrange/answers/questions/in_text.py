@@ -10,25 +10,23 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from lagrange.answers.questions.asked_in_text import asked_in_text
-from lagrange.answers.questions.numbers_with_units import stated_in_numbers
-from lagrange.answers.questions.texts.chains import NOT_EQUAL, sides_agree
-from lagrange.answers.questions.texts.labels import without_place
-from lagrange.answers.questions.texts.positions import (
+from lagrange.answers.questions.equilibrium_in_text import (
     at_stated_positions,
     period_as_rate,
     positions_of,
+    supports_of,
     with_rate_as_omega,
 )
-from lagrange.answers.questions.texts.supports import supports_of
+from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
+from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
-from lagrange.answers.written.listed_values import with_all_values
+from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.relations import is_inequality, limit_of
+from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
 from lagrange.problem.values import values_of
 
@@ -53,11 +51,11 @@ def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge)
     if solution.impact is not None and solution.own.motion is None:
         return _impact(answer, solution)
     if solution.linear_motion is not None:
-        from lagrange.answers.questions.linear_motion import check_linear_motion_answers
+        from lagrange.answers.questions.linear_equations import check_linear_motion_answers
 
         return Judgement(check_linear_motion_answers(answer, solution), problem=solution.problem)
     if (rest := solution.rest_in_numbers) is not None and not _with_accelerations(answer, solution):
-        from lagrange.answers.questions.positions_in_numbers import compared_with_rest
+        from lagrange.answers.questions.statics import compared_with_rest
 
         return Judgement(compared_with_rest([answer], rest, solution), statics=True, problem=solution.problem)
     if any(v.response is not None for v in solution.views):
@@ -99,7 +97,7 @@ def _with_accelerations(answer: Sequence[Fragment], solution: Solution) -> bool:
 
 
 def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
-    from lagrange.answers.questions.impact_in_text import (
+    from lagrange.answers.questions.impact import (
         check_impact_in_text,
         check_loss,
         with_impulses,
@@ -139,7 +137,7 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
 
 
 def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
-    from lagrange.answers.questions.response_in_text import (
+    from lagrange.answers.questions.response import (
         check_response_in_text,
         with_names_of_response,
         without_hats,
@@ -159,7 +157,7 @@ def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> J
 def _hamiltonian(
     functions: Sequence[Fragment], rest: Sequence[Fragment], solution: Solution, judge: Judge
 ) -> Judgement:
-    from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+    from lagrange.answers.questions.stated_quantities import check_hamiltonian_answer
 
     functions = [pairs[-1].finished(latex=is_latex(f)) if (pairs := in_pairs(f)) else f for f in functions]
     verdicts = tuple(check_hamiltonian_answer(f, solution) for f in functions)
@@ -246,7 +244,7 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
 
 def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of small oscillations, where the answer is not right as anything else."""
-    from lagrange.answers.questions.texts.linearized import check_linearized
+    from lagrange.answers.questions.linear_equations import check_linearized
 
     failed: ProblemError | None = None
     try:
@@ -390,23 +388,23 @@ def _with_asked(
 ) -> Judgement | None:
     """The verdict on the lines that answer questions and on the others; `first` if there are none of the former."""
     lines = asked_in_text(answer, solution)
-    from lagrange.answers.questions.texts import values_beside
+    from lagrange.answers.questions import values_in_text
     from lagrange.answers.written.working import understood
 
     if lines.verdict is None:
         unread = first is None or first.verdict is Verdict.UNREADABLE
-        foreign = values_beside.under_another_name(answer, solution) if unread else None
+        foreign = values_in_text.under_another_name(answer, solution) if unread else None
         return _only(foreign, solution) if foreign is not None else first
     verdict = lines.verdict
     others: Judgement | None = None
     reference = reference_of_solution(solution)
-    beside = values_beside.working_beside(lines.rest, answer, reference)
+    beside = values_in_text.working_beside(lines.rest, answer, reference)
     rest = [f for f in lines.rest if f not in beside]
     working = understood(rest, reference) if rest else None
-    if working is not None and not working.unreadable and values_beside.only_beside(working, reference):
+    if working is not None and not working.unreadable and values_in_text.only_beside(working, reference):
         beside, working = [*beside, *working.judged], None
     verdict = replace(
-        verdict, notes=(*verdict.notes, *values_beside.not_judged(beside, "is working, and is not judged"))
+        verdict, notes=(*verdict.notes, *values_in_text.not_judged(beside, "is working, and is not judged"))
     )
     if working is not None and (working.judged or working.unreadable):
         try:

@@ -1,12 +1,48 @@
-"""Verdicts on values that are stated by name: answers to questions, velocities and impulses, amplitudes."""
+"""Values that are stated by name: their labels, chains of them, their units, the verdicts on them.
+
+Verdicts on values that are stated by name: answers to questions, velocities and impulses, amplitudes.
+
+Values with units in answers: v = 5.78 m/s, compression: 7.5 cm, F = 60 N.
+
+Where the parameters of a problem have values, a number is the answer, and its unit belongs to it. It is converted to
+SI, in which the derived value is. A letter of the unit may be that of a parameter, as in 2 m beside a mass m: the unit
+is meant if it has the dimension of what is asked for.
+
+Labels of values: the names on the left of `h_min = ...`, as they are written.
+
+Chains of values, `v = sqrt(2 a d) = sqrt(2*3*4) = 4.9 m/s`: whether their sides agree.
+
+Sides that contain only parameters are numbers once these have values; without values they are expressions, which must
+be equal. A decimal stands for all numbers that round to it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
+import sympy as sp
+
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.limits import LONGEST_NUMBER_WITH_UNIT, MOST_IN_CHAIN
+from lagrange.answers.readings import decimals_in
+from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, numbers_rounding_to
+from lagrange.answers.written.notation.numbers import in_one_number, plain_unit
+from lagrange.answers.written.reading import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.symbols import Decimal
+from lagrange.core.units import NO_DIMENSION, Dimension, has_unit, split_number, unit_of
+from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
+from lagrange.expressions.edits import Draft, cut, cuts
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.reader import read_value
+from lagrange.mechanics.questions.results import Asked
+from lagrange.values.dimensions import dimension, dimensions_of_units
 
 Judged = tuple[Verdict, str]
 """A verdict, with its diagnosis or remark."""
@@ -33,3 +69,153 @@ def check_each(key: str, stated: Mapping[str, Fragment], judged: Callable[[str, 
             verdict, comment = Verdict.UNREADABLE, DIVIDES_BY_ZERO
         parts.append(EquationVerdict.of(f"{name}: {fragment.text}", verdict, comment))
     return AnswerVerdict(worst(parts), tuple(parts), unreadable=tuple(errors), name=key)
+
+
+# Numbers with units
+
+
+_SIDE = re.compile(r"=(?![=>])|≈|\\approx(?![A-Za-z])")
+_SPACES = re.compile(r"\\[,;:! ]|~|\$|\\q?quad(?![A-Za-z])|\\left(?![A-Za-z])|\\right(?![A-Za-z])")
+_TEXTS = re.compile(r"\\(?:text|mathrm|mbox|rm|si|unit)\s*\{([^{}]*)\}")
+_FRACTION = re.compile(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}")
+_NUMBER = re.compile(r"[-+−]?[0-9]{1,12}\.[0-9]{1,12}")
+
+
+def text_in_si(fragment: Fragment, asked: Asked, reference: Reference) -> tuple[Fragment, bool]:
+    """A text whose last side is a number with a unit, with the number in SI; the text itself in all other cases.
+
+    Second, whether the unit has the dimension of what is asked for, as far as that is known.
+    """
+    if not reference.values:
+        return fragment, True
+    text = fragment.text
+    start = max((m.end() for m in _SIDE.finditer(text)), default=0)
+    if len(text) - start > LONGEST_NUMBER_WITH_UNIT:
+        return fragment, True
+    parts = split_number(_plain(text[start:]))
+    unit = unit_of(parts[1]) if parts else None
+    if parts is None or unit is None or unit.is_angle:
+        return fragment, True
+    expected = _dimensions(asked, reference)
+    fits = tuple(sp.Integer(n) for n in unit.dimension) in expected if expected else True
+    own = not {*re.findall(r"[A-Za-z]+", parts[1])}.isdisjoint(reference.scope.scalars)
+    if own and not (fits and expected) and not _TEXTS.search(text, start):
+        return fragment, True  # 2 m is twice a mass
+    latex = is_latex(fragment)
+    number = f" {in_one_number(parts[0], unit.factor, latex)}"
+    draft = Draft(fragment)
+    sign = [(m.start(), m.end(), "=") for m in _SIDE.finditer(text) if m.end() == start]  # v ≈ 5.78 m/s
+    draft.apply([*sign, (start, len(text), number)])
+    return draft.finished(latex=latex), fits
+
+
+def stated_in_numbers(fragment: Fragment) -> tuple[Fragment, Fragment | None] | None:
+    """`v = sqrt(2*a*d) = 5.78 m/s` as v = 5.78 m/s, and v = sqrt(2*a*d); None where the last side is no such number.
+
+    The last of three sides may lack its unit, which in LaTeX is often taken for a word.
+    """
+    text, latex = fragment.text, is_latex(fragment)
+    signs = [*_SIDE.finditer(text)]
+    if not signs or len(text) - signs[-1].end() > LONGEST_NUMBER_WITH_UNIT:
+        return None
+    last = _plain(text[signs[-1].end() :])
+    if not has_unit(last) and (len(signs) == 1 or not _NUMBER.fullmatch(last)):
+        return None
+    number, front = Draft(fragment), Draft(fragment)
+    number.apply([(signs[0].start(), signs[-1].end(), "=")])
+    front.keep(0, signs[-1].start())
+    return number.finished(latex=latex), front.finished(latex=latex) if len(signs) > 1 else None
+
+
+def _plain(text: str) -> str:
+    r"""`9.81\,\text{m/s}^2` as 9.81 m/s^2."""
+    text = _SPACES.sub(" ", text).strip().rstrip(".,;").rstrip()
+    return plain_unit(_FRACTION.sub(r"\1/\2", text))
+
+
+def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
+    """The dimensions of the derived values; none where the file has too few units for them."""
+    known = dict.fromkeys(reference.values, NO_DIMENSION)  # a value without a unit is a number
+    known |= dimensions_of_units(reference.units)
+    values = [v for b in asked.branches for v in b.values if v.free_symbols]
+    if asked.has_bare_numbers or not values:  # `y = 1 m` hides a unit of the value; or it was found numerically
+        values = [asked.question.quantity]
+    return {d for v in values if (d := dimension(v, known)) is not None}
+
+
+# Labels
+
+
+_LABEL = re.compile(
+    r"[\s$&]*(?P<written>\\?(?P<name>[^\W\d_]+)(?:_\{?\s*(?:\\(?:text|mathrm|rm)\s*\{)?\\?(?P<index>\w{1,12})[\s}]*|(?P<digits>\d{1,2}))?)\s*(?:\([^()=]{0,20}\))?\s*&?="
+)
+
+
+_AT_A_PLACE = re.compile(
+    r"\A(?P<name>[\s$&]*\\?[^\W\d_]\w{0,12})\s*(?:\\left\s*)?"
+    r"(?:\(\s*\\?\w{1,12}\s*=\s*[^()=]{1,16}\)|\|?\s*_\s*\{\s*\\?\w{1,12}\s*=\s*[^{}=]{1,16}\})(?=\s*&?=(?!=))"
+)
+
+
+def without_place(fragment: Fragment) -> Fragment:
+    """`N(θ=0) = ...` as N = ...: the place is that of a question."""
+    draft = Draft(fragment)
+    return draft.finished(latex=is_latex(fragment)) if draft.replace(_AT_A_PLACE, lambda m: m["name"]) else fragment
+
+
+def label_of(fragment: Fragment) -> str:
+    """The name on the left, spelled out: `theta_max` of `\\theta_{\\max} = ...`; empty if there is none."""
+    match = _LABEL.match(fragment.text)
+    if match is None:
+        return ""
+    name = "".join(GREEK.get(c, c) for c in match["name"])
+    index = "".join(SUBSCRIPTS.get(c, c) for c in match["index"] or match["digits"] or "")
+    return f"{name}_{index}" if index else name
+
+
+def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether the label of a line is no name of the problem and occurs in another line, which it then defines."""
+    match = _LABEL.match(fragment.text)
+    if match is None or label_of(fragment) in reference.declared or match["name"] in reference.declared:
+        return False
+    written = re.escape(match["written"].strip())
+    used = re.compile(rf"(?<![A-Za-z0-9_\\]){written}(?![A-Za-z0-9_{{])")
+    return any(used.search(re.sub(r"\A[^=]*=", "", f.text)) for f in answer if f is not fragment)
+
+
+# Chains
+
+
+_SIGN = re.compile(r"(?<![<>!=:])==?(?![=>])|≈|\\approx(?![A-Za-z])")
+NOT_EQUAL = "its sides are not equal to one another"
+
+
+def sides_agree(fragment: Fragment, reference: Reference) -> bool | None:
+    """Whether the sides of a chain that are values agree; None if there are not two of them, or it is not known."""
+    places = cuts(fragment.text, _SIGN)
+    if not 2 < len(places) <= MOST_IN_CHAIN:
+        return None
+    scope, parameters = replace(reference.scope, decimals=""), {*reference.parameters.values()}
+    values: list[sp.Expr] = []
+    for place in places:
+        try:
+            value = tried(cut(fragment, *place), scope, lambda f: read_value(f, scope, [], latex=True))
+        except ProblemError:
+            continue
+        if not isinstance(value, Vector) and as_written(value).free_symbols <= parameters and not _is_name(value):
+            values.append(value.xreplace(dict(reference.values)))
+    agree = [_same(a, values[-1]) for a in values[:-1]]
+    return None if not agree or None in agree else all(agree)
+
+
+def _is_name(value: sp.Expr) -> bool:
+    return isinstance(value, sp.Symbol) and not isinstance(value, Decimal)
+
+
+def _same(a: sp.Expr, b: sp.Expr) -> bool | None:
+    if decimals_in([a, b]) and numbers_rounding_to([a - b]) is not None:
+        return True
+    try:
+        return is_zero(as_written(a - b))
+    except DivisionByZeroError:
+        return None

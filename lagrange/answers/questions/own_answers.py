@@ -49,7 +49,7 @@ def on_freedom_and_class(solution: Solution, answers: Answers) -> Iterator[Answe
         agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
         why = ""
         if not agrees:
-            from lagrange.answers.results.counting import explained_degrees_of_freedom
+            from lagrange.answers.results.constraints import explained_degrees_of_freedom
 
             why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
         yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
@@ -66,7 +66,7 @@ def _why_not(parts: Mapping[str, bool | None], classification: Classification) -
     """Why stated classes are wrong."""
     if False not in parts.values():
         return ""
-    from lagrange.answers.results.counting import explained_classes
+    from lagrange.answers.results.constraints import explained_classes
 
     return explained_classes([word for word, agrees in parts.items() if agrees is False], classification)
 
@@ -77,7 +77,7 @@ def _why_not_integrable(
     """Why statements about what can be integrated are wrong."""
     if False not in agree.values():
         return ""
-    from lagrange.answers.results.counting import explained_integrability
+    from lagrange.answers.results.constraints import explained_integrability
 
     return explained_integrability({n: s for n, s in stated.items() if agree[n] is False}, classification)
 
@@ -172,7 +172,7 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
 
         yield check_impact_answers(answers.impact, solution)
     if answers.hamiltonian is not None:
-        from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+        from lagrange.answers.questions.stated_quantities import check_hamiltonian_answer
 
         yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
@@ -212,7 +212,7 @@ def compared_impending(solution: Solution, alternatives: Sequence[Sequence[Fragm
 def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
-    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers, compared_with_rest
+    from lagrange.answers.questions.statics import compared_in_numbers, compared_with_rest
 
     if solution.rest_in_numbers is not None:
         return compared_with_rest(alternatives, solution.rest_in_numbers, solution)
@@ -279,7 +279,7 @@ def explained_rest(
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
     if solution.linear_motion is not None:
-        from lagrange.answers.questions.linear_motion import check_linear_motion_answers
+        from lagrange.answers.questions.linear_equations import check_linear_motion_answers
 
         linear = check_linear_motion_answers(answers.equations, solution)
         if linear.unreadable:

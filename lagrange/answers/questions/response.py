@@ -3,27 +3,42 @@
 Each entry is an expression, or an equation with the coordinate on the left, for the amplitude of one coordinate. Its
 square must be that of the derived one, exactly, with decimals that may be rounded: the sign of an amplitude tells the
 phase, and may be stated either way.
+
+A steady state as it is worked out on paper: an amplitude under a name of its own, or the motion itself.
+
+    A = F/sqrt((c - m w^2)^2 + b^2 w^2)        X = F (c_2 - m_2 w^2)/D, D = ...        x(t) = A cos(w t - phi)
+
+A letter is the amplitude of a coordinate if it is that of the coordinate in any case, `X` or `x_max` for x, or has its
+number or index, `A_x`, `A_2`; where there is one coordinate, `A` is its amplitude. A motion is compared with the steady
+state at all times; where its lag is left open, its amplitude counts. For the angular frequency ω may be written,
+although the problem calls it w. Without damping, equations between amplitudes are right if these satisfy them.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.answers.questions.named_values import Judged, check_each
-from lagrange.answers.readings import decimals_in
+from lagrange.answers.questions.named_values import Judged, check_each, worst
+from lagrange.answers.readings import GivenEquation, decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
+from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, numbers_rounding_to
-from lagrange.answers.written.reading import tried
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.statements import statement
+from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
+from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
+from lagrange.expressions.edits import Draft
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.reader import read_value
-from lagrange.mechanics.equilibrium.driven.response import Response
+from lagrange.mechanics.equilibrium.response import Response
 from lagrange.mechanics.results import Solution
 
 _NOT_DERIVED = "the problem does not ask for the response to a harmonic drive"
@@ -89,7 +104,7 @@ def judged_amplitude(claim: sp.Expr, name: str, responses: Sequence[Response], r
     why = (explained_value(sign * as_written(claim), amplitude, set()) for sign in (1, -1))
     if reason := next(filter(None, why), ""):
         return Verdict.WRONG, reason
-    from lagrange.answers.results.units import wrong_dimension
+    from lagrange.answers.results.meanings import wrong_dimension
 
     return Verdict.WRONG, wrong_dimension(as_written(claim), reference.units, amplitude)
 
@@ -101,3 +116,216 @@ def _squares(responses: Sequence[Response]) -> dict[str, sp.Expr]:
         for r in responses
         for q, a, b in zip(r.forced.configuration.slots.coordinates, r.cosines, r.sines, strict=True)
     }
+
+
+# A steady state with its working
+
+
+_HAT = re.compile(r"\\(?:hat|widehat|bar|overline|tilde|underline)\s*(?:\{\s*(\\?[A-Za-z]+)\s*\}|(\\?[A-Za-z]+))")
+_MODULUS = re.compile(r"\A[\s$]*(?:\\left\s*)?\|\s*(\\?\w{1,12})\s*(?:\\right\s*)?\|\s*=(?!=)")
+"""`|x| = ...`, an amplitude."""
+_HAT_ABOVE = re.compile(r"([^\W\d_])[\u0302\u0304\u0303]")
+_LAG = re.compile(r"\\delta(?![A-Za-z]|\s*[A-Za-z({\\])|δ(?!\s*[\w(])|(?<![A-Za-z\\])delta(?![A-Za-z0-9_]|\s*[\w(])")
+"""A lag that is called δ, and is no virtual displacement."""
+_LAGS = ("phi", "varphi", "psi", "epsilon", "alpha", "beta", "gamma")
+_AMPLITUDES = re.compile(r"(?:A|X|Amp|amp|amplitude|a|R|C|B)(?:_?\w{1,12})?")
+_STRONG = re.compile(r"(?:A|X|[Aa]mp)")
+_PHASE = sp.Symbol("lag", real=True)
+_LAG_OPEN = "its lag is left open, and only the amplitude is compared"
+_QUADRANT = "its lag is given by its tangent, which leaves the quadrant open"
+_NOT_STEADY = "it is not the steady state"
+
+
+def without_hats(fragment: Fragment) -> Fragment:
+    """x_max for an x with a hat, which is no unit vector here."""
+    draft = Draft(fragment)
+    changed = draft.replace(_MODULUS, r"\1 =")
+    changed = draft.replace(_HAT, lambda m: f"{m[1] or m[2]}_{{max}}") or changed
+    changed = draft.replace(_HAT_ABOVE, r"\1_max") or changed
+    changed = draft.replace(_LAG, lambda m: "\\psi " if m[0][0] == "\\" else "psi") or changed
+    return draft.finished(latex=is_latex(fragment)) if changed else fragment
+
+
+def with_names_of_response(reference: Reference, responses: Sequence[Response], *, lags: bool) -> Reference:
+    """The names that an answer may use, with ω for the frequency of the drive, and letters for lags that stay open."""
+    names: dict[str, sp.Expr] = {n: _PHASE for n in _LAGS if n not in reference.declared} if lags else {}
+    for r in responses:
+        if isinstance(r.drive.frequency, sp.Symbol):
+            names |= {n: r.drive.frequency for n in ("omega", "Omega") if n not in reference.declared}
+    scalars = {**reference.scope.scalars, **names}
+    return replace(reference, scope=replace(reference.scope, scalars=scalars))
+
+
+def check_response_in_text(
+    working: Working, responses: Sequence[Response], reference: Reference
+) -> AnswerVerdict | None:
+    """The verdict on amplitudes and motions; None if the text has none, but equations of motion or nothing of it."""
+    parts: list[EquationVerdict] = []
+    answered: set[str] = set()
+    coordinates = list(dict.fromkeys(q for r in responses for q in r.by_coordinate))
+    amplitudes = _amplitudes(working.defined, coordinates)
+    doubtful: list[EquationVerdict] = []
+    for name, q in amplitudes.items():
+        verdict, why = judged_amplitude(working.defined[name], q.name, responses, reference)
+        part = EquationVerdict.of(name, verdict, why)
+        if verdict is Verdict.WRONG:  # it may be an abbreviation after all
+            doubtful += [part] if _STRONG.match(name) or q.name.lower() in name.lower() else []
+        else:
+            parts, answered = [*parts, part], answered | {q.name}
+    solved: list[GivenEquation] = []
+    for line in working.unreadable:
+        ratio = _solved(line, working, coordinates, reference)
+        if ratio is not None:
+            verdict, why = judged_amplitude(ratio[1], ratio[0].name, responses, reference)
+            parts.append(EquationVerdict.of(line.reading.text, verdict, why))
+            answered |= {ratio[0].name}
+            solved.append(line)
+    unknown = _undamped(working, coordinates, responses)
+    rows: list[sp.Expr] = []
+    for f in working.judged:
+        if not isinstance(f, GivenEquation) or len(f.reading.components) != 1:
+            return None
+        [e] = f.reading.components
+        if e.free_symbols & unknown.keys():
+            holds = is_zero(
+                e.xreplace({s: value for s, (_, value) in unknown.items()}).xreplace(dict(reference.values))
+            )
+            verdict = Verdict.UNDECIDED if holds is None else Verdict.EQUIVALENT if holds else Verdict.WRONG
+            parts.append(EquationVerdict.of(f.reading.text, verdict, ""))
+            rows.append(e)
+            continue
+        verdict_on_motion = _motion(f, responses, coordinates, reference)
+        if verdict_on_motion is None:
+            return None
+        q, (verdict, why) = verdict_on_motion
+        parts.append(EquationVerdict.of(f.reading.text, verdict, why))
+        answered |= {q.name}
+    if rows and sp.Matrix([[e.diff(s) for s in unknown] for e in rows]).rank() == len(unknown):
+        answered |= {q.name for q, _ in unknown.values()}
+    unanswered = [p for p in doubtful if amplitudes[p.text].name not in answered]
+    parts += unanswered
+    answered |= {amplitudes[p.text].name for p in unanswered}
+    if not parts:
+        return None
+    unread = [f for f in working.unreadable if f not in solved]
+    parts += [
+        EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
+        for f in unread
+        if f.reading.error
+    ]
+    errors = tuple(d for f in unread if f.reading.error for d in f.reading.error.diagnostics)
+    verdict = worst([p for p in parts if p.verdict is not Verdict.UNREADABLE])
+    missing = [q.name for q in coordinates if q.name not in answered]
+    if verdict is Verdict.EQUIVALENT and missing:
+        verdict = Verdict.UNREADABLE if errors else Verdict.INCOMPLETE
+    why = f"the amplitude of {', '.join(missing)} is missing" if missing else ""
+    defined = [f"`{p.text}`" for p in parts if p.text in amplitudes]
+    notes = tuple(n for n in working.notes if not any(f"defines {name}," in n.message for name in defined))
+    return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=notes, diagnosis=why)
+
+
+def _solved(
+    fragment: GivenEquation, working: Working, coordinates: Sequence[sp.Symbol], reference: Reference
+) -> tuple[sp.Symbol, sp.Expr] | None:
+    """The coordinate and the amplitude that an equation states, with an undeclared name for it: X/a = ..."""
+    errors = fragment.reading.error.diagnostics if fragment.reading.error else ()
+    names = {m[1] for d in errors if (m := re.match(r"`(\w+)` is not declared", d.message))}
+    amplitudes = _amplitudes(dict.fromkeys(names, sp.S.Zero), coordinates)
+    if len(names) != 1 or not amplitudes:
+        return None
+    unknown = sp.Symbol("amplitude", positive=True)
+    scalars = {**reference.scope.scalars, **working.defined, next(iter(names)): unknown}
+    reading = read_as_written(Fragment.of(fragment.reading.text), replace(reference.scope, scalars=scalars))
+    if reading.error or len(reading.components) != 1:
+        return None
+    [e] = reading.components
+    slope = e.diff(unknown)
+    if slope == 0 or slope.has(unknown):
+        return None
+    return next(iter(amplitudes.values())), sp.expand(unknown - e / slope)
+
+
+def _undamped(
+    working: Working, coordinates: Sequence[sp.Symbol], responses: Sequence[Response]
+) -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
+    """Names that the answer uses for amplitudes with their signs, each with its coordinate and its value."""
+    signed = {q: c for r in responses if not any(r.sines) for q, c in zip(r.by_coordinate, r.cosines, strict=True)}
+    named = _amplitudes({s.name: sp.S.Zero for s in working.unknowns}, coordinates)
+    return {s: (q, signed[q]) for s in working.unknowns if (q := named.get(s.name)) in signed and q is not None}
+
+
+def _amplitudes(defined: Mapping[str, sp.Expr], coordinates: Sequence[sp.Symbol]) -> dict[str, sp.Symbol]:
+    """Which of the names that an answer defines are amplitudes, and of which coordinate."""
+    amplitudes: dict[str, sp.Symbol] = {}
+    for name, value in defined.items():
+        if t in value.free_symbols or any(base(s) in coordinates for s in value.free_symbols):
+            continue
+        letter, _, index = name.partition("_")
+        for n, q in enumerate(coordinates, 1):
+            plain = q.name.lower().replace("_", "")
+            mine = {plain, f"a{plain}", f"{plain}max", f"{plain}0", f"{plain}p", f"{plain}hat", f"{plain}amp"}
+            is_numbered = index == str(n) and len(coordinates) > 1 and letter in ("A", "X", "a", "B")
+            if name.lower().replace("_", "") in mine or is_numbered:
+                amplitudes[name] = q
+        if name not in amplitudes and len(coordinates) == 1 and _AMPLITUDES.fullmatch(name):
+            amplitudes[name] = coordinates[0]
+    return amplitudes
+
+
+def _motion(
+    fragment: GivenEquation, responses: Sequence[Response], coordinates: Sequence[sp.Symbol], reference: Reference
+) -> tuple[sp.Symbol, Judged] | None:
+    """The coordinate and the verdict, if an equation gives a coordinate as a function of time."""
+    sides = fragment.reading.sides
+    for q, value in (sides, sides[::-1]) if len(sides) == 2 else ():
+        if not isinstance(q, sp.Symbol) or q not in coordinates or not isinstance(value, sp.Expr):
+            continue
+        if any(base(s) in coordinates for s in value.free_symbols):
+            return None
+        if t not in value.free_symbols:
+            return q, judged_amplitude(value, q.name, responses, reference)
+        return q, _judged_motion(q, value, responses, reference)
+    return None
+
+
+def _judged_motion(q: sp.Symbol, value: sp.Expr, responses: Sequence[Response], reference: Reference) -> Judged:
+    """The verdict on x(t)."""
+    response = next(r for r in responses if q in r.by_coordinate)
+    motion = dict(zip(response.by_coordinate, response.motions, strict=True))[q]
+    try:
+        if _PHASE in value.free_symbols:
+            wave = sp.expand(sp.expand_trig(value))
+            angle = response.drive.frequency * t
+            a, b = wave.coeff(sp.cos(angle)), wave.coeff(sp.sin(angle))
+            if is_zero(wave - a * sp.cos(angle) - b * sp.sin(angle)) is not True:
+                return Verdict.UNDECIDED, UNDECIDED
+            verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, responses, reference)
+            return verdict, _LAG_OPEN if verdict is Verdict.EQUIVALENT else why
+        difference = (value - motion).xreplace(dict(reference.values))
+        same = is_zero(as_written(difference))
+        if same is False and decimals_in([difference]):
+            same = numbers_rounding_to([difference]) is not None
+        if same is None and difference.has(sp.atan, sp.acos, sp.asin):
+            same = is_zero(sp.expand(sp.expand_trig(difference)))
+    except DivisionByZeroError:
+        return Verdict.UNDECIDED, UNDECIDED
+    if same is not True and difference.has(sp.atan):
+        return _with_tangent(q, value, response, responses, reference)
+    if same is None:
+        return Verdict.UNDECIDED, UNDECIDED
+    return (Verdict.EQUIVALENT, "") if same else (Verdict.WRONG, _NOT_STEADY)
+
+
+def _with_tangent(
+    q: sp.Symbol, value: sp.Expr, response: Response, responses: Sequence[Response], reference: Reference
+) -> Judged:
+    """The verdict on A cos(ω t − φ) with φ given by its tangent, which leaves its quadrant open."""
+    wave = sp.expand(sp.expand_trig(value))
+    angle = response.drive.frequency * t
+    a, b = wave.coeff(sp.cos(angle)), wave.coeff(sp.sin(angle))
+    verdict, why = judged_amplitude(sp.sqrt(a**2 + b**2), q.name, responses, reference)
+    n = list(response.by_coordinate).index(q)
+    aligned = is_zero((a * response.sines[n] - b * response.cosines[n]).xreplace(dict(reference.values)))
+    if verdict is not Verdict.EQUIVALENT or aligned:
+        return verdict, _QUADRANT if verdict is Verdict.EQUIVALENT else why
+    return (Verdict.UNDECIDED, UNDECIDED) if aligned is None else (Verdict.WRONG, _NOT_STEADY)

@@ -1,19 +1,31 @@
-"""Equations of an answer about a system at rest: positions of equilibrium, and reactions there."""
+"""Equations of an answer about a system at rest: positions of equilibrium, and reactions there.
+
+Positions of equilibrium stated as numbers, where they have no closed form: θ = 0 or θ = 0.902.
+
+Each stated number stands for all numbers that round to it. It is right if one of the positions found numerically is
+among these, and the answer is complete if every position is stated. Angles count modulo 2π.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.answers.equilibria import alternatives_of, check_equilibria
-from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
+from lagrange.answers.limits import EXACT_POSITION
 from lagrange.answers.reactions import StatedReactionsAtRest
-from lagrange.answers.readings import Reading, read_answer
+from lagrange.answers.readings import Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import FIRST, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written
+from lagrange.answers.written.reading import read_as_written
+from lagrange.answers.written.values import with_value_in_si
 from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import Decimal
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
+from lagrange.mechanics.nearby.one_state import RestInNumbers
 from lagrange.mechanics.results import Solution
 
 
@@ -98,3 +110,91 @@ def reactions_at_rest(solution: Solution) -> StatedReactionsAtRest | None:
         return None
     reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
     return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution))
+
+
+# Positions in numbers
+
+
+StatedNumbers = Mapping[sp.Symbol, tuple[float, float]]
+
+
+def compared_in_numbers(
+    alternatives: Sequence[Sequence[Fragment]], verdict: AnswerVerdict, solution: Solution
+) -> AnswerVerdict:
+    """The verdict where positions were found numerically and the answer gives numbers; the old one otherwise."""
+    if verdict.verdict not in (Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE):
+        return verdict
+    reference = reference_of_solution(solution)
+    for view in solution.views:
+        in_numbers = view.in_numbers
+        if in_numbers is None or in_numbers.numerical is None:
+            continue
+        readings = [[read_as_written(with_value_in_si(f, reference), reference.scope) for f in a] for a in alternatives]
+        stated = [_stated(a, in_numbers.unknowns, dict(reference.values)) for a in readings]
+        if any(s is None for s in stated):
+            continue
+        matches = [{n for n, p in enumerate(in_numbers.positions) if s and _is_at(s, p, in_numbers)} for s in stated]
+        if not all(matches):
+            return verdict
+        covered = set[int]().union(*matches)
+        missing = len(in_numbers.positions) - len(covered)
+        equations = tuple(EquationVerdict(r.text, Verdict.EQUIVALENT) for a in readings for r in a)
+        whole = Verdict.INCOMPLETE if missing else Verdict.EQUIVALENT
+        whole = whole if missing or in_numbers.numerical.complete else Verdict.UNDECIDED
+        return AnswerVerdict(whole, equations, missing=missing)
+    return verdict
+
+
+def compared_with_rest(
+    alternatives: Sequence[Sequence[Fragment]], rest: RestInNumbers, solution: Solution
+) -> AnswerVerdict:
+    """The verdict where one position of a large system is known: right if it is stated, otherwise undecided."""
+    reference = reference_of_solution(solution)
+    readings = [read_as_written(with_value_in_si(f, reference), reference.scope) for a in alternatives for f in a]
+    if errors := tuple(d for r in readings if r.error for d in r.error.diagnostics):
+        return AnswerVerdict(Verdict.UNREADABLE, unreadable=errors, name="equilibrium")
+    stated = _stated(readings, tuple(rest.position), dict(reference.values)) if len(alternatives) == 1 else None
+    holds = stated is not None and all(
+        abs(number - float(rest.position[u])) <= width + EXACT_POSITION * (1 + abs(number))
+        for u, (number, width) in stated.items()
+    )
+    verdict = Verdict.EQUIVALENT if holds else Verdict.UNDECIDED
+    equations = tuple(EquationVerdict(r.text, verdict) for r in readings)
+    why = "" if holds else "this is not the position found near that of `initial`, and others were not looked for"
+    return AnswerVerdict(verdict, equations, name="equilibrium", diagnosis=why)
+
+
+def _stated(
+    readings: Sequence[Reading], unknowns: Sequence[sp.Symbol], values: Mapping[sp.Symbol, sp.Expr]
+) -> StatedNumbers | None:
+    """The unknowns with their numbers and half a unit of the last place; None if the equations are not of this form."""
+    stated: dict[sp.Symbol, tuple[float, float]] = {}
+    for r in readings:
+        components = r.with_decimals or r.components
+        unknown = {s for e in components for s in e.free_symbols} & {*unknowns}
+        if len(components) != 1 or len(unknown) != 1:
+            return None
+        [e], [u] = components, unknown
+        slope = e.diff(u)
+        value = (-e.xreplace({u: sp.S.Zero}) / slope).xreplace(dict(values)) if slope.is_number and slope != 0 else None
+        if value is None or any(not isinstance(s, Decimal) for s in value.free_symbols):
+            return None
+        width = as_written(sp.Add(*(abs(value.diff(d)) * d.half_width for d in decimals_in([value]))))
+        number = as_written(value).evalf()
+        if not number.is_Float and not number.is_Rational:
+            return None
+        stated[u] = (float(number), float(width))
+    return stated
+
+
+def _is_at(stated: StatedNumbers, position: Position, in_numbers: EquilibriaInNumbers) -> bool:
+    for u, (number, width) in stated.items():
+        if u not in position.coordinates or (position.branch is None and width == 0):
+            return False
+        off = number - position.coordinates[u].number
+        if u in in_numbers.angles:
+            turn = float(2 * sp.pi)
+            off -= turn * round(off / turn)
+        if abs(off) > width + EXACT_POSITION * (1 + abs(number)):
+            return False
+    return True

@@ -18,7 +18,7 @@ from lagrange.answers.limits import AMPLITUDE_DRAWS, MOST_AMPLITUDES, RANDOM_DIG
 from lagrange.answers.results.meanings import other_meanings
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
-from lagrange.mechanics.equilibrium.driven.response import Response
+from lagrange.mechanics.equilibrium.response import Response
 
 _SMALL = sp.Float(10) ** -RANDOM_ZERO_DIGITS
 

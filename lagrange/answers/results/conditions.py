@@ -4,6 +4,18 @@ A condition is slack s ≥ 0, and its limit is s = 0. A stated one is compared w
 wrong ways: the sense of the inequality, another meaning of a letter (`meanings`), two contacts whose limits are added
 up, a factor of one side, one term of the balance. Limits are the same where the value of a letter in which the changed
 one is linear makes the stated one vanish: at random numbers first, then exactly.
+
+Wrong conditions of rest and limits of friction where several contacts have one coefficient: which contact is it?
+
+With one letter μ for two contacts a condition does not tell what the friction of each contributes. So the problem is
+solved once more, each contact with a coefficient of its own; then the friction of one contact alone may act the other
+way, or be omitted: μ_1 → −μ or 0, and μ_k → μ for all others.
+
+Wrong limits of a rope on a rough drum: which of the slips with T = S exp(mu beta) was made.
+
+The coefficient and the angle of contact occur as the product mu beta alone. So the common slips all give mu another
+factor: ln for log to base ten, degrees or turns for radians, an angle twice or half as large. Without the exponential,
+T = S (1 + mu beta) is the law of a short arc, used for the whole one.
 """
 
 from __future__ import annotations
@@ -15,15 +27,27 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
-from lagrange.answers.limits import CLOSE_LIMIT, LIMIT_SAMPLES, MOST_CONDITION_TERMS
-from lagrange.answers.results.approximate import approximate, root_near
-from lagrange.answers.results.belts import belt_meanings, in_logarithms
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.sampler import NoPointError
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.limits import (
+    CLOSE_LIMIT,
+    LIMIT_SAMPLES,
+    MOST_CONDITION_TERMS,
+    MOST_OTHER_CONTACTS,
+    UNITS_OF_OTHER_CONTACTS,
+)
+from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.results.meanings import LetterMeaning, other_meanings, with_waves_exchanged
-from lagrange.core.operations import count_operations
+from lagrange.core.diagnostics import ProblemError
+from lagrange.core.effort import allowed_for
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.document.math_writer import text
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Force, Friction, Problem
 
 
 @record
@@ -300,3 +324,113 @@ def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
     """Random numbers of order one for all letters: acute angles."""
     draw = random.Random(seed)
     return {s: draw.uniform(0.3, 1.3) for s in sorted(_symbols(e), key=str)}
+
+
+# Contacts
+
+
+def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution) -> str:
+    """Which friction is reversed or omitted in wrong conditions or limits, in a sentence; empty if that is not found.
+
+    All stated ones have to be those of the same changed problem.
+    """
+    separate = _with_own_coefficients(solution.problem)
+    if separate is None or not stated:
+        return ""
+    problem, common = separate
+    try:
+        with allowed_for("comparing answers", UNITS_OF_OTHER_CONTACTS):
+            solved = solve(problem)
+    except ProblemError:
+        return ""
+    limits = list(_limits(solved, rest=not stated[0].equation))
+    for friction, own, mu in common:
+        others = {o: m for _, o, m in common if o != own}
+        for value, clause in ((-mu, "acts the other way"), (sp.S.Zero, "")):
+            rule = {**others, own: value}
+            changed = [e.xreplace(rule) for e in limits]
+            if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
+                how = (
+                    f"for the friction `{friction}` acting the other way"
+                    if clause
+                    else f"without the friction `{friction}`"
+                )
+                return f"{'these are the limits' if len(stated) > 1 else 'this is the limit'} {how}"
+    return ""
+
+
+Common = list[tuple[str, sp.Symbol, sp.Symbol]]
+"""The name of each friction, its own coefficient, and the one that it shares."""
+
+
+def _with_own_coefficients(problem: Problem) -> tuple[Problem, Common] | None:
+    """The problem with a coefficient for each contact; None if none is shared."""
+    rough = [f for f in problem.forces if isinstance(f, Friction) and f.static is not None]
+    shared = {f.static for f in rough if isinstance(f.static, sp.Symbol)}
+    if len(shared) == len(rough) or len(rough) > MOST_OTHER_CONTACTS or any(f.static not in shared for f in rough):
+        return None
+    known = {p.symbol: p for p in problem.parameters}
+    if not shared <= known.keys() or any(known[mu].value is not None for mu in shared):
+        return None
+    common: Common = []
+    parameters = list(problem.parameters)
+    forces: list[Force] = []
+    for f in problem.forces:
+        if isinstance(f, Friction) and isinstance(f.static, sp.Symbol):
+            own = sp.Symbol(f"{f.static.name}_of_{f.name}", positive=True)
+            common.append((f.name, own, f.static))
+            parameters.append(replace(known[f.static], symbol=own))
+            forces.append(replace(f, static=own))
+        else:
+            forces.append(f)
+    return replace(problem, parameters=tuple(parameters), forces=tuple(forces), answers=None), common
+
+
+def _limits(solution: Solution, *, rest: bool) -> Iterator[sp.Expr]:
+    """The slacks of the conditions of rest, or what vanishes where friction is at its limit."""
+    for v in solution.views:
+        if rest and v.at_rest is not None and len(v.at_rest.cases) == 1:
+            yield from (c.right - c.left for c in v.at_rest.cases[0])
+        if not rest:
+            yield from (r.lhs - r.rhs for m in v.impending or () for b in m.equilibrium.branches for r in b.relations)
+
+
+# Belts
+
+
+_SLIPS = (
+    ("with the logarithm to base ten in place of the natural one", sp.log(10)),
+    ("with the angle of contact in degrees, and not in radians", 180 / sp.pi),
+    ("with the number of turns in place of the angle of contact in radians", 1 / (2 * sp.pi)),
+    ("for twice the angle of contact", sp.Integer(2)),
+    ("for half of the angle of contact", sp.Rational(1, 2)),
+    ("for four times the angle of contact", sp.Integer(4)),
+    ("for a quarter of the angle of contact", sp.Rational(1, 4)),
+)
+
+
+def belt_meanings(derived: Collection[sp.Expr], coefficients: Collection[sp.Expr]) -> Iterator[LetterMeaning]:
+    """What the coefficient of a belt, or its law, is taken for; none where there is no belt."""
+    powers = {w for e in derived for w in e.atoms(sp.exp)}
+    logarithms = {w for e in derived for w in e.atoms(sp.log)}
+    short = {w: 1 + w.args[0] for w in powers} | {w: w.args[0] - 1 for w in logarithms}
+    for mu in sorted(coefficients, key=str):
+        linear = any(mu in e.free_symbols for e in derived if e.atoms(sp.log) & logarithms)
+        if linear or any(mu in w.free_symbols for w in powers):
+            for clause, factor in _SLIPS:
+                yield LetterMeaning(clause, {mu: factor * mu})
+            yield LetterMeaning("with 1 + mu*beta in place of exp(mu*beta), as for a short arc", short)
+
+
+def in_logarithms(slack: sp.Expr) -> sp.Expr:
+    """A slack a exp(u) - b as u - log(b/a), in which the coefficient of a belt is linear; others as they are."""
+    powers = sorted(slack.atoms(sp.exp), key=str)
+    if len(powers) != 1:
+        return slack
+    letter = sp.Dummy(positive=True)
+    linear = sp.expand(slack.xreplace({powers[0]: letter}))
+    rate, rest = linear.coeff(letter, 1), linear.coeff(letter, 0)
+    ratio = -rest / rate if rate != 0 else sp.S.Zero
+    if ratio == 0 or letter in (rate.free_symbols | rest.free_symbols) or sp.expand(linear - rate * letter - rest) != 0:
+        return slack
+    return powers[0].args[0] - sp.log(ratio)

@@ -1,22 +1,41 @@
-"""A wrong equation that states one force of constraint, N = m g cos(theta): what that force would be.
+"""Wrong equations about forces: one stated reaction, friction in one sense of the motion only.
+
+A wrong equation that states one force of constraint, N = m g cos(theta): what that force would be.
 
 Such an equation is compared as the value of a reaction is: with that at rest, with what balances the other forces as if
 nothing were accelerated, with that of a changed problem, with a multiple of the right one.
+
+A wrong equation that is right for one sense of the motion: friction turns with the velocity.
+
+m x'' = −k x − μ m g is right while x' > 0. In the derived equations the sign of x' is put to +1 and to −1 (and |x'| to
+x' and −x'); if the equation follows from one of the two systems, it holds while the velocity has that sign. Where the
+answer says so itself, it is right as far as it goes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
-from lagrange.answers.limits import LONGEST_COMPARED_REACTION
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.algebra.exact.sampler import NoPointError
+from lagrange.answers.limits import LONGEST_COMPARED_REACTION, MOST_SENSES
+from lagrange.answers.readings import GivenEquation
+from lagrange.answers.references import Reference, ReferenceCandidate
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.cases import single_condition
+from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import base
+from lagrange.document.math_writer import text
+from lagrange.expressions.reader import read_value
+from lagrange.mechanics.dynamics.comparison import Standing, System, compare
+from lagrange.problem.model import InitialValue
 
 if TYPE_CHECKING:
-    from lagrange.answers.references import Reference, ReferenceCandidate
     from lagrange.mechanics.dynamics.newton import Reaction
     from lagrange.mechanics.results import Solution
 
@@ -49,7 +68,7 @@ def explained_force(equation: sp.Expr, candidate: ReferenceCandidate) -> str:
 def _multiple(equation: sp.Expr, force: sp.Symbol, candidate: ReferenceCandidate) -> str:
     """The simple ratio of the right force to the stated one, in a sentence; empty if there is none."""
     from lagrange.answers.models.letters import claim_holds
-    from lagrange.answers.models.variation import Variation
+    from lagrange.answers.models.mechanics import Variation
 
     try:
         states = candidate.models.states([equation])
@@ -97,3 +116,118 @@ def explained_size(claims: Sequence[sp.Expr], reaction: Reaction, reference: Ref
                     if why and not why.startswith(NO_DEPENDENCE):
                         return f"{beside}{why}"
     return ""
+
+
+# One sense
+
+
+_BAD = (Standing.CONTRADICTS, Standing.NOT_LINEAR)
+
+
+def one_sense(equation: sp.Expr, system: System) -> str:
+    """For which sense of the motion a wrong equation is right, in a sentence; empty if for none."""
+    for condition in _senses(equation, system):
+        return f"it holds only while {text(condition)} > 0: what depends on the sign of a velocity turns with it"
+    return ""
+
+
+def _senses(equation: sp.Expr, system: System) -> Iterator[sp.Expr]:
+    """What is positive where the equation follows from the system."""
+    velocities = {*system.configuration.slots.velocities}
+    signs = {w for e in system.equations for w in e.atoms(sp.sign, sp.Abs) if w.args[0].free_symbols & velocities}
+    for u in sorted({w.args[0] for w in signs}, key=sp.default_sort_key)[:MOST_SENSES]:
+        for s in (sp.S.One, sp.S.NegativeOne):
+            rule = {sp.sign(u): s, sp.Abs(u): s * u}
+            one = System(system.configuration, tuple(e.xreplace(rule) for e in system.equations), system.multipliers)
+            try:
+                result = compare([equation.xreplace(rule)], one)
+            except DivisionByZeroError:
+                continue
+            if result is not None and not {*_BAD} & {*result.standings}:
+                yield s * u
+
+
+def kept_from_start(
+    equations: Sequence[Fragment], verdict: AnswerVerdict, initial: Sequence[InitialValue], reference: Reference
+) -> AnswerVerdict:
+    """The verdict, in which an equation for one sense of the motion is right if the motion keeps this sense.
+
+    A ball that is dropped falls: it starts with y' ≥ 0, and where y' vanishes y'' > 0, so that y' never changes its
+    sign. It is asked of a system with one velocity and no multipliers, whose acceleration at rest has one sign.
+    """
+    if verdict.verdict is not Verdict.WRONG or not initial or len(verdict.equations) != len(equations):
+        return verdict
+    start = {s.symbol: s.value for s in initial}
+    judged = [*verdict.equations]
+    for n, e in enumerate(judged):
+        if e.verdict is not Verdict.WRONG:
+            continue
+        fragment = equations[n]
+        if not isinstance(fragment, GivenEquation) or len(fragment.reading.components) != 1:
+            return verdict
+        [equation] = fragment.reading.components
+        kept = next(filter(None, (_kept_sense(c, equation, start) for c in reference.candidates)), None)
+        if kept is None:
+            return verdict
+        remark = f"{text(kept)} > 0 from the start on, and for this sense it is right"
+        judged[n] = EquationVerdict(e.text, Verdict.EQUIVALENT, remarks=(remark,))
+    return replace(verdict, verdict=Verdict.EQUIVALENT, equations=tuple(judged), missing=0, diagnosis="")
+
+
+def _kept_sense(candidate: ReferenceCandidate, equation: sp.Expr, start: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr | None:
+    """The velocity, with a sign, that stays positive after the start, and for which an equation is right; None if
+    there is none, or that is not seen."""
+    slots = candidate.configuration.slots
+    if len(slots.velocities) != 1 or candidate.multipliers or len(candidate.system.equations) != 1:
+        return None
+    [v], [a], [derived] = slots.velocities, slots.accelerations, candidate.system.equations
+    for positive in _senses(candidate.read(equation), candidate.system):
+        sense = positive.coeff(v)
+        first = start.get(v)
+        if positive != sense * v or first is None or not (sense * first).is_nonnegative:
+            continue
+        at_rest = derived.xreplace({sp.sign(v): sense, sp.Abs(v): sense * v}).xreplace({v: sp.S.Zero})
+        slope = at_rest.diff(a)
+        if slope != 0 and (-sense * at_rest.xreplace({a: sp.S.Zero}) / slope).is_positive:
+            return positive
+    return None
+
+
+def right_as_far_as_stated(
+    equations: list[Fragment], verdict: AnswerVerdict, reference: Reference
+) -> AnswerVerdict | None:
+    """The verdict if each wrong equation is right under the condition that stands beside it; None if one is not."""
+    judged = [*verdict.equations]
+    for n, e in enumerate(judged):
+        if e.verdict is not Verdict.WRONG:
+            continue
+        stated = single_condition(getattr(equations[n], "beside", ""))
+        if stated is None or not _holds_where(equations[n], stated, reference):
+            return None
+        greater, less = stated
+        judged[n] = e.__class__(
+            e.text,
+            Verdict.EQUIVALENT,
+            remarks=(f"right while {greater} > {less}; another equation holds while {greater} < {less}",),
+        )
+    return AnswerVerdict(
+        Verdict.INCOMPLETE, tuple(judged), max(1, verdict.missing), verdict.choice, notes=verdict.notes
+    )
+
+
+def _holds_where(equation: Fragment, stated: tuple[str, str], reference: Reference) -> bool:
+    if not isinstance(equation, GivenEquation) or len(equation.reading.components) != 1:
+        return False
+    try:
+        greater, less = (read_value(Fragment.of(side), reference.scope, latex=True) for side in stated)
+    except ProblemError:
+        return False
+    if not isinstance(greater, sp.Expr) or not isinstance(less, sp.Expr):
+        return False
+    (e,) = equation.reading.components
+    for c in reference.candidates_for({s.name for s in e.free_symbols}):
+        for positive in _senses(c.read(e), c.system):
+            ratio = sp.cancel(c.read(greater - less) / positive)
+            if ratio.is_positive:
+                return True
+    return False

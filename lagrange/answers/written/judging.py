@@ -52,7 +52,7 @@ def verdict_on(working: Working, reference: Reference, check: AnswerCheck, *, mo
         judged = [replace(e, verdict=Verdict.UNDECIDED) if e.verdict is Verdict.WRONG else e for e in judged]
         verdict = replace(verdict, verdict=Verdict.UNDECIDED, equations=tuple(judged), diagnosis=_SOLVED)
     if verdict.verdict is Verdict.WRONG and moving and len(equations) == len(verdict.equations):
-        from lagrange.answers.results.one_sense import right_as_far_as_stated
+        from lagrange.answers.results.forces import right_as_far_as_stated
 
         verdict = right_as_far_as_stated(equations, verdict, reference) or verdict
     if verdict.verdict is Verdict.WRONG:

@@ -13,19 +13,18 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from lagrange.answers.written.approximations import exact_results, is_about, with_equality
-from lagrange.answers.written.cases.by_sense import with_cases
-from lagrange.answers.written.notation.decimal_commas import with_decimal_points
+from lagrange.answers.written.cases import with_cases
 from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_names, with_bracketed_arrays
+from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
-from lagrange.answers.written.notation.ratios import name_of_extreme, ratios_of, tuples_of
-from lagrange.answers.written.remarks import CONDITIONAL, STABILITY
+from lagrange.answers.written.notation.rare import name_of_extreme, ratios_of, tuples_of
+from lagrange.answers.written.values import CONDITIONAL, STABILITY, exact_results, is_about, with_equality
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
-from lagrange.expressions.relations import is_inequality
+from lagrange.expressions.reader import is_inequality
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")

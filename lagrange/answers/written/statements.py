@@ -17,8 +17,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.limits import MOST_SIDE_DEFINITIONS
+from lagrange.answers.written.names import without_arguments
 from lagrange.answers.written.notation.plain import cleaned
-from lagrange.answers.written.other_names import without_arguments
 from lagrange.answers.written.reading import too_long, tried
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record

@@ -19,27 +19,35 @@ import sympy as sp
 from lagrange.answers.limits import LONGEST_LAW, LONGEST_WRITTEN_NAME, MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, has_decimals
 from lagrange.answers.references import Reference
-from lagrange.answers.written.cases.special import about_special_cases
-from lagrange.answers.written.new_coordinates import defined_coordinate
-from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
-from lagrange.answers.written.notation.plain import is_rate
-from lagrange.answers.written.one_line import Line, finished, in_place_of, lines_of
-from lagrange.answers.written.other_names import (
+from lagrange.answers.written.cases import about_special_cases
+from lagrange.answers.written.names import (
     AT_EQUILIBRIUM,
     as_virtual,
     coordinates_at_rest,
+    defined_coordinate,
     is_rate_along,
+    lines_with,
+    may_be_force,
     other_names,
+    printed_names,
     rates_without_bar,
+    spelled_out,
+    with_names_of_vectors,
     without_arguments,
 )
-from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names, spelled_out
-from lagrange.answers.written.prose import is_condition, without_prose, words_known
-from lagrange.answers.written.reading import read_as_written, tried
-from lagrange.answers.written.stated_units import with_value_in_si
-from lagrange.answers.written.stated_values import NUMBER, is_unit, value_of
-from lagrange.answers.written.unread import is_name, quotes_the_method, undeclared
-from lagrange.answers.written.vector_names import with_names_of_vectors
+from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
+from lagrange.answers.written.notation.plain import is_rate
+from lagrange.answers.written.one_line import (
+    Line,
+    finished,
+    in_place_of,
+    is_condition,
+    lines_of,
+    without_prose,
+    words_known,
+)
+from lagrange.answers.written.reading import is_name, quotes_the_method, read_as_written, tried, undeclared
+from lagrange.answers.written.values import NUMBER, is_unit, value_of, with_value_in_si
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose, series
 from lagrange.explain.words import (
     capital,
     constraints_called,
@@ -20,8 +19,7 @@ from lagrange.explain.words import (
     title_in,
 )
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.equilibrium.friction.balance import RoughContact
-from lagrange.mechanics.equilibrium.friction.belts import BeltLaw
+from lagrange.mechanics.equilibrium.friction.balance import BeltLaw, RoughContact
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion

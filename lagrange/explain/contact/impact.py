@@ -7,8 +7,20 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.symbols import prime, t, variation, velocity_before
-from lagrange.document.builders import display, listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Prose,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.words import (
     capital,
     constraints_called,
@@ -22,8 +34,8 @@ from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.reaction_signs import ForceKind
 from lagrange.mechanics.energy_symbols import EnergySymbols
 from lagrange.mechanics.momenta.impact import ImpulsiveMotion, ReactionImpulse
-from lagrange.mechanics.momenta.vanishing_impulses import vanishings
 from lagrange.mechanics.results import Solution
+from lagrange.mechanics.through_impact import vanishings
 from lagrange.problem.model import AppliedMoment, Impact
 
 ZERO = sp.S.Zero

@@ -1,18 +1,38 @@
-"""One-sided constraints: what they are, and how long they act."""
+"""One-sided constraints: what they are, and how long they act.
+
+The forces that keep bodies where the coordinates can place them: a table under a ball, a floor under a wedge.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref
-from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural
+from lagrange.core.expression_size import count_operations
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Emphasis,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    display,
+    listed,
+    math,
+    prose,
+    series,
+)
+from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION
+from lagrange.explain.words import NORMAL_FORCES, are, capital, constraints_called, plural, the
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.dynamics.contact.touching import HeldBody, held_bodies
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.rewriting.factors import has_one_sign, with_common_factor
 
 
 def explain_in_contact(constraints: Sequence[ConstraintAnalysis]) -> list[Prose]:
@@ -100,3 +120,45 @@ def _presumed(r: Reaction) -> tuple[Part, ...]:
     if r.single is None or not r.single.presumed:
         return ()
     return ("for ", *series((math(e, sp.S.Zero, relation=">"),) for e in r.single.presumed))
+
+
+# Held bodies
+
+
+def explain_held_bodies(newton: Newton, at_rest: bool = False) -> Iterator[Block]:
+    """What else acts on the bodies, along which line, and why it is in no equation."""
+    bodies = [*held_bodies(newton, at_rest)]
+    last = max((n for n, held in enumerate(bodies) if _may_change_sign(held)), default=None)
+    for n, held in enumerate(bodies):
+        yield from _held(held, says_contact=n == last)
+
+
+def _may_change_sign(held: HeldBody) -> bool:
+    shown = held.along is not None and held.value is not None and count_operations(held.value) <= LONGEST_REACTION
+    return shown and not has_one_sign(with_common_factor(held.value))
+
+
+def _held(held: HeldBody, says_contact: bool) -> Iterator[Block]:
+    body, value = the(held.body), held.value
+    if held.along is None:
+        yield prose(f"The forces that keep {body} on its path are normal to it: they do no virtual work and are not "
+                    "shown.")  # fmt: skip
+        return
+    begin: tuple[Part, ...] = (
+        f"The coordinates allow no motion of {body} along ",
+        math(held.along),
+        ". The force that ",
+    )
+    if value is None or count_operations(value) > LONGEST_REACTION:
+        yield prose(*begin, "prevents it does no virtual work and is not shown.")
+        return
+    value = with_common_factor(value)
+    idle = "; it does no virtual work and is in none of the equations above."
+    contact = " If it is that of a surface, contact lasts as long as the surface pushes."
+    pushes = (contact,) if says_contact else ()
+    if count_operations(value) <= LONGEST_IN_TEXT:
+        yield prose(*begin, "prevents it is ", math(value), " in this direction", idle, *pushes)
+        return
+    yield prose(*begin, "prevents it is, in this direction,")
+    yield display(Equation((value,)))
+    yield prose("It does no virtual work and is in none of the equations above.", *pushes)

@@ -6,11 +6,24 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import CONSTANT, TimeDerivative, Unspecified, variation
-from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Phrase,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+    series,
+)
 from lagrange.explain.limits import LONGEST_INTEGRAL, MOST_MULTIPLES
 from lagrange.explain.motion import label_from_principle
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in

@@ -4,11 +4,25 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Partial, TimeDerivative, VectorSymbol, prime, variation
-from lagrange.document.builders import display, listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.displacements import pivot_conditions
 from lagrange.explain.energy.energies import LagrangeExposition
 from lagrange.explain.limits import LONGEST_INTERMEDIATE

@@ -13,26 +13,49 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import t
-from lagrange.document.builders import has_purpose, index_of, listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Prose, Rule, Step, Table
-from lagrange.document.purposes import Purpose
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Display,
+    Equation,
+    Math,
+    Part,
+    Prose,
+    Purpose,
+    Rule,
+    Step,
+    Table,
+    has_purpose,
+    index_of,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.consequences import explain_at_rest
 from lagrange.explain.constraints import explain_classification
 from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.limits import LONGEST_BEFORE, LONGEST_BESIDE_CHOICE
 from lagrange.explain.newton import explain_works
-from lagrange.explain.page.bodies import alike_about_all_axes
+from lagrange.explain.page import linked_particles
 from lagrange.explain.page.constraints import (
     explain_geometric,
+    explain_short_displacements,
+    explain_short_forms,
+    explain_short_integrability,
     explain_without,
+    in_chosen_coordinates,
     is_plainly_geometric,
+    on_nonlinear_constraint,
+    with_only_coordinate,
     without_component,
+    without_division,
+    without_solution,
+    without_test,
 )
-from lagrange.explain.page.coordinates import explain_independence, explain_measures
-from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
@@ -45,17 +68,6 @@ from lagrange.explain.page.economy import (
     together_shortly,
     without_momenta,
     without_unused,
-)
-from lagrange.explain.page.folding import without_test
-from lagrange.explain.page.kinematic import (
-    explain_short_displacements,
-    explain_short_forms,
-    explain_short_integrability,
-    in_chosen_coordinates,
-    on_nonlinear_constraint,
-    with_only_coordinate,
-    without_division,
-    without_solution,
 )
 from lagrange.explain.page.laws import (
     along_named,
@@ -74,8 +86,12 @@ from lagrange.explain.page.meaning import explain_meaning
 from lagrange.explain.page.motion import (
     displacements_of_geometric,
     displacements_shortly,
+    ends_with_speeds,
     in_one_step,
+    in_speeds_only,
     principle_shortly,
+    reaction_as_a_whole,
+    short_in_speeds,
     with_conditions,
     with_displacements,
     with_kinematics,
@@ -84,32 +100,22 @@ from lagrange.explain.page.motion import (
     without_long_sum,
     without_multipliers,
 )
-from lagrange.explain.page.quasi_velocities import (
-    ends_with_speeds,
-    in_speeds_only,
-    reaction_as_a_whole,
-    short_in_speeds,
-)
+from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.page.result import explain_result, rest_has_roots
-from lagrange.explain.page.shorter.along_axes import with_sums_along_axes
-from lagrange.explain.page.shorter.at_sight import explain_at_sight, integrates_at_sight
-from lagrange.explain.page.shorter.choices import in_few_lines
-from lagrange.explain.page.shorter.counts import counted_shortly
-from lagrange.explain.page.shorter.displacements import with_one_list
-from lagrange.explain.page.shorter.forces import in_accelerations
-from lagrange.explain.page.shorter.held import with_held_values
-from lagrange.explain.page.shorter.oscillations import in_one_box
-from lagrange.explain.page.shorter.relations import with_symbol_first
-from lagrange.explain.page.shorter.response import response_shortly
-from lagrange.explain.page.shorter.sentences import in_fewer_words
-from lagrange.explain.page.shorter.springs import with_lengths
-from lagrange.explain.page.shorter.stated_forces import with_stated_forces
-from lagrange.explain.page.shorter.together import put_in, with_values_put_in
+from lagrange.explain.page.shorter.constraints import explain_at_sight, in_few_lines, integrates_at_sight, with_one_list
+from lagrange.explain.page.shorter.held import put_in, with_held_values, with_values_put_in
+from lagrange.explain.page.shorter.oscillations import in_one_box, response_shortly
+from lagrange.explain.page.shorter.reactions import (
+    counted_shortly,
+    in_accelerations,
+    in_directions,
+    with_stated_forces,
+    with_sums_along_axes,
+)
+from lagrange.explain.page.shorter.sentences import in_fewer_words, with_lengths, with_symbol_first
 from lagrange.explain.page.statics import said_once, with_supports
-from lagrange.explain.page.system import explain_system
-from lagrange.explain.page.vectors import links
-from lagrange.explain.page.vectors.directions import in_directions
-from lagrange.explain.page.vectors.surfaces import in_vectors, on_surface, work_of_surface
+from lagrange.explain.page.surfaces import in_vectors, on_surface, work_of_surface
+from lagrange.explain.page.system import alike_about_all_axes, explain_independence, explain_measures, explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -118,9 +124,9 @@ from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.mechanics.rewriting.constraint_forms import common_number, with_short_forms, without_common_number
 from lagrange.mechanics.rewriting.factors import has_one_sign
-from lagrange.mechanics.rewriting.held_together import held_together
-from lagrange.mechanics.rewriting.readable_equality import are_same_formulas
-from lagrange.mechanics.rewriting.stated_names import StatedEquations, in_names
+from lagrange.mechanics.rewriting.held_coordinates import held_together
+from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, in_names
+from lagrange.mechanics.rewriting.readable_forms import are_same_formulas
 
 _FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
 """What comes under one title with the coordinates in which it is."""
@@ -169,7 +175,7 @@ def _arranged(
     """The steps in the order of the page, the result first, those last that are folded."""
     first = solution.choices[0].name if solution.choices and not rest_has_roots(solution) else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
-    link = links.linked(solution)
+    link = linked_particles.linked(solution)
     stated = in_names(solution, stated)
     named = in_names(solution, forces)
     shortened = with_supports(solution, said_once(solution, _shortened(solution, steps)))
@@ -179,7 +185,7 @@ def _arranged(
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
     if link is not None:
-        shortened, stated = links.in_vectors(link, shortened), ()
+        shortened, stated = linked_particles.in_vectors(link, shortened), ()
     if speeds:
         shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
@@ -202,10 +208,10 @@ def _arranged(
     # Of the reaction of a surface the box would need the abbreviations of its step.
     solved = [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS]
     work = () if surface is None or solution.law is None else work_of_surface(surface)
-    yield from explain_result(solution, solved, stated, work if link is None else links.work_of_link(link))
+    yield from explain_result(solution, solved, stated, work if link is None else linked_particles.work_of_link(link))
     shown = open_ if every_choice else [*_conserved_once(open_, first)]
     for step in _with_meaning(solution, shown, stated):
-        yield step if link is None or step.rule is not Rule.MEANING else links.meaning_of_link(link, step)
+        yield step if link is None or step.rule is not Rule.MEANING else linked_particles.meaning_of_link(link, step)
     yield from folded
 
 

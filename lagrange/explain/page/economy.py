@@ -11,12 +11,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Slots, UnitVector, t
-from lagrange.core.triads import unit_vector
-from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.builders import has_purpose, index_of, listed, math, paired, paragraph, parts_of, prose
+from lagrange.core.vectors import FIXED, UNITS, Triad, Vector, unit_vector
 from lagrange.document.derivation import (
     Block,
     Display,
@@ -25,13 +23,22 @@ from lagrange.document.derivation import (
     Math,
     Mathematics,
     Part,
+    Phrase,
     Prose,
+    Purpose,
     Ref,
     Rule,
     Step,
     Table,
+    has_purpose,
+    index_of,
+    listed,
+    math,
+    paired,
+    paragraph,
+    parts_of,
+    prose,
 )
-from lagrange.document.purposes import Phrase, Purpose
 from lagrange.explain.bodies import stated_triads, unit_vectors
 from lagrange.explain.limits import LONGEST_IN_LINE, LONGEST_STEP, MOST_LINES_TWICE
 from lagrange.explain.page.system import are_short
@@ -39,7 +46,7 @@ from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.factors import in_factors_where, without_constant_factors
-from lagrange.mechanics.rewriting.readable_equality import multiplied_out
+from lagrange.mechanics.rewriting.readable_forms import multiplied_out
 
 # -- one name for one unit vector ------------------------------------------------------------------------------------
 

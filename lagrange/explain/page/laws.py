@@ -11,17 +11,35 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter, variation
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, has_purpose, index_of, listed, math, paired, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.contact.held_bodies import explain_held_bodies
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Display,
+    Equation,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    has_purpose,
+    index_of,
+    listed,
+    math,
+    paired,
+    paragraph,
+    prose,
+    series,
+)
+from lagrange.explain.contact.one_sided import explain_held_bodies
 from lagrange.explain.limits import FEWEST_WITHOUT_SUMS, LONGEST_FORMS, MOST_NAMED, SHORT_WORK
 from lagrange.explain.newton import field_called, law_of, natures
-from lagrange.explain.page.coordinates import is_letter
-from lagrange.explain.page.system import are_short
+from lagrange.explain.page.system import are_short, is_letter
 from lagrange.explain.words import NORMAL_FORCES, capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -30,9 +48,8 @@ from lagrange.mechanics.path_reaction import path_reaction
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.constraint_forms import without_common_number
 from lagrange.mechanics.rewriting.factors import with_common_factor
-from lagrange.mechanics.rewriting.named_components import in_named_components
-from lagrange.mechanics.rewriting.named_directions import Directions, unit_along, unit_directions
-from lagrange.mechanics.rewriting.readable_equality import is_same
+from lagrange.mechanics.rewriting.readable_forms import is_same
+from lagrange.mechanics.rewriting.vectors import Directions, in_named_components, unit_along, unit_directions
 
 ZERO = sp.S.Zero
 

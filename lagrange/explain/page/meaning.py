@@ -8,17 +8,31 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import CONSTANT, CrossProduct, UnitVector, Unspecified, VectorSymbol, base, prime
-from lagrange.document.builders import display, index_of, listed, math, prose, series
-from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
-from lagrange.document.purposes import Purpose
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Emphasis,
+    Equation,
+    Part,
+    Prose,
+    Purpose,
+    Rule,
+    Step,
+    display,
+    index_of,
+    listed,
+    math,
+    prose,
+    series,
+)
 from lagrange.explain.consequences import explain_consequences
 from lagrange.explain.energy.conservation import explain_conserved, proof_of
 from lagrange.explain.limits import LONGEST_CONSERVED_LINE, MOST_MULTIPLIERS
 from lagrange.explain.motion import label_from_principle
-from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.quasi_velocities import by_quadrature
+from lagrange.explain.page.motion import by_quadrature
+from lagrange.explain.page.names import with_named_denominators
 from lagrange.explain.statement import raised
 from lagrange.explain.words import plural
 from lagrange.mechanics.circular_motion import Turning
@@ -26,9 +40,8 @@ from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantit
 from lagrange.mechanics.meaning import LimitingCase, ResultMeaning
 from lagrange.mechanics.rewriting.factors import in_factors
 from lagrange.mechanics.rewriting.held_coordinates import held_values, in_remaining_velocities, where_held
-from lagrange.mechanics.rewriting.in_speeds import Course, one_way
-from lagrange.mechanics.rewriting.readable_equality import are_same_equations, is_same
-from lagrange.mechanics.rewriting.stated_names import StatedEquations
+from lagrange.mechanics.rewriting.quasi_velocities import Course, StatedEquations, one_way
+from lagrange.mechanics.rewriting.readable_forms import are_same_equations, is_same
 from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:

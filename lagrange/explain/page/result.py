@@ -13,10 +13,23 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import CONSTANT, DotProduct, VectorSymbol, prime
-from lagrange.document.builders import display, listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Prose, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Display,
+    Equation,
+    Part,
+    Prose,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.limits import (
     LONGER_ACCELERATIONS,
     LONGEST_ACCELERATION,
@@ -26,14 +39,13 @@ from lagrange.explain.limits import (
     LONGEST_RESULT,
     MOST_RESULTS,
 )
-from lagrange.explain.page.coordinates import explain_independence
-from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.page.meaning import operations_of_equations
-from lagrange.explain.page.shorter.along_axes import LABEL
+from lagrange.explain.page.names import with_named_denominators
+from lagrange.explain.page.shorter.reactions import LABEL
+from lagrange.explain.page.system import explain_independence
 from lagrange.explain.words import as_stated, constraints_called, in_words, joined, plural, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.mechanics.rewriting.by_one_velocity import by_one_velocity
+from lagrange.mechanics.results import InCoordinates, Solution, values_in
 from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
 from lagrange.mechanics.rewriting.held_coordinates import (
     given_rates,
@@ -41,9 +53,8 @@ from lagrange.mechanics.rewriting.held_coordinates import (
     where_held,
     without_given_rates,
 )
-from lagrange.mechanics.rewriting.readable_equality import are_same_equations, are_same_formulas
-from lagrange.mechanics.rewriting.stated_names import StatedEquations
-from lagrange.mechanics.solution_values import values_in
+from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, by_one_velocity
+from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_same_formulas
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -400,7 +411,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     values = values_in(solution)
     branches: Sequence[AnswerBranch] = asked.branches
     if values is not None:
-        from lagrange.mechanics.questions.in_numbers import branches_with
+        from lagrange.mechanics.questions.ranges import branches_with
 
         branches = branches_with(asked, values)
     if asked.mirrored and len(branches) == 2 and branches[0].rhs == -branches[1].rhs:

@@ -11,9 +11,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.operations import count_operations
-from lagrange.document.builders import listed, math, series
-from lagrange.document.derivation import Equation, Mathematics, Part, Rule
+from lagrange.core.expression_size import count_operations
+from lagrange.document.derivation import Equation, Mathematics, Part, Rule, listed, math, series
 from lagrange.explain.limits import LONGEST_FREQUENCY, LONGEST_WORDS, MOST_LINES_OF_CASES, MOST_PLACES, RESULT_DIGITS
 from lagrange.explain.page.meaning import stability_word
 from lagrange.explain.reactions import reaction_lines
@@ -30,7 +29,7 @@ from lagrange.mechanics.equilibrium.static_reactions import would_act_backwards
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
-from lagrange.mechanics.rewriting.readable_equality import divisors
+from lagrange.mechanics.rewriting.readable_forms import divisors
 
 
 def result_at_rest(

@@ -13,8 +13,20 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol, free_letter
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Display,
+    Equation,
+    Part,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    prose,
+)
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.reactions import explain_reactions_at_rest
 from lagrange.explain.words import joined, plural

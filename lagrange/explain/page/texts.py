@@ -17,11 +17,9 @@ from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import UnitSymbol, UnitVector
 from lagrange.core.units import split_number, unit_of
 from lagrange.core.vectors import UNITS
-from lagrange.document.builders import math
-from lagrange.document.derivation import Math, Part
+from lagrange.document.derivation import Math, Part, math
 from lagrange.explain.limits import MOST_FORMULAS
-from lagrange.expressions.formulas_in_text import formulas_in
-from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.expressions.reader import Scope, formulas_in, read_equation, read_value
 from lagrange.problem.model import Problem
 
 _MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")

@@ -13,7 +13,6 @@ from dataclasses import replace
 from itertools import groupby
 
 from lagrange.core.records import record
-from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import (
     Block,
     Derivation,
@@ -24,11 +23,15 @@ from lagrange.document.derivation import (
     Matrices,
     Part,
     Prose,
+    Purpose,
     Rule,
     Step,
     Task,
+    display,
+    listed,
+    math,
+    prose,
 )
-from lagrange.document.purposes import Purpose
 from lagrange.explain.limits import LEAST_ROOM, LINES_OF_EQUATION, MOST_ROOM
 from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
 from lagrange.explain.words import as_stated, constraints_called, plural, spoken

@@ -6,10 +6,23 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    series,
+)
 from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.limits import LONGEST_MINORS

@@ -7,20 +7,30 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import prime
-from lagrange.document.builders import display, listed, math, prose
-from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Rule, Step, Table
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Matrices,
+    Part,
+    Rule,
+    Step,
+    Table,
+    display,
+    listed,
+    math,
+    prose,
+)
 from lagrange.explain.constraints import explain_classification, explain_freedom
 from lagrange.explain.limits import LARGE_SYSTEM_DIGITS, LONGEST_CONSTRAINT
 from lagrange.explain.words import counted, in_words, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.nearby.accelerations import StateInNumbers
-from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion
+from lagrange.mechanics.nearby.linear_motion import LinearBlock, LinearMotion, StableRange
 from lagrange.mechanics.nearby.long_equations import LongEquations
-from lagrange.mechanics.nearby.rest_in_numbers import RestInNumbers
-from lagrange.mechanics.nearby.stable_range import StableRange
+from lagrange.mechanics.nearby.one_state import RestInNumbers, StateInNumbers
 from lagrange.mechanics.results import Solution
 
 

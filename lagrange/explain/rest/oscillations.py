@@ -10,12 +10,28 @@ import sympy as sp
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import VectorSymbol, prime
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
-from lagrange.document.references import referring_to
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Matrices,
+    Part,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+    referring_to,
+    series,
+)
 from lagrange.explain.limits import LONGEST_CHARACTERISTIC, LONGEST_CONDITIONS, LONGEST_MODE
 from lagrange.explain.rest.equilibrium import but_for_drift, full_turns, outside_ranges, singular_places, why_it_drifts
 from lagrange.explain.words import (
@@ -33,7 +49,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms, has_uniform_motion
 from lagrange.mechanics.equilibrium.linearization import DampedOscillation, Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
-from lagrange.mechanics.rewriting.readable_equality import is_linear
+from lagrange.mechanics.rewriting.readable_forms import is_linear
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)

@@ -16,10 +16,10 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
-from lagrange.mechanics.consequences.limits import LONGEST_CONSEQUENCE
+from lagrange.mechanics.limits import LONGEST_CONSEQUENCE
 from lagrange.mechanics.results import InCoordinates
 
 if TYPE_CHECKING:

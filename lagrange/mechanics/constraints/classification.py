@@ -25,20 +25,19 @@ from itertools import chain
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
-from lagrange.algebra.forms.combinations import combination
 from lagrange.algebra.forms.derived_flag import Flag, Manoeuvre, derived_flag, manoeuvre
 from lagrange.algebra.forms.hidden_relations import (
     CombinedRelation,
     HiddenRelations,
+    combination,
     combined_relations,
     differential_of,
     hidden_relations,
 )
 from lagrange.core.diagnostics import UndecidedError
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row, is_pfaffian
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, analysis, bending_rank, constraint_row
 from lagrange.mechanics.constraints.degeneracies import (
@@ -48,7 +47,7 @@ from lagrange.mechanics.constraints.degeneracies import (
     check_follows,
     rank_losses,
 )
-from lagrange.mechanics.constraints.quasi_coordinates import QuasiCoordinates, quasi_coordinates
+from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates, quasi_coordinates
 from lagrange.problem.model import Constraint, Force, Problem
 
 

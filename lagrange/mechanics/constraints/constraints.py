@@ -47,7 +47,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.limits import CURVATURE_POINTS
-from lagrange.mechanics.constraints.quasi_coordinates import QuasiCoordinates
+from lagrange.mechanics.constraints.rigid_bodies import QuasiCoordinates
 from lagrange.problem.model import Constraint
 
 if TYPE_CHECKING:

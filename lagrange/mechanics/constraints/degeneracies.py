@@ -34,11 +34,11 @@ from lagrange.algebra.exact.zero_test import (
     kept_surface,
 )
 from lagrange.algebra.forms.antiderivatives import multiplied_out
-from lagrange.algebra.forms.combinations import combination, independent_columns
 from lagrange.algebra.forms.first_integrals import is_variable
+from lagrange.algebra.forms.hidden_relations import combination, independent_columns
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row

@@ -25,11 +25,9 @@ from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.zero_test import Point, Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import cleaned_up, in_differences, is_short, ordered_differences
-from lagrange.core.expression_size import Sizes
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range
+from lagrange.core.expression_size import Sizes, count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, differential, t, variation
+from lagrange.core.symbols import Sign, Slots, differential, sign_in_range, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.kinematics import Load, MassPoint

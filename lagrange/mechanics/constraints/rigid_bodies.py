@@ -9,19 +9,36 @@ angular velocity Ω of its own, Ω = ω where it is fixed in the body, and
 
 δπ is not the variation of any function: the ω_k need not be derivatives, and the q_k may be quasi-coordinates.
 Reference: Whittaker, Analytical Dynamics, §§ 62-64.
+
+Quasi-coordinates of bodies, and constraints rewritten in true coordinates.
+
+A file may give an angular velocity by its components: ω = α' i + β' j + γ' k. Then the orientation is not a function of
+α, β, γ, and dα is not the differential of a function: x' = R β' does not integrate to x = R β + const. The rates Ω_k of
+ω = Σ Ω_k q_k' + Ω_t belong to true coordinates if and only if one rotation matrix R(q, t) has them, ∂R/∂q_k = Ω_k × R,
+which requires, with components in i, j, k,
+
+    ∂Ω_k/∂q_j − ∂Ω_j/∂q_k = Ω_j × Ω_k       for all pairs, t included        (Maurer, Cartan) .
+
+Coordinates for which this fails and of which only the velocities occur are quasi-coordinates. Up to three of them with
+independent Ω_k can be replaced by three angles: their velocities follow from the ω of a sequence of rotations, and a
+form becomes one in true coordinates, to which Frobenius' theorem applies. One or two of them also restrict the
+rotation: the components of ω along the unit vectors that complete the Ω_k to a basis vanish, one form each in the
+angles. With more than three the question is left undecided.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.inertia import InertiaTensor
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, prime
-from lagrange.core.vectors import Axes, Vector, triad_in, turning_rate
-from lagrange.problem.model import Body
+from lagrange.core.symbols import Slots, prime, t
+from lagrange.core.vectors import Axes, Vector, angular_velocity, triad_in, turning_rate
+from lagrange.problem.model import Body, Problem
 
 
 @record
@@ -96,3 +113,134 @@ def relative_to_triad(rotation: Rotation, slots: Slots) -> tuple[sp.Expr, ...]:
     a, b, c = rotation.inertia.moments
     pairs = ((b - c, relative[0]), (c - a, relative[1]), (a - b, relative[2]))
     return tuple(difference * w for difference, w in pairs if difference != 0 and w != 0)
+
+
+# Quasi coordinates
+
+
+Form = tuple[sp.Expr, ...]
+
+
+@record
+class QuasiCoordinates:
+    """The quasi-coordinates of a problem.
+
+    coordinates   in the order of the problem
+    slots         the problem's, with angles instead of the quasi-coordinates that can be replaced; further angles last
+    velocities    of the replaced ones, in terms of the velocities of the angles and of the others
+    restrictions  forms over `slots`, dt last, that vanish because ω has fewer than three quasi-coordinates
+    """
+
+    coordinates: tuple[sp.Symbol, ...]
+    slots: Slots
+    velocities: Mapping[sp.Symbol, sp.Expr]
+    restrictions: tuple[Form, ...]
+
+    def used_by(self, form: Sequence[sp.Expr], slots: Slots) -> tuple[sp.Symbol, ...]:
+        """The quasi-coordinates whose differentials occur in a form over `slots`, dt last."""
+        return tuple(q for q, a in zip(slots.coordinates, form, strict=False) if a != 0 and q in self.coordinates)
+
+    def in_angles(self, form: Sequence[sp.Expr], slots: Slots) -> Form | None:
+        """A form of shape (n + 1,) in true coordinates; None if these were not found."""
+        if any(prime(q) not in self.velocities for q in self.used_by(form, slots)):
+            return None
+        total = sp.Add(*(a * v for a, v in zip(form, slots.velocities, strict=False)), form[-1])
+        return _form(total.xreplace(dict(self.velocities)), self.slots)
+
+
+def quasi_coordinates(problem: Problem) -> QuasiCoordinates | None:
+    """The quasi-coordinates of the bodies whose angular velocity is given; None if there are none."""
+    spins = {b.name: b.angular_velocity.fixed() for b in problem.bodies if b.angular_velocity is not None}
+    quasi: list[sp.Symbol] = []
+    angles: dict[sp.Symbol, sp.Symbol] = {}
+    further: list[sp.Symbol] = []
+    solved: dict[sp.Symbol, sp.Expr] = {}
+    vanishing: list[sp.Expr] = []
+    plain = _occurring(problem) if spins else set()
+    for body, spin in spins.items():
+        rates = _rates(spin, problem.slots)
+        own = [q for q in _failing(rates, problem.slots) if q not in plain and q not in quasi]
+        quasi += own
+        if 0 < len(own) <= 3:
+            taken = problem.scope.names()
+            names = (next(n for n in _names(body, k) if n not in taken) for k in range(3))
+            new = tuple(sp.Symbol(n, real=True) for n in names)
+            turned = _solved(rates, own, new)
+            if turned is not None:
+                velocities, restrictions = turned
+                angles |= dict(zip(own, new, strict=False))
+                further += new[len(own) :]
+                solved |= velocities
+                vanishing += restrictions
+    if not quasi:
+        return None
+    slots = Slots((*(angles.get(q, q) for q in problem.slots.coordinates), *further), problem.slots.prescribed)
+    forms = tuple(_form(e.xreplace(solved), slots) for e in vanishing)
+    return QuasiCoordinates(tuple(q for q in problem.slots.coordinates if q in quasi), slots, solved, forms)
+
+
+def _form(linear: sp.Expr, slots: Slots) -> Form:
+    """The coefficients of the differentials in what is linear in the velocities, dt last."""
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    return (*(linear.diff(v) for v in slots.velocities), linear.xreplace(at_rest))
+
+
+def _names(body: str, number: int) -> Iterator[str]:
+    n = 0
+    while True:
+        yield f"angle_{number + 1}_{body}{'_' * n}"
+        n += 1
+
+
+def _occurring(problem: Problem) -> set[sp.Symbol]:
+    """The symbols that occur themselves, and not only through their velocities: in positions, axes, constraints."""
+    vectors = [*(p.position for p in problem.masses), *(a for b in problem.bodies for a in b.axes)]
+    vectors += [b.angular_velocity for b in problem.bodies if b.angular_velocity is not None]
+    parts = [c for v in vectors for c in v.fixed().components] + [c.function for c in problem.constraints]
+    return {s for e in parts for s in e.free_symbols}
+
+
+def _rates(spin: Vector, slots: Slots) -> dict[sp.Symbol, Vector]:
+    """Ω_k of each coordinate, and Ω_t, in i, j, k as ω is."""
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    return {**{q: spin.partial(prime(q)) for q in slots.coordinates}, t: spin.map(lambda c: c.xreplace(at_rest))}
+
+
+def _failing(rates: Mapping[sp.Symbol, Vector], slots: Slots) -> list[sp.Symbol]:
+    """The coordinates of ω for which the condition on pairs fails."""
+    turning = [q for q, w in rates.items() if not w.is_zero]
+    failing: set[sp.Symbol] = set()
+    for j, k in combinations(rates, 2):
+        if j not in turning and k not in turning:
+            continue
+        defect = _derivative(rates[k], j, slots) - _derivative(rates[j], k, slots) - rates[j].cross(rates[k])
+        if any(c != 0 and is_zero(c) is not True for c in defect.components):
+            failing |= {j, k}
+    return [q for q in turning if q in failing and q != t]
+
+
+def _derivative(rate: Vector, by: sp.Symbol, slots: Slots) -> Vector:
+    return rate.frozen_derivative(slots) if by == t else rate.partial(by)
+
+
+def _solved(
+    rates: Mapping[sp.Symbol, Vector], own: Sequence[sp.Symbol], angles: Sequence[sp.Symbol]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]] | None:
+    """The velocities of quasi-coordinates with ω that of a sequence of rotations, and what must vanish besides.
+
+    None if they are not determined.
+    """
+    spin = angular_velocity(list(zip((3, 1, 3), angles, strict=True)), Slots(tuple(angles)))
+    for q, w in rates.items():
+        if q not in own:
+            spin = spin - w * (sp.S.One if q == t else prime(q))
+    columns = [rates[q].components for q in own]
+    units = [tuple(sp.Integer(i == k) for i in range(3)) for k in range(3)]
+    for completing in combinations(units, 3 - len(own)):
+        matrix = sp.Matrix([*columns, *completing]).T
+        determinant = matrix.det(method="berkowitz")
+        if is_zero(determinant) is False:
+            values = [*(matrix.adjugate() * sp.Matrix(spin.components))]
+            velocities = {prime(q): value / determinant for q, value in zip(own, values, strict=False)}
+            return velocities, values[len(own) :]
+    return None

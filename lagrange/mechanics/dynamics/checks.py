@@ -32,9 +32,8 @@ from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, ext
 from lagrange.algebra.fourier.vector_cleanup import is_many_waves
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.inertia import NO_PRODUCTS
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import partial, t
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates

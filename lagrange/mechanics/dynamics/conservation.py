@@ -24,10 +24,9 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point
 from lagrange.algebra.fourier.ring import Element
 from lagrange.algebra.fourier.terms import Exponent, as_term, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
-from lagrange.core.operations import count_operations
-from lagrange.core.records import record
+from lagrange.core.expression_size import count_operations
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import partial, prime
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.constrained_system import Row, is_pfaffian
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration

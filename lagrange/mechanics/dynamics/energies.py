@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, common_factor
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.core.vectors import Vector

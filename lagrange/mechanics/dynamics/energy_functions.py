@@ -38,7 +38,7 @@ from lagrange.algebra.fourier.terms import (
     sum_of,
 )
 from lagrange.algebra.fourier.textbook_form import Textbook
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
 from lagrange.mechanics.constraints.kinematics import Configuration, Load

@@ -43,7 +43,7 @@ from lagrange.algebra.fourier.textbook_form import (
     textbook_form,
 )
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, prime, variation
 from lagrange.mechanics.constraints.constrained_system import Row

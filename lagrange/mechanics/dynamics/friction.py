@@ -23,10 +23,9 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range, without_known_magnitudes
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign
+from lagrange.core.symbols import Sign, sign_in_range, without_known_magnitudes
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
 from lagrange.mechanics.dynamics.contact.touching import (

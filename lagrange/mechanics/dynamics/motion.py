@@ -19,7 +19,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.displacements import Elimination

@@ -26,13 +26,11 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing, RingDerivation
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, textbook_form
+from lagrange.core.expression_size import count_operations
 from lagrange.core.inertia import InertiaTensor
-from lagrange.core.operations import count_operations
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import base, partial, prime, t, variation
-from lagrange.core.triads import axis_names
-from lagrange.core.vectors import FIXED, Triad, Vector, triad_along
-from lagrange.core.verdicts import all_hold
+from lagrange.core.vectors import FIXED, Triad, Vector, axis_names, triad_along
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.checks import Check, at_random_states, certainty, multiplier_system

@@ -28,7 +28,7 @@ import sympy as sp
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import with_cotangents
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, variation
 from lagrange.core.vectors import Vector

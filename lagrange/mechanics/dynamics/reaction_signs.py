@@ -39,7 +39,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector

@@ -22,17 +22,18 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.algebra.fourier.fractions import as_one_quotient, is_quotient_of_sums
 from lagrange.algebra.fourier.limits import MOST_CANCELLED
 from lagrange.algebra.fourier.linear_systems import (
     Decides,
     Tidy,
+    as_one_quotient,
+    is_quotient_of_sums,
     solved_in_blocks,
     solved_linear,
     tidy_quotient,
 )
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector

@@ -29,8 +29,8 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import all_hold
 from lagrange.core.symbols import base, partial, t
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check, certainty
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations

@@ -14,19 +14,28 @@ V = c Σ q_j^(2n_j), with c > 0, q measured from the equilibrium, and a power of
 minimum by itself, whatever the orders.
 
 Reference: Poston and Stewart, Catastrophe Theory and its Applications, ch. 4.
+
+Whether a matrix of numbers is positive definite, by the signs of its principal minors in interval arithmetic.
+
+At an equilibrium whose position is a number, nested roots may be too long to be judged in closed form. An interval that
+is rounded outwards and does not contain 0 has the sign of the number in it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import combinations_with_replacement, product
+from itertools import combinations, combinations_with_replacement, product
 from math import factorial, prod
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.intervals import EmptyIntervalError, enclosure
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
-from lagrange.core.operations import count_operations
+from lagrange.algebra.closed_forms.single_equation import Values
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -285,3 +294,25 @@ def rises_in_even_powers(gradient: Sequence[sp.Expr], place: Sequence[tuple[sp.S
         if not alone:
             return False
     return True
+
+
+# Numerical definiteness
+
+
+def is_definite(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, at: Values) -> bool | None:
+    """Whether K at a point is positive definite; False if it takes negative values; None: undecided."""
+    size = len(matrix)
+    letters = sp.Matrix(size, size, lambda i, j: sp.Symbol(f"K_{min(i, j)}{max(i, j)}", real=True))
+    try:
+        box = {letters[i, j]: enclosure(e.solution.at(at, matrix[i][j]), {}) for i in range(size) for j in range(i + 1)}
+        leading = []
+        for n in range(1, size + 1):
+            for rows in combinations(range(size), n):
+                low, high = enclosure(letters.extract(list(rows), list(rows)).det(method="berkowitz"), box)
+                if high < 0:
+                    return False
+                if rows == tuple(range(n)):
+                    leading.append(low > 0)
+    except (NotAlgebraicError, DivisionByZeroError, EmptyIntervalError, ValueError, KeyError, OverflowError):
+        return None
+    return True if all(leading) else None

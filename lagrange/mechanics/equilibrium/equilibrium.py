@@ -35,18 +35,21 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point, Surface
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook
-from lagrange.core.ranges import never_vanishes
-from lagrange.core.records import record
-from lagrange.core.symbols import variation
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold, record
+from lagrange.core.symbols import never_vanishes, variation
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
-from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates, is_at_edge, is_only_of_chart, moves_nothing
+from lagrange.mechanics.equilibrium.admissible_positions import (
+    idle_coordinates,
+    is_at_edge,
+    is_only_of_chart,
+    moves_nothing,
+    within,
+)
 from lagrange.mechanics.equilibrium.loads import at_rest, load_parameters
-from lagrange.mechanics.equilibrium.within_ranges import within
 
 
 @record

@@ -35,7 +35,7 @@ from lagrange.algebra.closed_forms.conditions import sign_on, where_positive
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import Surface, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.degenerate import UniformMotion
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium

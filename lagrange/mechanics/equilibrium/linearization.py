@@ -34,10 +34,9 @@ from lagrange.algebra.closed_forms.eigenmodes import (
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, kept_surface
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import never_vanishes
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import prime
+from lagrange.core.symbols import never_vanishes, prime
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration

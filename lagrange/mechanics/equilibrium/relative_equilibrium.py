@@ -22,7 +22,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, t, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion

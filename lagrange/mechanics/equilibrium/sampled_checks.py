@@ -32,9 +32,10 @@ from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, Reals, newton_point
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.determinants import expanded_determinant
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.equilibrium.admissible_positions import QUARTER
 from lagrange.mechanics.equilibrium.damped_modes import all_exponents_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
@@ -47,7 +48,6 @@ from lagrange.mechanics.equilibrium.limits import (
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
-from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
 HOW = "in numbers, at sampled parameters"
 

@@ -10,7 +10,7 @@ and there is a potential if V_kj = V_jk. The signs of the principal minors decid
 parameters leave open becomes a condition. If V'' of a single coordinate vanishes, the first derivative of V that does
 not vanish decides, and with several the lowest terms of V in the directions in which V'' vanishes (`degenerate`).
 
-At a pole of the coordinates V_kj is that in other coordinates (`chart_poles`).
+At a pole of the coordinates V_kj is that in other coordinates (`admissible_positions`).
 
 Where a pivot of the displacements vanishes at an equilibrium (a bead at the lowest point of x² + y² = l²), other
 displacements are free there, and V_kj is that of V − Σ λ f with the multipliers λ of the equilibrium, for A δq = 0.
@@ -40,20 +40,20 @@ from lagrange.algebra.closed_forms.polynomial_roots import can_be_factored
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, at_numbers, resolved
-from lagrange.algebra.closed_forms.tangent_equation import slope
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, eliminate
-from lagrange.mechanics.equilibrium.chart_poles import radius_at, without_pole
+from lagrange.mechanics.equilibrium.admissible_positions import QUARTER, radius_at, slope, without_pole
 from lagrange.mechanics.equilibrium.degenerate import (
     LowestForm,
     Neighbourhood,
     UniformMotion,
     along_free,
     chart_of,
+    is_definite,
     lowest_form,
     rises_in_even_powers,
     sign_of_form,
@@ -61,8 +61,6 @@ from lagrange.mechanics.equilibrium.degenerate import (
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import for_loads
-from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
-from lagrange.mechanics.equilibrium.within_ranges import QUARTER
 
 
 class StabilityVerdict(StrEnum):

@@ -25,9 +25,8 @@ from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, denominators, resolved
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, LetteredAngle, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, rank
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import Sign
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.equilibrium.limits import MOST_STATED_DRAWS, MOST_UNSOLVED, STATED_SAMPLES
 from lagrange.mechanics.equilibrium.searched.stated_places import holds_in_numbers
 

@@ -32,10 +32,9 @@ from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
-from lagrange.core.operations import count_operations
-from lagrange.core.records import record
+from lagrange.core.expression_size import count_operations
+from lagrange.core.records import all_hold, record
 from lagrange.core.symbols import free_letter, partial, prime, t
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.displacements import Elimination, eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
 from lagrange.mechanics.dynamics.checks import Check, at_random_states

@@ -33,10 +33,9 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, free_letter, prime, velocity_before
+from lagrange.core.symbols import Slots, free_letter, prime, sign_in_range, velocity_before
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.constraints import constraint_row
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, pulled_back

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
+from lagrange.core.records import all_hold
 from lagrange.core.symbols import partial
 from lagrange.core.vectors import Vector
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy, share_of_load, share_of_torque

@@ -45,11 +45,9 @@ from lagrange.algebra.exact.zero_test import kept_surface
 from lagrange.algebra.fourier.ring import FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_between
-from lagrange.core.records import record
-from lagrange.core.symbols import partial, t, variation
-from lagrange.core.verdicts import all_hold
+from lagrange.core.expression_size import count_operations
+from lagrange.core.records import all_hold, record
+from lagrange.core.symbols import partial, sign_between, t, variation
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check

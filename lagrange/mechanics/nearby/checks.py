@@ -23,10 +23,9 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy, share_of_damper, share_of_load, share_of_torque
-from lagrange.mechanics.nearby.expansions import Expansions
-from lagrange.mechanics.nearby.limits import CHECKED_DISTANCE, CHECKED_REMAINDER
+from lagrange.mechanics.limits import CHECKED_DISTANCE, CHECKED_REMAINDER
+from lagrange.mechanics.nearby.linear_equations import Expansions, reference
 from lagrange.mechanics.nearby.linear_motion import LinearMotion
-from lagrange.mechanics.nearby.reference import reference
 from lagrange.problem.model import Problem
 
 NAME = "the linear equations agree with Lagrange's equations"

@@ -21,8 +21,8 @@ from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.questions.branches import InitialMotion, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion
 from lagrange.mechanics.questions.limits import MOST_TURNS
+from lagrange.mechanics.questions.ranges import contact_has_ended, never_holds
 from lagrange.mechanics.questions.reach import Path, Reach, Reached
-from lagrange.mechanics.questions.rest.refusals import contact_has_ended, never_holds
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import SymbolValues

@@ -9,9 +9,14 @@ Of an equation for one coordinate q alone:
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
 the natural one, resonance is a case of its own.
 
-Coupled linear equations are in `coupled_motions`. Every solution is substituted back: it satisfies the equation and
+Coupled linear equations are in `linear_motions`. Every solution is substituted back: it satisfies the equation and
 both initial values, exactly, or is not used. A case that holds for a relation between parameters is substituted where
 the relation holds.
+
+The motion from the initial state of the file, where no question is asked.
+
+Where the equations of motion integrate in closed form this is the solution, as functions of time; otherwise the first
+integrals, each with its value at t = 0.
 """
 
 from __future__ import annotations
@@ -22,19 +27,22 @@ from itertools import permutations, product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.linear_in_speed import of_rates_in_time, since_start
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.shortest_form import shortest_form
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, base, prime, t
-from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
-from lagrange.mechanics.questions.forms import with_whole_logarithms, without_roots_in_logarithms
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.questions.forms import given_state, with_whole_logarithms, without_roots_in_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS, TIMES_ASKED
-from lagrange.mechanics.questions.states import SymbolValues
+from lagrange.mechanics.questions.linear_motions import coupled_solutions, coupled_with, of_rates_in_time, since_start
+from lagrange.mechanics.questions.results import Substituted, UsedIntegral
+from lagrange.mechanics.questions.setting import Setting, dependent
+from lagrange.mechanics.questions.states import MotionView, SymbolValues, initial_state
+from lagrange.problem.model import Problem
 
 
 @record
@@ -367,3 +375,41 @@ def _growth(square: sp.Expr, rate: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[Sig
     if sign == -1:
         w = square_root(-square)
         yield sp.cos(w * t) + factored_quotient(rate / w) * sp.sin(w * t), ()
+
+
+# Without a question
+
+
+@record
+class FromStart:
+    """What is known of the motion from the initial state.
+
+    choice     the coordinates; empty for the file's own
+    initial    the state at t = 0 as the file gives it
+    motions    coordinates as functions of time, in each case; empty where they are not found
+    integrals  with their values
+    """
+
+    choice: str
+    initial: tuple[Substituted, ...]
+    motions: tuple[ClosedMotion, ...] = ()
+    integrals: tuple[UsedIntegral, ...] = ()
+
+
+def motion_from_start(
+    problem: Problem, places: Sequence[MotionView], configurations: Sequence[Configuration]
+) -> FromStart | None:
+    """The motion in the first place in which it is found in closed form, or the integrals in the first place of all.
+
+    Raises ProblemError where the initial state contradicts the constraints.
+    """
+    initial = given_state(problem)
+    settings = [Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
+    for setting in settings:
+        rule = dependent(setting.place.configuration)
+        known = {a: e.xreplace(rule) for a, e in setting.known.accelerations.items()}
+        wanted = {q for q in setting.place.configuration.slots.coordinates if q not in rule and prime(q) not in rule}
+        motions = [] if setting.slips else closed_motions(known, setting.initial, wanted - {*setting.fixed})
+        if motions and wanted:
+            return FromStart(setting.place.name, initial, tuple(motions))
+    return FromStart(settings[0].place.name, initial, (), tuple(settings[0].integrals)) if settings else None

@@ -24,7 +24,7 @@ from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_POINTS, MOST_UNKNOWNS
 from lagrange.mechanics.questions.results import AnswerBranch

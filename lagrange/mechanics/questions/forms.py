@@ -11,8 +11,8 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.shortest_form import with_whole_contents, without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, always_holds, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.operations import count_operations
-from lagrange.core.ranges import sign_in_range, without_known_magnitudes
+from lagrange.core.expression_size import count_operations
+from lagrange.core.symbols import sign_in_range, without_known_magnitudes
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 from lagrange.mechanics.questions.results import AnswerBranch, Substituted
 from lagrange.problem.model import Problem

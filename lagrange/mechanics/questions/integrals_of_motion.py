@@ -24,7 +24,7 @@ from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.elimination import eliminated

@@ -23,13 +23,12 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import arrivals, numerical
 from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
-from lagrange.mechanics.questions.dependent import completed, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root, without_weaker
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
@@ -40,11 +39,10 @@ from lagrange.mechanics.questions.quadrature import (
     time_between,
     toward,
 )
+from lagrange.mechanics.questions.ranges import changes, in_ranges, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.reach import Path, place_stated
-from lagrange.mechanics.questions.rest.ranges import in_ranges
-from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
-from lagrange.mechanics.questions.setting import Setting, all_coordinates, mentioned
+from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
 from lagrange.mechanics.questions.states import (
     Meanings,
     MotionView,

@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
 from lagrange.mechanics.questions.branches import InitialMotion, outright, sign_of_value

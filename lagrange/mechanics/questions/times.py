@@ -27,7 +27,7 @@ from lagrange.algebra.closed_forms.signs import (
     sign_of,
 )
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.questions.branches import sign_of_value

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 

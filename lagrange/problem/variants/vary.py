@@ -16,10 +16,10 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.core.units import split_number, unit_of
-from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.keys import VARY
 from lagrange.problem.limits import MOST_VARIED_VALUES
+from lagrange.problem.load_context import canonical
 from lagrange.problem.model import Parameter, Varied
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 from lagrange.problem.values import ValueRead, read_number_with_unit, without_value

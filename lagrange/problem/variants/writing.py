@@ -15,9 +15,9 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.printable import one_line
 from lagrange.core.records import record
 from lagrange.problem.declarations import states_value
-from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.limits import LONGEST_SEED
+from lagrange.problem.load_context import canonical
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.problem.variants.drawing import values_drawn

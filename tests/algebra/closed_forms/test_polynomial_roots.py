@@ -1,4 +1,7 @@
-"""Real roots in closed form, against SymPy's numerical roots at random values of the parameters."""
+"""Real roots in closed form, against SymPy's numerical roots at random values of the parameters.
+
+Equations that are linear in powers of the unknowns, and forms that vanish at the origin alone.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,16 @@ from random import Random
 import pytest
 import sympy as sp
 
-from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, polynomial_roots, square_root
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.polynomial_roots import (
+    irreducible_factors,
+    numerator,
+    polynomial_roots,
+    solved_for_powers,
+    square_root,
+    vanish_at_origin_alone,
+    zeros_of_even_sum,
+)
 
 x, p = sp.symbols("x p", real=True)
 a, b, c = sp.symbols("a b c", positive=True)
@@ -66,3 +78,142 @@ def test_numerator_in_lowest_terms() -> None:
 @pytest.mark.parametrize("e", [a**2 * b, 4 * a, a**3 / b**2, a**2 * (b + c), (a + b) ** 2 / c], ids=str)
 def test_a_square_root_has_its_square(e: sp.Expr) -> None:
     assert sp.simplify(square_root(e) ** 2 - e) == 0
+
+
+# Linear in powers
+
+
+x_linear_in_powers, y, z = sp.symbols("x y z", real=True)
+a_linear_in_powers, b_linear_in_powers, c_linear_in_powers = sp.symbols("a b c", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("sum_of_powers", "zero"),
+    [
+        (2 * x_linear_in_powers**2 + y**2, True),
+        (-3 * x_linear_in_powers**4 - x_linear_in_powers**2 * y**2 - y**6, True),
+        (x_linear_in_powers**2 - y**2, False),
+        (x_linear_in_powers**2 + x_linear_in_powers**2 * y**2, False),  # y has no power of its own
+        (x_linear_in_powers**2 + y**3, False),
+    ],
+)
+def test_a_sum_of_even_powers_vanishes_where_all_unknowns_do(sum_of_powers: sp.Expr, zero: bool) -> None:
+    assert zeros_of_even_sum(sum_of_powers, (x_linear_in_powers, y)) == ((x_linear_in_powers, y) if zero else ())
+
+
+def test_equations_linear_in_squares_are_solved_for_them() -> None:
+    assert solved_for_powers(
+        [2 * x_linear_in_powers**2 - 3 * y**2, 3 * x_linear_in_powers**2 - 2 * y**2], [x_linear_in_powers, y]
+    ) == (x_linear_in_powers**2, y**2)
+    assert solved_for_powers(
+        [2 * x_linear_in_powers**2 + y**2 - a_linear_in_powers, x_linear_in_powers**2 + 2 * y**2 - b_linear_in_powers],
+        [x_linear_in_powers, y],
+    ) == (
+        3 * x_linear_in_powers**2 - 2 * a_linear_in_powers + b_linear_in_powers,
+        3 * y**2 + a_linear_in_powers - 2 * b_linear_in_powers,
+    )
+    assert (
+        solved_for_powers(
+            [2 * x_linear_in_powers**2 - 3 * y**2, 4 * x_linear_in_powers**2 - 6 * y**2], [x_linear_in_powers, y]
+        )
+        is None
+    )  # one line
+    assert (
+        solved_for_powers([x_linear_in_powers**2 - y**2, x_linear_in_powers * y - z], [x_linear_in_powers, y, z])
+        is None
+    )  # more monomials than equations
+    assert (
+        solved_for_powers(
+            [x_linear_in_powers * y - a_linear_in_powers, x_linear_in_powers * z - b_linear_in_powers],
+            [x_linear_in_powers, y, z],
+        )
+        is None
+    )  # of products: a skate, λ sin θ and λ cos θ
+    assert (
+        solved_for_powers(
+            [x_linear_in_powers**2 - a_linear_in_powers, y**2 - b_linear_in_powers], [x_linear_in_powers, y]
+        )
+        is None
+    )  # solved already
+
+
+@pytest.mark.parametrize(
+    ("forms", "alone"),
+    [
+        ([2 * x_linear_in_powers**2 - 3 * y**2, 3 * x_linear_in_powers**2 - 2 * y**2], True),
+        ([c_linear_in_powers * (2 * x_linear_in_powers**2 + 3 * x_linear_in_powers * y + 8 * y**2)], True),
+        ([x_linear_in_powers**2 + 3 * x_linear_in_powers * y + 2 * y**2], False),
+        ([4 * x_linear_in_powers**3 + y**3, x_linear_in_powers**2 - y**2], True),
+        ([x_linear_in_powers * y, y**2], False),  # y = 0
+        ([x_linear_in_powers * y, x_linear_in_powers**2], False),
+        ([x_linear_in_powers**2 - y**2, x_linear_in_powers**3 - y**3], False),  # x = y
+        ([x_linear_in_powers**2 + y], False),  # of no one degree
+        (
+            [
+                a_linear_in_powers * x_linear_in_powers**2
+                + b_linear_in_powers * y**2
+                - c_linear_in_powers * x_linear_in_powers * y
+            ],
+            False,
+        ),  # it depends on the letters
+    ],
+)
+def test_forms_in_two_unknowns(forms: list[sp.Expr], alone: bool) -> None:
+    assert vanish_at_origin_alone(forms, [x_linear_in_powers, y]) is alone
+
+
+@pytest.mark.parametrize(
+    ("potential", "points"),
+    [
+        (c_linear_in_powers * (x_linear_in_powers**4 + y**4 - 3 * x_linear_in_powers**2 * y**2), 1),
+        (x_linear_in_powers**4 + x_linear_in_powers * y**3 + 2 * y**4 + x_linear_in_powers**2 * y**2, 1),
+        (
+            x_linear_in_powers**4
+            + y**4
+            + z**4
+            - 3 * x_linear_in_powers**2 * y**2
+            - 5 * y**2 * z**2
+            - x_linear_in_powers**2 * z**2,
+            1,
+        ),
+        (x_linear_in_powers**6 + y**6 - 3 * x_linear_in_powers**2 * y**2, 5),  # and |x| = |y| = 1
+    ],
+)
+def test_no_branch_that_is_only_the_origin_is_left_as_equations(potential: sp.Expr, points: int) -> None:
+    unknowns = sorted(potential.free_symbols - {c_linear_in_powers}, key=str)
+    found = solutions([potential.diff(u) for u in unknowns], unknowns)
+    assert found.solved
+    assert sum(len(b.points) for b in found.branches) == points
+    assert not any(b.left for b in found.branches)
+
+
+def test_equations_linear_in_cosines() -> None:
+    """2 cos φ + 1 = 3 cos θ and 2 cos θ + 1 = 3 cos φ hold where both cosines are 1."""
+    found = solutions(
+        [1 - 3 * sp.cos(x_linear_in_powers) + 2 * sp.cos(y), 1 - 3 * sp.cos(y) + 2 * sp.cos(x_linear_in_powers)],
+        [x_linear_in_powers, y],
+    )
+    assert [{r.lhs: r.rhs for r in branch.relations} for branch in found.branches] == [{x_linear_in_powers: 0, y: 0}]
+
+
+def test_squares_that_exist_under_conditions() -> None:
+    """V = x⁴ + y⁴ + x² y² − a x² − b y² has x² = (2a − b)/3, y² = (2b − a)/3 where neither is negative."""
+    v = (
+        x_linear_in_powers**4
+        + y**4
+        + x_linear_in_powers**2 * y**2
+        - a_linear_in_powers * x_linear_in_powers**2
+        - b_linear_in_powers * y**2
+    )
+    found = solutions([v.diff(x_linear_in_powers), v.diff(y)], [x_linear_in_powers, y])
+    both = [branch for branch in found.branches if branch.conditions]
+    assert len(both) == 4
+    assert len(found.branches) == 9
+    for branch in both:
+        values = {r.lhs: r.rhs for r in branch.relations}
+        assert sp.expand(values[x_linear_in_powers] ** 2 - (2 * a_linear_in_powers - b_linear_in_powers) / 3) == 0
+        assert sp.expand(values[y] ** 2 - (2 * b_linear_in_powers - a_linear_in_powers) / 3) == 0
+        assert {(k.lhs, k.rhs) for k in branch.conditions} == {
+            (2 * b_linear_in_powers, a_linear_in_powers),
+            (2 * a_linear_in_powers, b_linear_in_powers),
+        }

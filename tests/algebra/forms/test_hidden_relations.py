@@ -3,6 +3,8 @@
 Every relation is followed along a random admissible motion, integrated step by step in plain numbers; its gradient is put
 into the matrix of the forms at random rational points with SymPy's `Matrix.rank`; and how many there must be is counted by
 symbolic Lie brackets. None of that shares code with the search.
+
+Combinations of forms that are differentials: they add up, and lie among the constraints.
 """
 
 from __future__ import annotations
@@ -186,3 +188,32 @@ def test_two_relations_leave_one_with_fewer_coordinates() -> None:
 def test_nothing_where_it_is_no_shorter_or_not_linear() -> None:
     assert combined_relations([x + y, y + z], [x, y, z]) == ()
     assert combined_relations([x**2 + y + z, x**3 + y - z], [x]) == ()
+
+
+# Combinations
+
+
+@pytest.mark.parametrize("system", [s for s in SYSTEMS if s.hidden and not s.start], ids=lambda s: s.name)
+def test_gradients_are_in_the_row_space(problem: Read, system: System) -> None:
+    """At random points, by singular values."""
+    read = problem(system.text)
+    rows = forms_of(read)
+    for relation in solve(read).classification.hidden.found:
+        gradient = [sp.diff(plain(relation.function), v) for v in (*read.slots.coordinates, t)]
+        point = somewhere([*rows, gradient], system.name)
+        assert rank([*rows, gradient], point) == rank(rows, point)
+
+
+@pytest.mark.parametrize("system", [s for s in SYSTEMS if s.hidden], ids=lambda s: s.name)
+def test_combinations_add_up(problem: Read, system: System) -> None:
+    read = problem(system.text)
+    found = solve(read).classification
+    path = admissible_motion(system, read, 3)
+    values = {s: sp.Float(v, 30) for s, v in path[0].items()}
+    forms = [[plain(a) for a in c.row.form] for c in found.independent]
+    for relation in found.hidden.found:
+        if relation.combination is None:
+            continue
+        for k, v in enumerate((*read.slots.coordinates, t)):
+            total = sp.Add(*(plain(c) * form[k] for c, form in zip(relation.combination, forms, strict=True)))
+            assert abs((total - sp.diff(plain(relation.function), v)).xreplace(values).evalf(20)) < 1e-9

@@ -1,4 +1,7 @@
-"""Polynomials in the velocities: squares, and where they vanish."""
+"""Polynomials in the velocities: squares, and where they vanish.
+
+The records of how a constraint is reduced.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,10 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.forms.velocity_polynomials import (
+    Alternative,
+    Alternatives,
+    Reduction,
+    Why,
     degree,
     is_affine,
     is_definite,
@@ -95,3 +102,17 @@ def test_nothing_is_multiplied_out() -> None:
     for _ in range(40):
         nested = sp.atan2(nested, v)
     assert not is_affine(nested + x, slots)
+
+
+# Reductions
+
+
+x_reductions, y_reductions = sp.symbols("x' y'", real=True)
+
+
+def test_nothing_satisfies_a_constraint_without_alternatives() -> None:
+    assert Alternatives(()).members == ()
+    step = Reduction((x_reductions - y_reductions) ** 2, next(iter(Why)), (x_reductions - y_reductions,))
+    assert Alternatives((Alternative(step.forms, (step,)),)).members[0].forms == (x_reductions - y_reductions,)
+    assert (step.conditions, step.excluded) == ((), ())
+    assert len({w.value for w in Why}) == len(Why)

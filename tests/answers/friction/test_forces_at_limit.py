@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.friction.forces_at_limit import forces_put_in, names_of_forces
+from lagrange.answers.friction.impending import forces_put_in, names_of_forces
 from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment
 from tests.support.shared import solved

@@ -1,12 +1,18 @@
-"""The parts of a system, added up, against the derived equations of every shipped problem."""
+"""The parts of a system, added up, against the derived equations of every shipped problem.
+
+The words of a variation.
+"""
 
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
+from lagrange.answers.models.mechanics import Variation, called, written
 from lagrange.answers.references import ReferenceCandidate
 from lagrange.api.interface import check, loads
 from lagrange.api.result import Result
+from lagrange.core.symbols import Slots
 from lagrange.explain.report import report
 from tests.support.shared import asking, reference_of
 
@@ -29,3 +35,16 @@ def test_a_generalized_force_has_the_name_of_the_file() -> None:
     text += 'forces: {drag: {generalized: {x: "-c*x\'"}}}\n'
     verdict = check(Result(report(loads(text))), ["m*x'' = c*x'"])
     assert "the force `drag` acting the other way" in str(verdict.equations)
+
+
+# Variation
+
+
+theta = sp.Symbol("theta", real=True)
+SLOTS = Slots((theta,))
+
+
+def test_as_it_may_be_typed() -> None:
+    assert called("rod") == "`rod`"
+    assert written(SLOTS.velocities[0] ** 2 * sp.sin(theta), SLOTS) in ("theta'^2*sin(theta)", "sin(theta)*theta'^2")
+    assert dict(Variation("c", "p").rule) == {}

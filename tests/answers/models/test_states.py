@@ -1,4 +1,7 @@
-"""The equations of a changed system at one state."""
+"""The equations of a changed system at one state.
+
+Mistakes in one equation alone, and answers of which no cause is known.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ from lagrange.answers.models.mechanics import Inertia, Mechanics
 from lagrange.answers.models.states import ModelState
 from lagrange.core.symbols import partial, prime
 from lagrange.mechanics.dynamics.comparison import affine_rows
+from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, name_of
 from tests.answers.models.test_mechanics import candidates
 
 
@@ -40,3 +44,11 @@ def test_a_changed_kinetic_energy_gives_what_its_symbolic_derivatives_give(name:
         changed += [part.times({p: sp.Integer(3)}) for p in part.products]
         for one in changed:
             assert at.share(one) == affine_rows(at.point, lagrange(kinetic_energy(one, m), m), at.unknowns)
+
+
+# Groups
+
+
+@pytest.mark.parametrize("answer", answers_by("groups"), ids=name_of)
+def test_the_cause_is_named(answer: WrongAnswer) -> None:
+    assert_named(answer)

@@ -1,11 +1,18 @@
-"""Verdicts on velocities after an impact."""
+"""Verdicts on velocities after an impact.
+
+An impact as it is worked out on paper.
+"""
 
 from __future__ import annotations
 
 import pytest
 
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.questions.impact import with_losses
 from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment
 from tests.answers.questions.test_response import DAMPED, judged
+from tests.support.shared import loaded, solved
 
 EDGE, WEDGE, HINGE = "rod-falls-on-an-edge", "ball-on-a-wedge", "centre-of-percussion"
 
@@ -47,3 +54,23 @@ def test_the_verdict_on_an_impact(name: str, key: str, answer: str, verdict: Ver
 @pytest.mark.parametrize(("kind", "name"), [("impact", DAMPED), ("response", EDGE)])
 def test_a_problem_without_the_question_is_not_judged(kind: str, name: str) -> None:
     assert judged(name, kind, "x", "0").verdict is Verdict.UNDECIDED
+
+
+# Impact in text
+
+
+@pytest.mark.parametrize(
+    ("name", "lines", "verdict"),
+    [
+        ("disc-against-a-step", ["theta' = omega*(1 - 2*h/(3*R))"], "equivalent"),
+        ("disc-against-a-step", ["theta' = omega*(1 - h/R)"], "wrong"),
+    ],
+)
+def test_verdicts_on_a_text(name: str, lines: list[str], verdict: str) -> None:
+    examiner = Examiner(loaded(name), solved(name))
+    assert examiner.check(tuple(map(Fragment.of, lines))).verdict.value == verdict
+
+
+def test_lines_that_state_the_energy_lost() -> None:
+    lines = ["E_lost = m*v^2/4", "x' = v/2"]
+    assert [lost for _, lost in with_losses([Fragment.of(t) for t in lines])] == [True, False]

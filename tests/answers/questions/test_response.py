@@ -1,14 +1,18 @@
-"""Verdicts on amplitudes of forced oscillations."""
+"""Verdicts on amplitudes of forced oscillations.
+
+A steady state as it is worked out on paper.
+"""
 
 from __future__ import annotations
 
 import pytest
 
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.questions.response import without_hats
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.core.diagnostics import Source
+from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.stated_answers import read_answers
-from tests.support.shared import SHIPPED, loaded, reported
+from tests.support.shared import SHIPPED, loaded, reported, solved
 
 DAMPED, ABSORBER = "damped-oscillator", "dynamic-absorber"
 
@@ -40,3 +44,23 @@ RESPONSE = [
 @pytest.mark.parametrize(("name", "key", "answer", "verdict"), RESPONSE)
 def test_the_verdict_on_an_amplitude(name: str, key: str, answer: str, verdict: Verdict) -> None:
     assert judged(name, "response", key, answer).verdict == verdict
+
+
+# Response in text
+
+
+@pytest.mark.parametrize(
+    ("name", "lines", "verdict"),
+    [
+        ("damped-oscillator", ["X = F/sqrt((c - m*w^2)^2 + b^2*w^2)"], "equivalent"),
+        ("damped-oscillator", ["X = F/sqrt((c + m*w^2)^2 + b^2*w^2)"], "wrong"),
+    ],
+)
+def test_verdicts_on_a_text(name: str, lines: list[str], verdict: str) -> None:
+    examiner = Examiner(loaded(name), solved(name))
+    assert examiner.check(tuple(map(Fragment.of, lines))).verdict.value == verdict
+
+
+def test_a_hat_is_an_amplitude_here() -> None:
+    assert without_hats(Fragment.of(r"\hat{x} = F/c")).text == r"x_{max} = F/c"
+    assert without_hats(Fragment.of("x = F/c")).text == "x = F/c"

@@ -1,10 +1,16 @@
-"""Words on stability beside positions."""
+"""Words on stability beside positions.
+
+Sentences on stability without an equation for the position.
+"""
 
 from __future__ import annotations
 
 import pytest
 
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.questions.stability_in_text import check_stability_sentences, is_about_stability
+from lagrange.answers.references import reference_of_solution
+from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment
 from tests.support.shared import loaded, solved
 
@@ -25,3 +31,26 @@ def test_a_wrong_claim_makes_a_right_position_wrong(stable: str, verdict: str) -
     claimed = examiner.check((Fragment.of(f"theta = 0, {stable}"),)).verdict.value
     assert alone in ("incomplete", "equivalent")
     assert claimed == verdict
+
+
+# Stability alone
+
+
+@pytest.mark.parametrize(
+    ("line", "verdict"),
+    [
+        ("The upright position is stable for W*l < c*b^2 and unstable for W*l > c*b^2.", Verdict.EQUIVALENT),
+        ("stable as long as c*b^2 > W*l", Verdict.EQUIVALENT),
+        ("stable for W*l > c*b^2", Verdict.WRONG),
+        ("stable for W*l < 2*c*b^2", Verdict.WRONG),
+        ("stable for 10*W*l < 11*c*b^2", Verdict.WRONG),  # near: it is tried beside its limit
+        ("stable for 100*W*l < 101*c*b^2", Verdict.WRONG),
+    ],
+)
+def test_the_upright_pendulum_between_springs(line: str, verdict: Verdict) -> None:
+    """V'' = b² c − W l at the top."""
+    solution = solved("inverted-pendulum-springs")
+    assert is_about_stability(line)
+    answer = check_stability_sentences([Fragment.of(line)], solution, reference_of_solution(solution))
+    assert answer is not None
+    assert answer.verdict is verdict

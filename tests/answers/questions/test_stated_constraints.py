@@ -1,11 +1,14 @@
-"""Answers about constraints."""
+"""Answers about constraints.
+
+Degrees of freedom and classes of constraints in words.
+"""
 
 from __future__ import annotations
 
 import pytest
 
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.questions.stated_constraints import about_constraints
+from lagrange.answers.questions.stated_constraints import about_constraints, stated_in_words
 from lagrange.core.diagnostics import Fragment
 from tests.support.shared import loaded, solved
 
@@ -21,3 +24,22 @@ def test_a_problem_that_asks_for_constraints_alone() -> None:
 def test_forms_of_a_pendulum(text: str, verdict: str) -> None:
     examiner = Examiner(loaded("ex11-ideal-pendulum"), solved("ex11-ideal-pendulum"))
     assert examiner.check((Fragment.of(text),)).verdict.value == verdict
+
+
+# In words
+
+
+@pytest.mark.parametrize(
+    ("text", "freedom", "classes"),
+    [
+        ("Degrees of freedom: 6 - 1 = 5", 5, ()),
+        ("x^2 + y^2 = l^2\nDOF = 1, holonomic", 1, ("holonomic",)),
+        ("It has two degrees of freedom and is not holonomic", 2, ("nonholonomic",)),
+        (r"\( f=6-1=5 \), scleronomic", 5, ("scleronomic",)),
+        ("Zahl der Freiheitsgrade: 5, anholonom, rheonom", 5, ("nonholonomic", "rheonomic")),
+        ("m x'' + k x = 0", None, ()),
+    ],
+)
+def test_freedom_and_classes_in_words(text: str, freedom: int | None, classes: tuple[str, ...]) -> None:
+    stated = stated_in_words(text)
+    assert (stated.degrees_of_freedom, stated.classification) == (freedom, classes)

@@ -1,11 +1,16 @@
-"""Wrong conditions of rest and limits of friction: what they are the conditions of."""
+"""Wrong conditions of rest and limits of friction: what they are the conditions of.
+
+Several contacts with one coefficient of friction: which of them is wrong?
+
+Wrong limits of a rope on a drum: the slips with the logarithm, worked out from T = S exp(mu beta) each.
+"""
 
 from __future__ import annotations
 
 import pytest
 import sympy as sp
 
-from lagrange.answers.results.conditions import StatedCondition, explained_conditions
+from lagrange.answers.results.conditions import StatedCondition, belt_meanings, explained_conditions, in_logarithms
 from tests.answers.results.diagnoses import LADDER, Row, assert_explained
 
 BLOCKS = "stacked-blocks"
@@ -61,3 +66,46 @@ def test_nothing_is_said_of_a_condition_that_no_change_explains() -> None:
     force, weight, mu = sp.symbols("P W mu", positive=True)
     stated = StatedCondition("P <= W*exp(mu)", weight * sp.exp(mu) - force, equation=False)
     assert explained_conditions([stated], [mu * weight - force], [mu]) == ""
+
+
+# Contacts
+
+
+WRONG_CONTACTS: list[Row] = [
+    ("cylinder-in-a-corner", "equilibrium", [["M = mu*W*r"]], "this is the limit without the friction `rub_B`"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_CONTACTS)
+def test_contacts(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+# Belts
+
+
+MU = sp.Symbol("mu", positive=True)
+S, P, BETA = sp.symbols("S P beta", positive=True)
+EXACT = P * sp.exp(MU * BETA) - S
+
+
+@pytest.mark.parametrize(
+    ("limit", "said"),
+    [
+        (sp.log(S / P) / (BETA * sp.log(10)), "base ten"),
+        (sp.log(S / P) / (BETA * 180 / sp.pi), "in degrees"),
+        (2 * sp.pi * sp.log(S / P) / BETA, "number of turns"),
+        (sp.log(S / P) / (2 * BETA), "twice the angle"),
+        (2 * sp.log(S / P) / BETA, "half of the angle"),
+        ((S / P - 1) / BETA, "1 + mu*beta"),
+    ],
+)
+def test_slips_with_the_logarithm_are_named(limit: sp.Expr, said: str) -> None:
+    for right in (EXACT, MU - sp.log(S / P) / BETA):
+        assert said in explained_conditions([StatedCondition("", MU - limit, False)], [right], [MU])
+
+
+def test_the_exponential_is_solved_for_the_coefficient() -> None:
+    assert in_logarithms(EXACT) == MU * BETA - sp.log(S / P)
+    assert in_logarithms(S - P) == S - P
+    assert not [*belt_meanings([S - MU * P], [MU])]

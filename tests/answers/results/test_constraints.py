@@ -1,9 +1,13 @@
-"""Wrong equations for constraints: the change that makes them right."""
+"""Wrong equations for constraints: the change that makes them right.
+
+Wrong classes and numbers of degrees of freedom.
+"""
 
 from __future__ import annotations
 
 import pytest
 
+from tests.answers.results.diagnoses import Row, assert_explained
 from tests.answers.test_student_answers import verdict_on
 
 
@@ -21,3 +25,20 @@ def test_one_change_is_named(stated: str, said: str) -> None:
     verdict, details = verdict_on("ex05-ice-skate", ".txt", stated)
     assert verdict == "wrong"
     assert any(said in line for line in details), details
+
+
+# Counting
+
+
+WRONG: list[Row] = [
+    ("rolling-coin", "classification", ["holonomic"], "`no_slip.1` and `no_slip.2` cannot be integrated"),
+    ("sphere-in-disguise", "classification", ["nonholonomic"], "`law` can be integrated"),
+    ("skate-on-a-turntable", "classification", ["rheonomic"], "neither in a constraint nor in a position"),
+    ("two-wheels-on-an-axle", "integrable", {"right_wheel": True}, "`right_wheel` fails Frobenius' test"),
+    ("two-wheels-on-an-axle", "degrees_of_freedom", 1, "is not subtracted once more"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
+def test_classes_and_degrees_of_freedom(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)

@@ -1,4 +1,9 @@
-"""Wrong positions of equilibrium, and wrong forces that hold a system."""
+"""Wrong positions of equilibrium, and wrong forces that hold a system.
+
+Wrong positions of rest, force by force: an arm, a force in one equation only, a force where it does not act.
+
+Wrong reactions of a system at rest, as functions of the position.
+"""
 
 from __future__ import annotations
 
@@ -29,3 +34,45 @@ WRONG: list[Row] = [
 @pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
 def test_positions_and_forces_at_rest(problem: str, key: str, stated: object, said: str) -> None:
     assert_explained(problem, key, stated, said)
+
+
+# Contributions
+
+
+WRONG_CONTRIBUTIONS: list[Row] = [
+    (
+        "lorry-on-a-bridge",
+        "equilibrium",
+        ["P = B/2 + W*b/l", "Q = B/2 + W*(l - b)/l"],
+        "l*W*cos(theta) - b*W*cos(theta) in place of b*W*cos(theta) as the contribution of the force `lorry`",
+    ),
+    ("lorry-on-a-bridge", "equilibrium", ["P = (B + W)/2", "Q = (B + W)/2"], "l*W*cos(theta)/2 in place of"),
+    (
+        "masses-on-springs",
+        "equilibrium",
+        ["x_1 = (m_1 + m_2)*g/c_1", "x_2 = (m_1 + m_2)*g/c_2"],
+        "with the weight of `A`, which does not act there, in the equation of x_2",
+    ),
+    ("drawbridge", "equilibrium", ["P = W/2*sin(theta) - Q*cos(theta/2)"], "`load` divided by diff(f, u)"),
+    (
+        "three-weights",
+        "equilibrium",
+        ["y = b*W/(2*P)"],
+        "b*W/sqrt(y^2 + b^2) in place of W as the contribution of the force `weight_in_the_middle`",
+    ),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_CONTRIBUTIONS)
+def test_contributions_of_one_force(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+# Resting reactions
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"), [("W*z/l", "the term F*x/l is missing"), ("(W*z - F*x)/l", "for F with the opposite sign")]
+)
+def test_a_letter_or_a_term(stated: str, said: str) -> None:
+    assert_explained("pendulum-in-wind", "reactions", {"rod": stated}, said)

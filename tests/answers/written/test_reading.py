@@ -1,14 +1,25 @@
-"""One equation in whatever notation it is written."""
+"""One equation in whatever notation it is written.
+
+Why an equation cannot be read.
+"""
 
 from __future__ import annotations
 
 import pytest
 
-from lagrange.answers.written.reading import read_as_written, too_long, tried, without_braces
+from lagrange.answers.written.reading import (
+    is_name,
+    quotes_the_method,
+    read_as_written,
+    too_long,
+    tried,
+    undeclared,
+    without_braces,
+)
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.reader import read_value
-from tests.support.scopes import PENDULUM
+from tests.support.scopes import PENDULUM, PLANE
 
 
 @pytest.mark.parametrize(
@@ -41,3 +52,28 @@ def test_limits_and_braces() -> None:
         draft = Draft(Fragment.of(text))
         without_braces(draft)
         assert draft.text == inside
+
+
+# Unread
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "quoted"),
+    [
+        ("m*x'' = F - N", ["F", "N"], False),
+        ("m*x'' = F(2)", [], False),  # applied to a number: a function, and no factor
+        ("m*x'' = ", [], False),
+        ("m*x'' = -k*x", [], False),
+        ("d/dt(dL/dx') - dL/dx = 0", [], True),
+    ],
+)
+def test_undeclared_names_and_the_quoted_method(text: str, names: list[str], quoted: bool) -> None:
+    reading = read_as_written(Fragment.of(text), PLANE)
+    assert quotes_the_method(reading, text, PLANE) is quoted
+    if not quoted:
+        assert undeclared(reading, text) == names
+
+
+@pytest.mark.parametrize(("text", "name"), [("T_1", True), ("theta", True), ("2x", False), ("", False), ("x+y", False)])
+def test_a_name_begins_with_a_letter(text: str, name: bool) -> None:
+    assert is_name(text) is name

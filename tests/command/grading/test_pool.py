@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from lagsolve.grading.pool import Pool
-from lagsolve.grading.worker import (
+from lagsolve.grading.pool import (
     Limits,
     LostError,
+    Pool,
     SetupError,
     TimeLimitError,
     Worker,
@@ -151,7 +151,7 @@ import sys
 sys.path[:0] = {path!r}
 import os
 from tests.support import grading_calls
-from lagsolve.grading.worker import Limits, Worker
+from lagsolve.grading.pool import Limits, Worker
 worker = Worker(Limits(3600, 512))
 print(worker.pid, flush=True)
 {then}

@@ -6,8 +6,7 @@ from datetime import datetime
 
 import pytest
 
-from lagsolve.grading.roster import Roster, late_by
-from lagsolve.grading.students import Attempts, attributed
+from lagsolve.grading.students import Attempts, Roster, attributed, late_by
 from lagsolve.grading.table import TableRow
 from tests.command.grading.test_students import row
 

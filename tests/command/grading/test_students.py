@@ -10,8 +10,7 @@ import pytest
 
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import ProblemError
-from lagsolve.grading.roster import Roster, read_roster
-from lagsolve.grading.students import Attempts, Identity, attributed, identity
+from lagsolve.grading.students import Attempts, Identity, Roster, attributed, identity, read_roster
 from lagsolve.grading.table import TableRow
 
 

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import pytest
 
-from lagsolve.grading.pool import Pool
-from lagsolve.grading.worker import (
+from lagsolve.grading.pool import (
     CallFailedError,
     LostError,
     MemoryLimitError,
+    Pool,
     TimeLimitError,
 )
 from tests.command.grading.test_pool import SHORT, is_running

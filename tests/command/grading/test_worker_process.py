@@ -9,9 +9,9 @@ from concurrent.futures import Future
 
 import pytest
 
-from lagsolve.grading.pool import Pool
-from lagsolve.grading.worker import (
+from lagsolve.grading.pool import (
     LostError,
+    Pool,
     Worker,
 )
 from tests.support import grading_calls as calls

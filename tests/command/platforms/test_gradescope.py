@@ -18,8 +18,7 @@ import lagrange
 from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import Source
 from lagsolve.grading.examine import grader
-from lagsolve.grading.roster import Roster
-from lagsolve.grading.students import Attempts
+from lagsolve.grading.students import Attempts, Roster
 from lagsolve.grading.table import TableRow
 from lagsolve.platforms import gradescope
 from lagsolve.platforms.parts import ProblemResult

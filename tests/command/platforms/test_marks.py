@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from lagrange.answers.verdicts import Verdict
-from lagsolve.grading.roster import Roster, read_roster
+from lagsolve.grading.students import Roster, read_roster
 from lagsolve.grading.table import TableRow
 from lagsolve.platforms import marks
 from tests.command.grading.test_students import MOODLE

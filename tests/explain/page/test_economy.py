@@ -7,9 +7,21 @@ import sympy as sp
 
 from lagrange.core.symbols import CONSTANT, UnitVector, VectorSymbol
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Block, Display, Emphasis, Equation, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Emphasis,
+    Equation,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    math,
+    prose,
+)
 from lagrange.explain.page.economy import freedom_in_one, in_pairs, lagrangian_once, likewise_in_a_line, said_before
 from lagrange.render import terminal
 from tests.support.shared import reported

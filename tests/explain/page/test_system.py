@@ -1,12 +1,19 @@
-"""The system as a page introduces it."""
+"""The system as a page introduces it.
+
+Which coordinates are independent, and how many.
+
+Bodies introduced together.
+"""
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 
-from lagrange.document.derivation import Display, Equation, Rule
+from lagrange.document.derivation import Display, Equation, Rule, Step
 from lagrange.explain.limits import SHORT_SIDE
-from lagrange.explain.page.system import are_short
+from lagrange.explain.page.system import are_short, explain_independence, line
+from tests.support.derivation_text import said_in, words
 from tests.support.shared import reported
 
 x = sp.Symbol("x")
@@ -21,3 +28,44 @@ def test_two_short_equations_share_a_line() -> None:
 def test_positions_and_forces_are_in_one_display() -> None:
     [step] = [s for s in reported("ex11-ideal-pendulum").derivation.page if s.rule is Rule.STATEMENT]
     assert len([b for b in step.body if isinstance(b, Display)]) == 1
+
+
+# Coordinates
+
+
+@pytest.mark.parametrize(
+    ("name", "sentence"),
+    [
+        ("ex04-dumbbell", "These five coordinates are independent, with no relation between them; the six of the file"),
+        ("ex06-two-particle-skate", "These three coordinates are independent, with no finite relation between them;"),
+        ("ex11-ideal-pendulum", ""),
+        ("statics/crate-tips-or-slides", ""),
+    ],
+)
+def test_how_many_coordinates_are_independent(name: str, sentence: str) -> None:
+    solution = reported(name).solution
+    said = explain_independence(solution, solution.choices[0])
+    if not sentence:
+        assert said is None  # motion or rest is the question
+        return
+    assert said is not None
+    assert words(Step(Rule.GENERALIZED_COORDINATES, "", (said,))).startswith(sentence)
+
+
+def test_a_line_is_called_by_two_letters_where_both_can_be_read() -> None:
+    assert [line("", "P"), line("P1", "P2")] == ["OP", "P1P2"]
+    assert line("", "AB") == "the line from O to AB"
+
+
+# Bodies
+
+
+@pytest.mark.parametrize(
+    ("name", "rule", "said"),
+    [
+        ("three-struck-rods", Rule.STATEMENT, "The bodies are rigid: "),
+        ("furuta-pendulum", Rule.STATEMENT, "The applied moments are"),
+    ],
+)
+def test_bodies_are_introduced_together(name: str, rule: Rule, said: str) -> None:
+    assert said in said_in(name, rule, on_page=True)

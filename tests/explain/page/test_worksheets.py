@@ -4,9 +4,19 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.document.builders import prose
-from lagrange.document.derivation import Derivation, Detail, Display, Emphasis, Picture, Prose, Rule, Step, Task
-from lagrange.document.purposes import Purpose
+from lagrange.document.derivation import (
+    Derivation,
+    Detail,
+    Display,
+    Emphasis,
+    Picture,
+    Prose,
+    Purpose,
+    Rule,
+    Step,
+    Task,
+    prose,
+)
 from lagrange.explain.limits import LEAST_ROOM, MOST_ROOM
 from lagrange.explain.page import worksheets
 from lagrange.explain.page.worksheets import worked_solution, worksheet

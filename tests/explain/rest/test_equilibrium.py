@@ -6,7 +6,7 @@ from lagrange.core.diagnostics import Source
 from lagrange.explain.report import report
 from lagrange.problem.loader import read_problem
 from lagrange.render import terminal
-from tests.mechanics.equilibrium.test_numerical_definiteness import BAR
+from tests.mechanics.equilibrium.test_degenerate import BAR
 
 RING = """
 title: A bead on a vertical ring with a spring from its top

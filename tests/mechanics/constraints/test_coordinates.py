@@ -1,4 +1,7 @@
-"""Constraints solved for coordinates: what is solved, and that it ends where roots of roots grow."""
+"""Constraints solved for coordinates: what is solved, and that it ends where roots of roots grow.
+
+What coordinates measure: angles of lines between points, from which axis and in which sense; the mass centre.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +10,19 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
+from lagrange.core.diagnostics import Source
 from lagrange.core.expression_size import Sizes
 from lagrange.explain.report import report
+from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.constraints import constraint_row
-from lagrange.mechanics.constraints.coordinates import solved_constraints
+from lagrange.mechanics.constraints.coordinates import angles, of_mass_centre, solved_constraints
+from lagrange.mechanics.constraints.kinematics import file_configuration
 from lagrange.mechanics.constraints.limits import LONGEST_SOLVED
 from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
+from tests.support.shared import reported
 
 Read = Callable[[str], Problem]
 
@@ -129,3 +137,64 @@ def test_a_crank_is_solved_by_its_height_and_by_its_slider(problem: Read) -> Non
         "height": (4, ("crank", "rod")),
         "slider": (2, ("crank", "rod")),
     }
+
+
+# Measures
+
+
+@pytest.mark.parametrize(
+    ("name", "choice", "found"),
+    [
+        ("ex11-ideal-pendulum", 0, [("theta", "", "P", (0, 1, 0), (1, 0, 0), None)]),
+        (
+            "ex18-double-pendulum",
+            0,
+            [("phi1", "", "P1", (0, 1, 0), (1, 0, 0), None), ("phi2", "P1", "P2", (0, 1, 0), (1, 0, 0), None)],
+        ),
+        (
+            "ex04-dumbbell",
+            0,
+            [("phi", "P1", "P2", (1, 0, 0), (0, 1, 0), (0, 0, 1)), ("theta", "P1", "P2", (0, 0, 1), None, None)],
+        ),
+        ("ball-on-a-string", 0, [("phi", "", "ball", (0, -1, 0), (1, 0, 0), None)]),
+    ],
+)
+def test_angles(name: str, choice: int, found: list[tuple[object, ...]]) -> None:
+    configuration = reported(name, complete=False).solution.choices[choice].configuration
+    measured = [
+        (
+            a.symbol.name,
+            a.start,
+            a.end,
+            a.zero.components,
+            a.towards.components if a.towards is not None else None,
+            a.projected.components if a.projected is not None else None,
+        )
+        for a in angles(configuration, configuration.slots.coordinates)
+    ]
+    assert measured == found
+
+
+def test_the_mass_centre_is_found_with_different_masses_and_not_for_one_particle() -> None:
+    dumbbell = reported("ex04-dumbbell", complete=False).solution.choices[0].configuration
+    assert [q.name for q in of_mass_centre(dumbbell, dumbbell.slots.coordinates)] == ["x_C", "y_C", "z_C"]
+    pendulum = reported("ex11-ideal-pendulum", complete=False).solution.choices[0].configuration
+    assert of_mass_centre(pendulum, pendulum.slots.coordinates) == ()
+
+
+def test_lengths_are_no_angles() -> None:
+    skate = reported("ex06-two-particle-skate", complete=False).solution.own.configuration
+    assert angles(skate, skate.slots.coordinates) == ()
+
+
+def test_a_position_with_a_pole_measures_no_angle() -> None:
+    """tan θ has no value at π/2, where cos θ and sin θ are read off."""
+    text = """
+title: The centre of a rod over a peg
+parameters: [b, c]
+coordinates: [theta]
+particles: {G: {mass: 1, position: "b*cos(theta)*i + (b*sin(theta) - c*tan(theta))*j"}}
+"""
+    problem = read_problem(Source("peg.yaml", text))
+    configuration = file_configuration(problem, classify(problem).constrained)
+    assert list(angles(configuration, configuration.slots.coordinates)) == []

@@ -12,7 +12,7 @@ from rich.cells import cell_len
 from lagrange.core.diagnostics import Source
 from lagrange.core.symbols import VectorSymbol
 from lagrange.document.derivation import Derivation, Detail, Matrices, Rule, Step
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.explain.report import report
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.problem.loader import load, read_problem

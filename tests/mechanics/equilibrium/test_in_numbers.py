@@ -1,16 +1,22 @@
-"""Conditions in numbers."""
+"""Conditions in numbers.
+
+Critical values of the one parameter without a value.
+"""
 
 from __future__ import annotations
 
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.diagnostics import Source
-from lagrange.mechanics.equilibrium.in_numbers import condition_holds
+from lagrange.explain.report import report
+from lagrange.mechanics.equilibrium.in_numbers import REVERSED, condition_holds
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
+from lagrange.render.json import as_object
 
 a, b = sp.symbols("a b", positive=True)
 
@@ -42,3 +48,27 @@ find: [equilibrium, linearization]
     assert view.linearization.at[0].judgement.stability.verdict is StabilityVerdict.UNDECIDED
     assert view.in_numbers is not None
     assert view.in_numbers.positions[0].stability is StabilityVerdict.STABLE
+
+
+# Critical values
+
+
+COLUMN = """
+title: Bar on a spring
+parameters: {l: 2 m, c: 30 N m, P: {unit: N}}
+coordinates: {theta: {unit: rad}}
+particles: {top: {position: l*sin(theta)*i + l*cos(theta)*j}}
+forces: {load: {on: top, vector: -P*j}, spring: {potential: c*theta^2/2}}
+find: equilibrium
+"""
+
+
+def test_the_critical_load() -> None:
+    said = str(as_object(report(lagrange.loads(COLUMN))))
+    assert "'critical'" in said
+    assert "15" in said  # P = c/l
+    assert solve(lagrange.loads(COLUMN), complete=False).holds
+
+
+def test_reversing_twice_changes_nothing() -> None:
+    assert all(REVERSED[REVERSED[r]] == r for r in REVERSED)

@@ -12,7 +12,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.diagnostics import Source
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria
 from lagrange.mechanics.solution import solve

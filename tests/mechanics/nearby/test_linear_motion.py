@@ -17,8 +17,8 @@ from lagrange.mechanics.nearby.linear_motion import LinearMotion, linear_motion
 from lagrange.mechanics.nearby.long_equations import long_equations
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
+from lagrange.programs.first_order import long_first_order
 from lagrange.programs.numerical_system import NumericalSystem
-from lagrange.programs.special.long_motion import long_first_order
 from lagrange.programs.state_equations import StateEquations
 from tests.support.shared import loaded
 

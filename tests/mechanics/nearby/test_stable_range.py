@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.mechanics.nearby.stable_range import stable_ranges
+from lagrange.mechanics.nearby.linear_motion import stable_ranges
 from tests.mechanics.nearby.test_linear_motion import bicycle
 
 

@@ -1,12 +1,17 @@
-"""Solutions in closed form: the equation and the initial values, in numbers at some instants."""
+"""Solutions in closed form: the equation and the initial values, in numbers at some instants.
+
+The motion from the initial state, where nothing is asked.
+"""
 
 from __future__ import annotations
 
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.core.symbols import prime, t
 from lagrange.mechanics.questions.closed_motions import closed_motions
+from lagrange.mechanics.solution import solve
 
 x = sp.Symbol("x", real=True)
 v, a = prime(x), prime(x, 2)
@@ -58,3 +63,28 @@ def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleratio
             assert abs(complex(residual.subs({**numbers, t: time}).evalf())) < 1e-9
         assert complex(s.subs({**numbers, t: 0}).evalf()).real == pytest.approx(0.3)
         assert complex(s.diff(t).subs({**numbers, t: 0}).evalf()).real == pytest.approx(0.9)
+
+
+# From start
+
+
+THROWN = """
+title: Stone
+parameters: [m, g, v]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+initial: {x: 0, y: 0, x': v, y': 0}
+"""
+
+
+def test_a_thrown_stone() -> None:
+    start = solve(lagrange.loads(THROWN), complete=False).from_start
+    assert start is not None
+    found = {q.name: str(e) for m in start.motions for q, e in m.solutions.items()}
+    assert found == {"x": "t*v", "y": "-g*t**2/2"}
+
+
+def test_without_an_initial_state_nothing_is_known() -> None:
+    text = THROWN.replace("initial: {x: 0, y: 0, x': v, y': 0}\n", "")
+    assert solve(lagrange.loads(text), complete=False).from_start is None

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.core.ranges import sign_in_range
-from lagrange.core.symbols import Bounded
+from lagrange.core.symbols import Bounded, sign_in_range
 from lagrange.mechanics.questions.reach import Path, Reached
 
 x, theta = sp.symbols("x theta", real=True)

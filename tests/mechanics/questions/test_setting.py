@@ -1,14 +1,20 @@
-"""What is asked must be determined: mistakes have their place."""
+"""What is asked must be determined: mistakes have their place.
+
+Coordinates that the constraints give in terms of the others.
+"""
 
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from lagrange.answers.questions.own_answers import compared_answers
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import ProblemError
+from lagrange.mechanics.questions.setting import completed, dependent, reduced
 from lagrange.mechanics.solution import solve
 from tests.mechanics.questions.test_questions import PENDULUM, WIRE, Read
+from tests.support.shared import solved
 
 
 @pytest.mark.parametrize(
@@ -69,3 +75,18 @@ ask: {top: {quantity: t, when: y = 500 cm}}
     with pytest.raises(ProblemError) as error:
         solve(problem(text), complete=False)
     assert error.value.diagnostics[0].code == "never-holds"
+
+
+# Dependent
+
+
+x, y = sp.symbols("x y", real=True)
+
+
+def test_what_a_rule_makes_of_equations_and_states() -> None:
+    assert reduced([x - y, x + y], {x: y}) == [2 * y]
+    assert completed({y: sp.Integer(3)}, {x: 2 * y}, [x, y]) == {x: 6, y: 3}
+
+
+def test_free_coordinates_depend_on_nothing() -> None:
+    assert dependent(solved("ex11-ideal-pendulum").choices[0].configuration) == {}

@@ -1,4 +1,7 @@
-"""Accelerations that parameters alone determine."""
+"""Accelerations that parameters alone determine.
+
+Forces from single laws, one after another, against the general solution and a law by hand.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +9,10 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
-from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations
+from lagrange.mechanics.rewriting.constant_accelerations import constant_accelerations, forces_in_turn
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
+from tests.support.shared import solved
 
 YO_YO = """
 title: Yo-yo
@@ -34,3 +38,30 @@ def test_a_swinging_yo_yo_has_no_constant_acceleration() -> None:
     text = YO_YO.replace("EQUATION", "y = R*phi").replace("position: y*j", "position: y*cos(phi)*j")
     solution = solve(read_problem(Source("yo-yo.yaml", text)), complete=False)
     assert constant_accelerations(solution.chosen) == {}
+
+
+# Forces in turn
+
+
+@pytest.mark.parametrize("name", ["planetary-gear"])
+def test_tooth_forces(name: str) -> None:
+    solution = solved(name, complete=False)
+    view = solution.chosen
+    accelerations = constant_accelerations(view)
+    assert solution.law is not None
+    forces = forces_in_turn(solution.law, solution.own, view, accelerations)
+    assert forces is not None
+    said = {s.name: e for s, e in forces.items()}
+    names = {s.name: s for e in said.values() for s in e.free_symbols}
+    moment = names["M_0"] - names["J_0"] * names["alpha''"]
+    assert sp.expand(said["F_1"] * names["r"] - moment) == 0  # of the sun wheel: J₀ α'' = M₀ − r F₁
+    turning = names["J_1"] * names["psi''"] - names["s"] * (said["F_2"] - names["F_1"])
+    assert sp.expand(turning) == 0  # of the planet: J₁ ψ'' = s (F₂ − F₁)
+
+
+@pytest.mark.parametrize("name", ["planetary-gear"])
+def test_wrong_accelerations_are_noticed(name: str) -> None:
+    solution = solved(name, complete=False)
+    wrong = {a: 2 * e for a, e in constant_accelerations(solution.chosen).items()}
+    assert solution.law is not None
+    assert forces_in_turn(solution.law, solution.own, solution.chosen, wrong) is None

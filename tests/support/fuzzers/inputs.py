@@ -24,7 +24,7 @@ from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Fragment, GaveUpError, ProblemError, Source
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import LATEX, TEXT, UNICODE, Writer
-from lagrange.document.notation import Notation
+from lagrange.document.names import Notation
 from lagrange.explain.report import report
 from lagrange.expressions.reader import Scope, read_equation
 from lagrange.problem.loader import load, read_problem

@@ -17,9 +17,8 @@ from lagrange.core.diagnostics import GaveUpError, ProblemError, Source
 from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
 from lagrange.problem.loader import load, read_problem
-from lagrange.programs.prepared import prepared
+from lagrange.programs.prepared import longest_time, prepared
 from lagrange.programs.simulation import simulated
-from lagrange.programs.special.durations import longest_time
 from lagrange.render import html, json, latex, markdown, terminal
 from tests.support.fuzzers.inputs import UNITS, mutated, refused
 from tests.support.paths import PROBLEMS

@@ -10,10 +10,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from lagrange.answers.written.notation.numbers import units_of_latex_in_si
 from lagrange.answers.written.notation.plain import characters, is_velocity, of_argument
-from lagrange.answers.written.notation.ratios import extremes, ratio_as_fractions
-from lagrange.answers.written.notation.special import special_latex
-from lagrange.answers.written.notation.units import units_of_latex_in_si
+from lagrange.answers.written.notation.rare import extremes, ratio_as_fractions, special_latex
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, Edit, closings

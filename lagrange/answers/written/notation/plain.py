@@ -17,11 +17,9 @@ import re
 import unicodedata
 from collections.abc import Collection, Iterator
 
-from lagrange.answers.written.notation.operators import with_operators
+from lagrange.answers.written.notation.numbers import units_in_si
 from lagrange.answers.written.notation.programs import as_functions
-from lagrange.answers.written.notation.ratios import extremes
-from lagrange.answers.written.notation.special import special
-from lagrange.answers.written.notation.units import units_in_si
+from lagrange.answers.written.notation.rare import extremes, special, with_operators
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK, SUBSCRIPTS
 from lagrange.expressions.edits import Draft, Edit, closings, cuts

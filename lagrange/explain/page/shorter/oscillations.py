@@ -1,6 +1,13 @@
-"""Small motions about an equilibrium or a steady motion, one box each: that of the frequency.
+"""Small motions and forced oscillations in fewer lines: a box for each frequency, resonances that are roots.
+
+Small motions about an equilibrium or a steady motion, one box each: that of the frequency.
 
 The linear equation is a step on the way to it, as a book prints it; a line states its solutions.
+
+Forced oscillations of systems that are linear by themselves, and resonances that are roots of a quadratic.
+
+About x = 0 the linear equations of a system with linear springs are its equations of motion: they are not printed
+again. Squares of frequencies that would fill two lines each are given as the roots of the denominator.
 """
 
 from __future__ import annotations
@@ -8,9 +15,26 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import has_purpose, prose
-from lagrange.document.derivation import Block, Display, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Equation,
+    Phrase,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    has_purpose,
+    listed,
+    math,
+    prose,
+)
+from lagrange.explain.limits import LONGEST_RESONANCE
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.readable_forms import are_same_equations
 
 _RULES = (Rule.LINEARIZATION, Rule.STEADY)
 
@@ -61,3 +85,70 @@ def _is_linear(block: Block) -> bool:
 
 def _is_box(block: Block) -> bool:
     return isinstance(block, Display) and block.boxed
+
+
+# Response
+
+
+def response_shortly(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, that on forced oscillations shorter."""
+    for step in steps:
+        if step.rule is Rule.RESPONSE and not step.folded:
+            body = _with_own_equations(solution, [*step.body], steps)
+            step = replace(step, body=tuple(_with_roots(body)))
+        yield step
+
+
+def _with_own_equations(solution: Solution, body: list[Block], steps: Sequence[Step]) -> list[Block]:
+    """No linear equations that are the equations of motion, with ξ for x where the equilibrium is x = 0."""
+    view = solution.chosen
+    if view.forced is None or view.motion is None:
+        return body
+    linear, branch = view.forced.linearization, view.forced.branch
+    coordinates = linear.configuration.slots.coordinates
+    at_zero = {r.lhs: r.rhs for r in branch.equations} == dict.fromkeys(coordinates, sp.S.Zero)
+    moved = dict(zip(linear.displacements, coordinates, strict=True))
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "forced-")), None)
+    if at is None or not at_zero or len(linear.branches) != 1 or not _are_those(solution, body[at], moved):
+        return body
+    labels = [e.label for s in steps if s.rule is Rule.EQUATIONS_OF_MOTION for e in _boxed(s) if e.label]
+    small = listed(math(x, q) for x, q in moved.items())
+    rest = next(e.label for b in body[:at] if isinstance(b, Display) for e in b.equations if e.label)
+    words = prose("The equations of motion ", *listed(map(Ref, labels)), " are linear, and about ", Ref(rest),
+                  " they are those of the small changes ", *small, ".")  # fmt: skip
+    return [*body[: at - 1], words, *body[at + 1 :]] if labels else body
+
+
+def _are_those(solution: Solution, block: Block, moved: dict[sp.Symbol, sp.Symbol]) -> bool:
+    """Whether the linear equations are the equations of motion."""
+    motion = solution.chosen.motion
+    assert motion is not None
+    assert isinstance(block, Display)
+    rule = {prime(x, n): prime(q, n) for x, q in moved.items() for n in range(3)} | moved
+    linear = [tuple(s.xreplace(rule) for s in e.sides if isinstance(s, sp.Expr)) for e in block.equations]
+    return len(linear) == len(motion.final) and are_same_equations(linear, motion.expressions)
+
+
+def _boxed(step: Step) -> Iterator[Equation]:
+    yield from (e for b in step.body if isinstance(b, Display) and b.boxed for e in b.equations)
+
+
+def _are_labelled(block: Block, label: str) -> bool:
+    return isinstance(block, Display) and all((e.label or "").startswith(label) for e in block.equations)
+
+
+def _with_roots(body: list[Block]) -> list[Block]:
+    """`The denominator Δ vanishes at ..., at the roots of Δ = 0` instead of long roots."""
+    at = next((n for n, b in enumerate(body) if _are_labelled(b, "resonance-")), None)
+    letter = next((e.sides[0] for b in body[:at] if isinstance(b, Display) and b.boxed
+                   for e in b.equations if e.label is None and isinstance(e.sides[0], sp.Symbol)), None)  # fmt: skip
+    before = body[at - 1] if at else None
+    if at is None or letter is None or not has_purpose(before, Purpose.RESONANCE):
+        return body
+    shown = body[at]
+    assert isinstance(shown, Display)
+    if max(e.operations for e in shown.equations) <= LONGEST_RESONANCE:
+        return body
+    frequencies = (p for p in before.parts if isinstance(p, Phrase))
+    roots = prose("The roots of ", math(letter, sp.S.Zero), " are the ", *(p.instead or p for p in frequencies))
+    return [*body[: at - 1], roots, *body[at + 1 :]]

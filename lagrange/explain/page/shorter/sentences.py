@@ -1,20 +1,49 @@
-"""Sentences of the full derivation that a page says in fewer words, and short equations side by side.
+"""Sentences and equations of the full derivation in fewer words, conditions turned round, springs by their lengths.
+
+Sentences of the full derivation that a page says in fewer words, and short equations side by side.
 
 The full derivation explains Newton's law and multipliers wherever they occur. A page explains once what it needs.
+
+Conditions with the quantity that they limit on the left, as a reader expects: μ ≥ ½ tan φ, P ≥ M a/(l r).
+
+The length of a spring as the letter that the statement gives it, where it is a long root when written out.
+
+d = √(a² + 2a l (sin θ₂ − sin θ₁) + ...) occurs in the potential energy, in every equation of motion and in those of
+rest: all of them are easier to read with d, like the force of a spring, c (d − a).
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import has_purpose, index_of, listed, paired, parts_of, prose
-from lagrange.document.derivation import Block, Display, Equation, Math, Prose, Ref, Rule, Step
-from lagrange.document.purposes import Phrase, Purpose
-from lagrange.explain.limits import LONGEST_PLAIN_FORCES
+from lagrange.core.symbols import prime, variation
+from lagrange.document.derivation import (
+    Block,
+    Display,
+    Equation,
+    Math,
+    Mathematics,
+    Phrase,
+    Prose,
+    Purpose,
+    Ref,
+    Rule,
+    Step,
+    has_purpose,
+    index_of,
+    listed,
+    paired,
+    parts_of,
+    prose,
+)
+from lagrange.explain.limits import LONGEST_PLAIN_FORCES, SHORTEST_REPEATED_LENGTH
 from lagrange.explain.page.system import are_short
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.rewriting.factors import with_factors_in_fraction
+from lagrange.mechanics.rewriting.readable_forms import is_root_of, roots_by_letters
 
 
 def in_fewer_words(steps: Sequence[Step]) -> Iterator[Step]:
@@ -101,3 +130,138 @@ def _index(e: Equation) -> str:
     name = e.sides[0].name if isinstance(e.sides[0], sp.Symbol) else ""
     name = name.rpartition("(")[2].rstrip(")")
     return name.partition("_")[2] or name.lstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")
+
+
+# Conditions turned round
+
+
+_ASKED = (Rule.RESULT, Rule.QUESTION)
+_TURNED = {Rule.RESULT: {"≤": "≥", "<": ">"}, Rule.FRICTION_AT_REST: {"≤": "≥", "<": ">", "=": "="}}
+"""The relations that are turned round, and what they become: at the head no equations, which may be anything."""
+
+
+def with_symbol_first(steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, the conditions of rest turned round where a single symbol stands on the right."""
+    for step in steps:
+        if step.rule in _ASKED and not step.folded:
+            step = replace(step, body=tuple(_factored(b) for b in step.body))
+        relations = _TURNED.get(step.rule, {})
+        if relations and not step.folded:
+            step = replace(step, body=tuple(_turned_block(b, relations) for b in step.body))
+        yield step
+
+
+def _factored(block: Block) -> Block:
+    """Answers with the factors of numerator and denominator in front, where these are sums of several terms."""
+    if not isinstance(block, Display) or not block.boxed:
+        return block
+    return replace(block, equations=tuple(_in_factors(e) for e in block.equations))
+
+
+def _in_factors(e: Equation) -> Equation:
+    value = e.sides[-1]
+    if not isinstance(value, sp.Expr):
+        return e
+    return replace(e, sides=(e.sides[0], with_factors_in_fraction(value))) if len(e.sides) == 2 else e
+
+
+def _turned_block(block: Block, relations: Mapping[str, str]) -> Block:
+    if not isinstance(block, Display) or not block.boxed:
+        return block
+    return replace(block, equations=tuple(_turned(e, relations) for e in block.equations))
+
+
+def _turned(e: Equation, relations: Mapping[str, str]) -> Equation:
+    if len(e.sides) != 2 or e.relation not in relations:
+        return e
+    left, right = e.sides
+    if (
+        not isinstance(right, sp.Symbol)
+        or not isinstance(left, sp.Expr)
+        or left.is_Symbol
+        or right in left.free_symbols
+    ):
+        return e
+    return replace(e, sides=(right, left), relation=relations[e.relation])
+
+
+# Lengths of springs
+
+
+_RULES = (Rule.STATEMENT, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION, Rule.LINEARIZATION, Rule.CONSERVED, Rule.MEANING,
+          Rule.EQUILIBRIUM, Rule.REACTIONS, Rule.SOLVED_REACTIONS)  # fmt: skip
+
+
+def with_lengths(solution: Solution, steps: Sequence[Step]) -> Iterator[Step]:
+    """The steps, with the letters of long lengths after these have been stated: those of the file, if it has any."""
+    statement = next((s for s in steps if s.rule is Rule.STATEMENT), None)
+    named: dict[sp.Expr, sp.Symbol] = {}
+    for radicand, letter in () if statement is None else _lengths(statement):
+        named.setdefault(radicand, letter)
+    lengths = {radicand: _own_letter(solution, radicand) or letter for radicand, letter in named.items()}
+    same = () if statement is None else _lengths(statement)
+    stated = {letter.name: lengths[radicand] for radicand, letter in same}
+    for step in steps:
+        if lengths and step.rule is Rule.RESULT:
+            step = replace(step, body=tuple(_defined(b, lengths, stated) for b in step.body))
+        elif lengths and step.rule in _RULES and not step.folded:
+            step = replace(step, body=tuple(_block_with_lengths(b, lengths, stated) for b in step.body))
+        yield step
+
+
+def _defined(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
+    """The box at the head with letters of lengths and a line d² = ... for each, where that is shorter."""
+    if not isinstance(block, Display):
+        return block
+    lines = [_line(e, lengths, stated) for e in block.equations]
+    used = {s for e in lines for side in e.sides if isinstance(side, sp.Expr) for s in side.free_symbols}
+    letters = {letter: radicand for radicand, letter in lengths.items() if letter in used}
+    whole = replace(block, equations=(*lines, *(Equation((d**2, square)) for d, square in letters.items())))
+    return whole if letters and whole.operations < block.operations else block
+
+
+def _own_letter(solution: Solution, radicand: sp.Expr) -> sp.Symbol | None:
+    """The abbreviation of the file that is the root."""
+    for name, value in solution.problem.abbreviations.items():
+        if isinstance(value, sp.Expr) and is_root_of(value, radicand):
+            return sp.Symbol(name, positive=True)
+    return None
+
+
+def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
+    """The radicands of long roots that a letter stands for, with the letter."""
+    for block in step.body:
+        for e in block.equations if isinstance(block, Display) else ():
+            name, value = e.sides[0], e.sides[-1]
+            if not isinstance(name, sp.Symbol) or not isinstance(value, sp.Pow) or value.exp != sp.S.Half:
+                continue
+            if e.operations >= SHORTEST_REPEATED_LENGTH:
+                yield value.base, sp.Symbol(name.name, positive=True)
+
+
+def _block_with_lengths(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
+    if not isinstance(block, Display):
+        return block
+    return replace(block, equations=tuple(_line(e, lengths, stated) for e in block.equations))
+
+
+def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:
+    first = e.sides[0]
+    letter = stated.get(first.name) if isinstance(first, sp.Symbol) else None
+    if isinstance(first, sp.Symbol) and first.name in {s.name for s in lengths.values()}:
+        return e  # what the letter stands for
+    if letter is not None:
+        return replace(e, sides=(letter,))  # stated before: by the file, or of another spring
+    letters: dict[sp.Basic, sp.Basic] = {}
+    for name, s in stated.items():
+        letters |= {sp.Symbol(name, **{sign: True}): s for sign in ("real", "positive")}
+        plain = sp.Symbol(name, real=True)
+        letters |= {prime(plain): prime(s), variation(plain): variation(s)} if name != s.name else {}
+    sides = [_side(s, lengths) for s in e.sides]
+    sides = [s.xreplace(letters) if isinstance(s, sp.Expr) else s for s in sides]
+    kept = [s for n, s in enumerate(sides) if n == 0 or s != sides[n - 1]]
+    return replace(e, sides=tuple(kept))
+
+
+def _side(side: Mathematics, lengths: dict[sp.Expr, sp.Symbol]) -> Mathematics:
+    return roots_by_letters(side, lengths) if isinstance(side, sp.Expr) else side

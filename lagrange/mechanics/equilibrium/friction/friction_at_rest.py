@@ -28,10 +28,9 @@ import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
-from lagrange.core.ranges import without_known_magnitudes
-from lagrange.core.records import record
+from lagrange.core.records import all_hold, record
+from lagrange.core.symbols import without_known_magnitudes
 from lagrange.core.vectors import Vector
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
@@ -39,20 +38,29 @@ from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, rou
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
-from lagrange.mechanics.equilibrium.friction.balance import ForceBalance, RoughContact, SolvedBalance
-from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws, sought_forces, tensions_between
+from lagrange.mechanics.equilibrium.friction.balance import (
+    BeltLaw,
+    ForceBalance,
+    RoughContact,
+    SolvedBalance,
+    belt_laws,
+    equal_angles,
+    held_coordinates,
+    sought_forces,
+    tensions_between,
+)
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
+    LoadLimits,
     RestCondition,
     SolvedFor,
     bounded_by,
     joined_cases,
+    limits_of_load,
     not_negative,
     positive,
     vanishing,
     without_weaker,
 )
-from lagrange.mechanics.equilibrium.friction.held_positions import equal_angles, held_coordinates
-from lagrange.mechanics.equilibrium.friction.limits_of_load import LoadLimits, limits_of_load
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     Inequality,
     NotEliminatedError,

@@ -41,8 +41,7 @@ from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces, unpressed
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, at_position, equilibrium
-from lagrange.mechanics.equilibrium.friction.balance import RoughContact
-from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
+from lagrange.mechanics.equilibrium.friction.balance import BeltLaw, RoughContact, belt_laws, held_coordinates
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
     SolvedFor,
@@ -51,7 +50,6 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     value_of_letter,
 )
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import each_contact_once, rough_contacts
-from lagrange.mechanics.equilibrium.friction.held_positions import held_coordinates
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 

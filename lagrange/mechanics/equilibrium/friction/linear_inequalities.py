@@ -24,7 +24,7 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.core.operations import count_operations
+from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES
 

@@ -42,9 +42,17 @@ from lagrange.mechanics.equilibrium.limits import (
     SEARCHED_STARTS,
     SPREADS,
 )
-from lagrange.mechanics.equilibrium.searched.newton import confirmed, numerical_rank, with_best, zero_near
-from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
-from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
+from lagrange.mechanics.equilibrium.searched.newton import (
+    DIGITS,
+    NoTapeError,
+    Tape,
+    confirmed,
+    numerical_rank,
+    random_start,
+    random_value,
+    with_best,
+    zero_near,
+)
 
 
 def with_search(e: Equilibrium) -> Equilibrium:

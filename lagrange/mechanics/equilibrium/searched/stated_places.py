@@ -8,6 +8,12 @@ r³ = K/(3 n²), a root, tan α = 3/2 with a triangle that has to close. An unde
 At such a position the forces balance if Q is a combination of the rows A of the constraints,
 
     Q = −Aᵀ λ     if and only if     Q − Σ u (u·Q) = 0 ,     u an orthonormal basis of the rows.
+
+Equilibria that have no closed form, against an answer: points of them in numbers, tried in the answer's equations.
+
+An answer may state such equilibria in a form of its own: tan α = 3/2 with the constraints of a linkage, where the
+program has sin α and cos α with two equations left. Neither form can be reduced to the other in letters. So parameters
+are drawn, positions are found to 45 digits (`StatedPlaces`), and at each of them one alternative must hold.
 """
 
 from __future__ import annotations
@@ -22,8 +28,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import Unspecified
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold
+from lagrange.core.symbols import Decimal, Unspecified
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     BALANCED,
@@ -34,10 +40,17 @@ from lagrange.mechanics.equilibrium.limits import (
     MOST_STATED_PLACES,
     SEARCHED_OPERATIONS,
     STATED_SAMPLES,
+    UNSOLVED_POINTS,
 )
-from lagrange.mechanics.equilibrium.searched.newton import confirmed, zero_near
-from lagrange.mechanics.equilibrium.searched.random_starts import random_start, random_value
-from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
+from lagrange.mechanics.equilibrium.searched.newton import (
+    DIGITS,
+    NoTapeError,
+    Tape,
+    confirmed,
+    random_start,
+    random_value,
+    zero_near,
+)
 
 Number = Any
 
@@ -183,3 +196,45 @@ def without_functions(expressions: Sequence[sp.Expr]) -> list[sp.Expr]:
         rule = {f: polynomial(f) for x in expressions for f in x.atoms(Unspecified)}
         expressions = [x.xreplace(rule) for x in expressions] if rule else expressions
     return list(expressions)
+
+
+# Stated in numbers
+
+
+def are_covered(
+    equations: Sequence[sp.Expr],
+    conditions: Sequence[SignCondition],
+    unknowns: Sequence[sp.Symbol],
+    turning: Collection[sp.Expr],
+    alternatives: Sequence[Sequence[sp.Expr]],
+) -> bool | None:
+    """Whether one of several systems holds at every point found of a surface where conditions are met; None: undecided.
+
+    turning  the unknowns that are angles
+    """
+    asked = [x for system in alternatives for x in system]
+    if any(isinstance(s, Decimal) for x in asked for s in x.free_symbols):
+        return None
+    verdicts = []
+    try:
+        places = StatedPlaces(equations, conditions, unknowns, turning, asked)
+        tapes = [Tape(without_functions(system), places.symbols) for system in alternatives]
+        with mpmath.workdps(60):
+            for place in islice(places, UNSOLVED_POINTS):
+                verdicts.append(_one_holds(tapes, place))
+    except NoTapeError:
+        return None
+    return False if False in verdicts else None if None in verdicts or not verdicts else True
+
+
+def _one_holds(tapes: Sequence[Tape], place: Sequence[object]) -> bool | None:
+    undecided = False
+    for tape in tapes:
+        try:
+            residuals = [is_small(x) for x in tape.values(place, DIGITS)]
+        except (ValueError, ArithmeticError):
+            continue  # what has no value there does not hold
+        if all(residuals):
+            return True
+        undecided = undecided or False not in residuals
+    return None if undecided else False

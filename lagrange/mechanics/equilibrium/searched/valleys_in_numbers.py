@@ -30,7 +30,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint, newton_point
-from lagrange.core.verdicts import all_hold
+from lagrange.core.records import all_hold
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (

@@ -1,17 +1,35 @@
-"""Zeros in floating point, and their confirmation with many digits."""
+"""Zeros in floating point, and their confirmation with many digits.
+
+Expressions as lists of operations, against SymPy's own evaluation.
+
+Numbers for parameters have the sign or the range that is declared.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from random import Random
 
 import mpmath
 import pytest
 import sympy as sp
 
 from lagrange.core.floats import FUNCTIONS
-from lagrange.mechanics.equilibrium.searched.newton import Number, confirmed, numerical_rank, with_best, zero_near
-from lagrange.mechanics.equilibrium.searched.tape import DIGITS, NoTapeError, Tape
+from lagrange.core.symbols import Bounded, Sign
+from lagrange.mechanics.equilibrium.limits import BOX
+from lagrange.mechanics.equilibrium.searched.newton import (
+    DIGITS,
+    NoTapeError,
+    Number,
+    Tape,
+    confirmed,
+    numerical_rank,
+    random_start,
+    random_value,
+    with_best,
+    zero_near,
+)
 
 x, y = sp.symbols("x y", real=True)
 
@@ -74,3 +92,66 @@ def test_powers_and_numbers() -> None:
         tape(sp.sqrt(x)).values([-1.0, 0.0])
     with pytest.raises(NoTapeError):
         tape(sp.Function("f")(x))
+
+
+# Tape
+
+
+x_tape, y_tape = sp.symbols("x y", real=True)
+EXPRESSIONS = [
+    sp.Rational(2, 3) * x_tape - y_tape**-2,
+    sp.sqrt(x_tape**2 + y_tape**2) / 5 + (x_tape**2 + 1) ** sp.Rational(-3, 2),
+    sp.pi * sp.sin(x_tape) * sp.cos(y_tape) + sp.exp(-x_tape) + sp.Abs(y_tape),
+]
+AT = {x_tape: sp.Rational(7, 5), y_tape: sp.Rational(-3, 4)}
+
+
+def test_floats_and_many_digits_have_the_values_of_sympy() -> None:
+    tape = Tape(EXPRESSIONS, (x_tape, y_tape))
+    exact = [e.xreplace(AT).evalf(50) for e in EXPRESSIONS]
+    assert tape.values([1.4, -0.75]) == pytest.approx([float(e) for e in exact])
+    with mpmath.workdps(50):
+        by_digits = tape.values([mpmath.mpf("1.4"), mpmath.mpf("-0.75")], DIGITS)
+        assert all(abs(a - mpmath.mpf(str(b))) < mpmath.mpf(10) ** -45 for a, b in zip(by_digits, exact, strict=True))
+
+
+def test_what_occurs_twice_is_carried_out_once() -> None:
+    once, twice = (
+        Tape([sp.sin(x_tape * y_tape)], (x_tape, y_tape)),
+        Tape([sp.sin(x_tape * y_tape), sp.sin(x_tape * y_tape) ** 2], (x_tape, y_tape)),
+    )
+    once.values([1.0, 2.0])
+    twice.values([1.0, 2.0])
+    assert twice.carried_out == once.carried_out + 1
+
+
+def test_no_real_value_and_no_operation_are_refused() -> None:
+    with pytest.raises((ValueError, ArithmeticError)):
+        Tape([sp.sqrt(x_tape)], (x_tape, y_tape)).values([-1.0, 0.0])
+    with pytest.raises((ValueError, ArithmeticError)):
+        Tape([sp.sqrt(x_tape)], (x_tape, y_tape)).values([mpmath.mpf(-1), mpmath.mpf(0)], DIGITS)
+    with pytest.raises(NoTapeError):
+        Tape([sp.Function("f")(x_tape)], (x_tape, y_tape))
+
+
+# Random starts
+
+
+THETA, X, FORCE = sp.symbols("theta x F", real=True)
+
+
+def test_parameters() -> None:
+    random = Random(1)
+    for _ in range(20):
+        assert random_value(sp.Symbol("m", positive=True), 2, random) > 0
+        assert random_value(sp.Symbol("n", negative=True), 2, random) < 0
+        assert random_value(Sign("sigma"), 2, random) in (-1, 1)
+        assert 0 < random_value(Bounded("alpha", sp.S.Zero, sp.pi / 2), 2, random) < 1.5708
+    assert {random_value(sp.Symbol("c", real=True), 1, random) > 0 for _ in range(20)} == {True, False}
+
+
+def test_places() -> None:
+    random = Random(1)
+    assert random_start(FORCE, [THETA, X], [THETA], random) == 0
+    assert max(abs(random_start(X, [THETA, X], [THETA], random)) for _ in range(50)) <= BOX
+    assert max(abs(random_start(THETA, [THETA, X], [THETA], random)) for _ in range(50)) > BOX

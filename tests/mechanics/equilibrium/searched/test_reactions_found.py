@@ -7,8 +7,8 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
+from lagrange.mechanics.results import values_in
 from lagrange.mechanics.solution import solve
-from lagrange.mechanics.solution_values import values_in
 from lagrange.problem.loader import read_problem
 
 # Two weights of 100 N on three cords of 1 m between points 2 m apart: the outer cords at 60° have 100/sin 60° newtons,

@@ -1,4 +1,7 @@
-"""Positions that a branch states, in any form: they balance if it is right, and do not if it is wrong."""
+"""Positions that a branch states, in any form: they balance if it is right, and do not if it is wrong.
+
+Points of a surface in numbers, at which one of several systems has to hold.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,13 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import Unspecified
-from lagrange.mechanics.equilibrium.searched.stated_places import StatedPlaces, holds_in_numbers, without_functions
+from lagrange.core.symbols import Decimal, Unspecified
+from lagrange.mechanics.equilibrium.searched.stated_places import (
+    StatedPlaces,
+    are_covered,
+    holds_in_numbers,
+    without_functions,
+)
 from tests.mechanics.equilibrium.test_stated_equilibria import found
 from tests.support.statics_texts import BEAD, PENDULUM, SKATE
 
@@ -52,3 +60,94 @@ def test_the_polynomial_of_a_function_has_its_derivatives() -> None:
     value, slope = without_functions([f, f.partial(1)])
     assert sp.expand(value.diff(Y) - slope) == 0
     assert value.has(X, Y)
+
+
+# Stated in numbers
+
+
+THETA_STATED_IN_NUMBERS = sp.Symbol("theta", real=True)
+A_STATED_IN_NUMBERS, B_STATED_IN_NUMBERS = sp.symbols("a b", positive=True)
+CUT = A_STATED_IN_NUMBERS * sp.sin(THETA_STATED_IN_NUMBERS) - B_STATED_IN_NUMBERS * THETA_STATED_IN_NUMBERS
+
+
+@pytest.mark.parametrize(
+    ("systems", "covered"),
+    [
+        (
+            [[sp.sin(THETA_STATED_IN_NUMBERS) / THETA_STATED_IN_NUMBERS - B_STATED_IN_NUMBERS / A_STATED_IN_NUMBERS]],
+            True,
+        ),
+        (
+            [[sp.sin(THETA_STATED_IN_NUMBERS) / THETA_STATED_IN_NUMBERS - A_STATED_IN_NUMBERS / B_STATED_IN_NUMBERS]],
+            False,
+        ),
+        (
+            [
+                [THETA_STATED_IN_NUMBERS - 1],
+                [A_STATED_IN_NUMBERS / B_STATED_IN_NUMBERS - THETA_STATED_IN_NUMBERS / sp.sin(THETA_STATED_IN_NUMBERS)],
+            ],
+            True,
+        ),
+        ([[CUT, THETA_STATED_IN_NUMBERS - 1]], False),
+        ([[1 / (CUT * 0 + sp.cos(THETA_STATED_IN_NUMBERS) ** 2 + sp.sin(THETA_STATED_IN_NUMBERS) ** 2 - 1)]], False),
+        ([[THETA_STATED_IN_NUMBERS - Decimal("1.25", "1:1")]], None),
+    ],
+)
+def test_transcendental_equilibria(systems: list[list[sp.Expr]], covered: bool | None) -> None:
+    """a sin θ = b θ where θ ≠ 0, in other forms. A decimal stands for many numbers, and is not tried."""
+    conditions = [SignCondition(THETA_STATED_IN_NUMBERS, "≠", sp.S.Zero)]
+    assert are_covered([CUT], conditions, [THETA_STATED_IN_NUMBERS], [THETA_STATED_IN_NUMBERS], systems) is covered
+
+
+def test_nothing_found_is_undecided() -> None:
+    """a sin θ = b θ + 9 a has no root with b small, and cos θ = 2 none at all."""
+    assert (
+        are_covered(
+            [sp.cos(THETA_STATED_IN_NUMBERS) - 2],
+            [],
+            [THETA_STATED_IN_NUMBERS],
+            [THETA_STATED_IN_NUMBERS],
+            [[THETA_STATED_IN_NUMBERS]],
+        )
+        is None
+    )
+
+
+def test_conditions_are_met() -> None:
+    """θ² = a²; θ > 0 leaves θ = a."""
+    both, positive = (
+        [THETA_STATED_IN_NUMBERS**2 - A_STATED_IN_NUMBERS**2],
+        [SignCondition(THETA_STATED_IN_NUMBERS, ">", sp.S.Zero)],
+    )
+    assert (
+        are_covered(both, positive, [THETA_STATED_IN_NUMBERS], [], [[THETA_STATED_IN_NUMBERS - A_STATED_IN_NUMBERS]])
+        is True
+    )
+    assert (
+        are_covered(both, [], [THETA_STATED_IN_NUMBERS], [], [[THETA_STATED_IN_NUMBERS - A_STATED_IN_NUMBERS]]) is False
+    )
+
+
+def test_an_undefined_function() -> None:
+    """a f'(θ) = b θ, the same function on both sides."""
+    slope = Unspecified.of("f", ["X"], THETA_STATED_IN_NUMBERS).partial(0)
+    assert (
+        are_covered(
+            [A_STATED_IN_NUMBERS * slope - B_STATED_IN_NUMBERS * THETA_STATED_IN_NUMBERS],
+            [],
+            [THETA_STATED_IN_NUMBERS],
+            [],
+            [[slope / THETA_STATED_IN_NUMBERS - B_STATED_IN_NUMBERS / A_STATED_IN_NUMBERS]],
+        )
+        is True
+    )
+    assert (
+        are_covered(
+            [A_STATED_IN_NUMBERS * slope - B_STATED_IN_NUMBERS * THETA_STATED_IN_NUMBERS],
+            [],
+            [THETA_STATED_IN_NUMBERS],
+            [],
+            [[slope / THETA_STATED_IN_NUMBERS - A_STATED_IN_NUMBERS / B_STATED_IN_NUMBERS]],
+        )
+        is False
+    )

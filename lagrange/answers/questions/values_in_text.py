@@ -1,0 +1,361 @@
+r"""Answers to questions among the lines of a text: equations for them, and values alone or beside their working.
+
+Values without a sign of equality: the name of a question before a colon, or an expression alone.
+
+    range: v^2*sin(2*alpha)/g          range = v^2*sin(2*alpha)/g
+    0, \sqrt{c/m}                      the frequencies, where small oscillations are asked for
+    F/sqrt((c - m*w^2)^2 + b^2*w^2)    the amplitude of the only coordinate, where a response is asked for
+
+An expression alone answers the only thing that the problem asks for beside its equations of motion.
+
+Lines beside the answers to questions: the working that leads to them, and values under names of their own.
+
+A line that cannot be read only because it contains the label of an answer, `m v^2/2 = m g h` before `v = ...`, is
+working; so is one without accelerations and forces, an energy or a relation of kinematics. A value under a name that
+nobody declared, which answers none of the questions though it has the dimension of one, is a wrong answer.
+
+Answers to questions among the lines of a text: h_min = 5/2 R, N = m g (1 + 2 h/R), v = sqrt(2 g l).
+
+A line answers a question if it is an equation for the quantity that is asked for, or has its letter as a label, and
+contains no other coordinate or velocity. It is compared with every question. A line that answers none, although its
+letter is that of a quantity, is wrong as an answer to those. All other lines are judged as in any other answer.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.sampler import NoPointError
+from lagrange.answers.limits import LONGEST_RUN_OF_LETTERS
+from lagrange.answers.questions.asked_quantities import check_asked, claims_of
+from lagrange.answers.questions.named_values import NOT_EQUAL, is_used_beside, label_of, sides_agree
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.judging import is_of_motion
+from lagrange.answers.written.lines import has_sign_of_equality
+from lagrange.answers.written.reading import read_as_written, tried, undeclared
+from lagrange.answers.written.statements import statement
+from lagrange.answers.written.working import Working, understood
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.records import record
+from lagrange.core.symbols import base
+from lagrange.core.units import NO_DIMENSION
+from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import Draft, cut, cuts
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.reader import is_inequality, read_value
+from lagrange.expressions.syntax_tree import FUNCTIONS
+from lagrange.mechanics.questions.results import Asked
+from lagrange.mechanics.results import Solution
+from lagrange.values.dimensions import dimension, dimensions_of_units
+
+_NAMED = re.compile(
+    r"^[ \t]*(?:[-*][ \t]+)?(?P<name>[^\W\d]\w{0,40})[ \t]*(?P<colon>:)(?=[ \t]+\S)(?P<rest>[^\n]*)$", re.MULTILINE
+)
+_BETWEEN = re.compile(r"[,;]|\b(?:and|or)\b|\\(?:text|mathrm|mbox)\{\s*(?:and|or)?\s*\}|\\q?quad(?![A-Za-z])|\n")
+_COMMAND = re.compile(r"\\(?:text|mathrm|mbox)\{[^{}]*\}|\\[A-Za-z]+")
+_WORD = re.compile(r"[^\W\d_]{2,}")
+_SMALL_WORDS = "is are be the it we an to of in at on by for if no so"
+_OF_SENTENCES = frozenset(_SMALL_WORDS.split())
+_KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "and", "or"})
+
+
+def with_sign_after_names(text: str, names: Collection[str]) -> str:
+    """`height: v^2/(2*g)` with `=` for the colon, for each name of a question; every place stays where it is."""
+    places = [
+        m.start("colon")
+        for m in _NAMED.finditer(text)
+        if m["name"] in names and not has_sign_of_equality(m["rest"]) and not is_inequality(Fragment.of(m["rest"]))
+    ]
+    for place in places:
+        text = f"{text[:place]}={text[place + 1 :]}"
+    return text
+
+
+def is_expressions(text: str) -> bool:
+    """Whether a text without equations may be expressions, and no sentence."""
+    words = [w.lower() for w in _WORD.findall(_COMMAND.sub(" ", text))]
+    prose = [w for w in words if w not in _KNOWN and (len(w) > LONGEST_RUN_OF_LETTERS or w in _OF_SENTENCES)]
+    return bool(text.strip()) and not prose and ":" not in text and not is_inequality(Fragment.of(text))
+
+
+def as_asked(answer: Sequence[Fragment], solution: Solution) -> tuple[Fragment, ...] | None:
+    """Expressions as equations for what the problem asks for; None if that is not clear."""
+    names_of_questions = {a.question.name for a in solution.asked}
+    named = [with_sign_after_names(f.text, names_of_questions) for f in answer]
+    if any(text != f.text for text, f in zip(named, answer, strict=True)):
+        return tuple(replace(f, text=text) for text, f in zip(named, answer, strict=True))
+    if not all(is_expressions(f.text) for f in answer):
+        return None
+    pieces = [cut(f, *p) for f in answer for p in cuts(f.text, _BETWEEN) if f.text[slice(*p)].strip(" $.\n")]
+    names = _names(solution, pieces)
+    if names is None or len(names) != len(pieces):
+        return None
+    return tuple(_equation(name, f) for name, f in zip(names, pieces, strict=True))
+
+
+def _names(solution: Solution, pieces: Sequence[Fragment]) -> list[str] | None:
+    """What each expression is the value of."""
+    views = solution.views
+    responses = [v.response for v in views if v.response is not None]
+    if any(v.hamiltonian is not None for v in views):
+        return ["H"] if all("p_" in f.text for f in pieces) else None
+    if responses:
+        return [q.name for q in responses[0].by_coordinate]
+    if any(v.linearization is not None for v in views):
+        return None if solution.asked else [f"omega_{n}" for n, _ in enumerate(pieces, 1)]
+    return [solution.asked[0].question.name] if len(solution.asked) == 1 else None
+
+
+def _equation(name: str, fragment: Fragment) -> Fragment:
+    letter, _, index = name.partition("_")
+    latex = is_latex(fragment)
+    draft = Draft(fragment)
+    if latex and letter in GREEK.values():
+        name = f"\\{letter}_{{{index}}}" if index else f"\\{letter}"
+    draft.apply([(0, 0, f"{name} = ")])
+    return draft.finished(latex=latex)
+
+
+# Values beside their working
+
+
+_SPEEDS = {"v", "V", "u"}
+_UNANSWERED = "it answers none of the questions"
+
+
+def working_beside(rest: Sequence[Fragment], answer: Sequence[Fragment], reference: Reference) -> list[Fragment]:
+    """The lines that cannot be read only because of names that other lines state, or of v, the speed at some place."""
+    labels = {name for f in answer if (name := label_of(f))} | _SPEEDS
+    values = []
+    for f in rest:
+        names = {*undeclared(read_as_written(f, reference.scope_of_answers), f.text)}
+        if names and names <= labels:
+            values.append(f)
+    return values
+
+
+def only_beside(working: Working, reference: Reference) -> bool:
+    """Whether what could be read is about the motion in none of its lines: energies, relations of kinematics."""
+    return not any(is_of_motion(f, reference) for f in working.judged)
+
+
+def not_judged(lines: Sequence[Fragment], why: str) -> tuple[Diagnostic, ...]:
+    """A note on each line."""
+    return tuple(Diagnostic("not-judged", f"`{f.text.strip()}` {why}", f.whole).as_note() for f in lines)
+
+
+def under_another_name(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
+    """The verdict on values of parameters alone, none of which answers a question; None if there is anything else."""
+    reference = reference_of_solution(solution)
+    known = dimensions_of_units(reference.units)
+    if known:  # what has no unit where others have one is a number
+        known |= {s: NO_DIMENSION for s in reference.parameters.values() if s not in known}
+    derived = [v for a in solution.asked for b in a.branches for v in b.values]
+    expected = {d for v in derived if (d := dimension(v, known)) is not None}
+    parts = []
+    for f in answer:
+        try:
+            stated = statement(f, reference.scope)
+            if not stated.label or len(stated.sides) != 1 or label_of(f) in reference.declared:
+                return None
+            value = tried(stated.sides[0], stated.scope, lambda g, s=stated.scope: read_value(g, s, [], latex=True))  # type: ignore[misc]
+        except ProblemError:
+            return None
+        if isinstance(value, Vector) or not value.free_symbols <= {*reference.parameters.values()}:
+            return None
+        if any(base(s) != s for s in value.free_symbols) or dimension(value, known) not in expected:
+            return None
+        parts.append(EquationVerdict(f.text.strip(), Verdict.WRONG, _UNANSWERED))
+    return AnswerVerdict(Verdict.WRONG, tuple(parts), name="ask") if parts else None
+
+
+# Equations for what is asked
+
+
+_LETTER = re.compile(r"\s*\$?\s*\\?(?P<name>[^\W\d_](?:[^\W\d_]*))(?P<rest>[^=]{0,40}?)\s*=")
+_APPLIED = re.compile(r"\s*\$?\s*\\?(?:cos|sin|tan)\s*(?:\(|\\left\s*\(|\{|~|\s)?\s*\\?(?P<name>[^\W\d_]+)[^=]{0,40}=")
+_NAMES_A_RATE = re.compile(
+    r"\s*\$?\s*\\?\w{1,8}\s*(?::=|=|\\equiv)\s*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\s\w+|\\\w+)|\w+')\s*\$?[\s.,;]*\Z"
+)
+"""`v = \\dot y`, `v = y'`: a letter for a velocity, which answers no question."""
+_SPEED_QUANTITIES = frozenset({"v", "V", "u", "w", "omega", "speed", "velocity"})
+_TIMES = frozenset({"t", "T", "tau", "time"})
+_NOT_JUDGED = (Verdict.UNREADABLE, Verdict.UNDECIDED)
+
+
+@record
+class AskedInText:
+    """The lines of a text, sorted.
+
+    verdict  on the lines that answer questions; None if there are none
+    rest     the other lines
+    missing  the questions without an answer
+    """
+
+    verdict: AnswerVerdict | None
+    rest: tuple[Fragment, ...]
+    missing: tuple[str, ...]
+
+
+def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText:
+    """The lines that answer questions, and the others."""
+    questions = [a for a in solution.asked if a.answered]
+    parts: list[EquationVerdict] = []
+    rest: list[Fragment] = []
+    answered: set[str] = set()
+    reference = reference_of_solution(solution)
+    defined = understood(answer, reference).defined
+    scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
+    wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
+    for fragment in answer:
+        if _is_condition(fragment, questions, reference):
+            continue
+        compared = [*_verdicts(fragment, questions, solution, reference)]
+        if scalars and not any(v.verdict is Verdict.EQUIVALENT for _, v in compared):
+            with_names = [*_verdicts(fragment, questions, solution, wider)]
+            right_so = any(v.verdict is Verdict.EQUIVALENT for _, v in with_names)
+            compared = with_names if right_so else compared or with_names
+        right = [(name, v) for name, v in compared if v.verdict is Verdict.EQUIVALENT]
+        named = [
+            a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
+        ]
+        named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
+        about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
+        named = [name for name in named if name in about] or named
+        named = _of_function(named, fragment, questions, reference)
+        judged = [(name, v) for name, v in compared if v.verdict not in _NOT_JUDGED and name in named]
+        if right and sides_agree(fragment, reference) is False:
+            parts.append(EquationVerdict(" ".join(fragment.text.split()), Verdict.WRONG, NOT_EQUAL))
+        elif right:
+            answered |= {name for name, _ in right}
+            name, verdict = next(((n, v) for n, v in right if n in named), right[0])
+            parts.append(_part(fragment, name, verdict))
+        elif judged and _holds_at_a_limit(fragment, judged, questions, solution, reference):
+            continue
+        elif judged and len(judged) == len(named):
+            name, verdict = _explained(fragment, judged, solution)
+            answered |= {*named} if len(named) == 1 else set()
+            parts.append(_part(fragment, name, verdict))
+        else:
+            rest.append(fragment)
+    missing = tuple(a.question.name for a in questions if a.question.name not in answered)
+    if not parts:
+        return AskedInText(None, tuple(rest), missing)
+    verdicts = {p.verdict for p in parts}
+    order = (Verdict.WRONG, *_NOT_JUDGED, Verdict.INCOMPLETE)
+    whole = next((v for v in order if v in verdicts), Verdict.EQUIVALENT)
+    return AskedInText(AnswerVerdict(whole, tuple(parts), name="ask"), tuple(rest), missing)
+
+
+def _of_function(
+    named: Sequence[str], fragment: Fragment, questions: Sequence[Asked], reference: Reference
+) -> list[str]:
+    """Of questions for one quantity those for a function of what occurs in a line, x(t) = ..., or those for none."""
+    reading = read_as_written(fragment, reference.scope)
+    used = set() if reading.error else {s for e in reading.components for s in e.free_symbols}
+    by = {a.question.name: a.question.by for a in questions}
+    functions = [name for name in named if by[name] is not None and by[name] in used]
+    return functions or [name for name in named if by[name] is None] or [*named]
+
+
+def _explained(
+    fragment: Fragment, judged: Sequence[tuple[str, EquationVerdict]], solution: Solution
+) -> tuple[str, EquationVerdict]:
+    """A wrong line with what is wrong about it, as the answer to the question to which it is close."""
+    for name, _ in judged:
+        explained = check_asked({name: fragment}, solution).equations[0]
+        if explained.verdict not in _NOT_JUDGED and (explained.diagnosis or len(judged) == 1):
+            why = explained.diagnosis if len(judged) == 1 else f"as the answer to `{name}`: {explained.diagnosis}"
+            return name, replace(explained, diagnosis=why)
+    return judged[0]
+
+
+def _states_quantity(fragment: Fragment, asked: Asked, reference: Reference) -> bool:
+    """Whether one side of a line is the quantity itself, as in R*theta' = ..."""
+    reading = read_as_written(fragment, reference.scope)
+    quantity = asked.question.quantity
+    return not reading.error and not quantity.is_Symbol and any(s == quantity for s in reading.sides)
+
+
+def _holds_at_a_limit(
+    fragment: Fragment,
+    judged: Sequence[tuple[str, EquationVerdict]],
+    questions: Sequence[Asked],
+    solution: Solution,
+    reference: Reference,
+) -> bool:
+    """Whether a line is right for the value of a parameter that is asked for: v = sqrt(g R) at the least height."""
+    names = {name for name, _ in judged}
+    for asked in questions:
+        quantity, values = asked.question.quantity, [v for b in asked.branches for v in b.values]
+        if quantity not in reference.parameters.values() or len(values) != 1 or asked.question.name in names:
+            continue
+        special = replace(reference, values={**reference.values, quantity: values[0]})
+        others = [a for a in questions if a.question.name in names]
+        if any(v.verdict is Verdict.EQUIVALENT for _, v in _verdicts(fragment, others, solution, special)):
+            return True
+    return False
+
+
+def _is_condition(fragment: Fragment, questions: Sequence[Asked], reference: Reference) -> bool:
+    """Whether a line is the condition of a question, N = 0, and no answer."""
+    reading = read_as_written(fragment, reference.scope)
+    if reading.error or len(reading.components) != 1:
+        return False
+    [e] = reading.components
+    conditions = [c.lhs - c.rhs for a in questions for c in a.question.when]
+    return any(sp.expand(e - sign * c) == 0 for c in conditions for sign in (1, -1))
+
+
+def _part(fragment: Fragment, name: str, verdict: EquationVerdict) -> EquationVerdict:
+    remarks = (*verdict.remarks, f"it is taken as the answer to `{name}`")
+    return EquationVerdict(
+        " ".join(fragment.text.split()), verdict.verdict, verdict.diagnosis, remarks if not verdict.diagnosis else ()
+    )
+
+
+def _verdicts(
+    fragment: Fragment, questions: Sequence[Asked], solution: Solution, reference: Reference
+) -> Iterator[tuple[str, EquationVerdict]]:
+    """The verdicts on a line as the answer to each question that it may answer."""
+    coordinates = {q for v in solution.views for q in v.configuration.slots.coordinates}
+    for asked in questions:
+        try:
+            claims = claims_of(fragment, asked, solution, reference)
+            stated = [e for c in claims for e in (c.expression, c.equation) if e is not None]
+            used = {s for e in stated for s in e.free_symbols if isinstance(s, sp.Symbol)}
+            asked_for = {*asked.question.quantity.free_symbols, asked.question.by}
+            if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
+                continue
+            best = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)
+        except (ProblemError, DivisionByZeroError, NoPointError, UnsupportedError):
+            continue
+        yield asked.question.name, EquationVerdict.of(fragment.text, *best)
+
+
+def _is_named(fragment: Fragment, asked: Asked) -> bool:
+    """Whether the letter on the left of a line is that of the quantity, or the name of the question."""
+    match = _APPLIED.match(fragment.text) or _LETTER.match(fragment.text)
+    if match is None:
+        return False
+    name = "".join(GREEK.get(c, c) for c in match["name"])
+    question = asked.question
+    if re.match(rf"\s*{re.escape(question.name)}\s*=", fragment.text):
+        return True
+    symbols = question.quantity.free_symbols
+    if re.search(r"['′̇̈]|dot|/", match["rest"] if "rest" in match.re.groupindex else ""):
+        return False
+    if len(symbols) == 1 and question.quantity.is_Symbol:
+        [symbol] = symbols
+        if symbol.name == "t":
+            return name in _TIMES
+        if symbol.name == base(symbol).name:
+            return bool(name == symbol.name.partition("_")[0] or match[0].strip(" $=\\") == symbol.name)
+    return any(base(s) != s and s.name.count("'") == 1 for s in symbols) and name in _SPEED_QUANTITIES

@@ -1,0 +1,251 @@
+"""Wrong results about a motion: accelerations at the start, speeds, times, distances, places.
+
+Wrong speeds, times and distances of a motion with a constant acceleration: which changed problem has them?
+
+Where the energy of a coordinate q is ½ M q'² + c q with constant M and c, its acceleration A is constant, and each of
+
+    v² = v_0² + 2 A (q − q_0) ,     q − q_0 = v_0 t + ½ A t²
+
+gives the A that a stated speed, time or place implies. It is compared with the equations of each changed problem, as a
+stated acceleration would be. A time that is the distance divided by the final velocity, or that lacks the ½, is named
+as such.
+
+Wrong accelerations and reactions at the start: which changed problem has them?
+
+At t = 0 the state is given, so that an acceleration or a reaction follows from the equations of motion alone, which
+are linear in them. A stated value is compared with the equations of each changed problem in that state.
+
+Wrong times, places and motions where the motion is known as a function of time: what happens then and there instead.
+
+A time that is asked for belongs to an event, y = 0 or x' = 0. A wrong one often belongs to another event: the stone is
+at its highest point, the oscillation is over once and not half. A wrong place is where the acceleration vanishes, or
+where another velocity does. A wrong motion x(t) does not begin as the problem says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.algebra.exact.sampler import NoPointError
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.limits import MAX_MODEL_WORK
+from lagrange.answers.models.search import Models, changed_space
+from lagrange.answers.references import ReferenceCandidate
+from lagrange.core.records import record
+from lagrange.core.symbols import base, prime, t
+from lagrange.document.math_writer import text
+from lagrange.document.names import Notation
+from lagrange.mechanics.questions.results import Asked
+
+
+@record
+class Uniform:
+    """A motion with a constant acceleration from q_0 with v_0."""
+
+    coordinate: sp.Symbol
+    start: sp.Expr
+    velocity: sp.Expr
+    acceleration: sp.Expr
+
+
+def explained_uniform(
+    claim: sp.Expr, asked: Asked, others: Sequence[Asked], candidates: Sequence[ReferenceCandidate]
+) -> str:
+    """The changed problem that gives a wrong value, in a sentence; empty if none is found."""
+    motion = next(filter(None, (_uniform(a) for a in (asked, *others) if a.choice == asked.choice)), None)
+    if motion is None:
+        return ""
+    try:
+        if asked.question.quantity == t and (place := _place(asked, motion)) is not None:
+            way, end = (
+                place - motion.start,
+                sp.sqrt(motion.velocity**2 + 2 * motion.acceleration * (place - motion.start)),
+            )
+            if motion.velocity == 0 and is_zero(claim**2 - way / motion.acceleration) is True:
+                return "the way is taken as A t^2, and with a constant acceleration A from rest it is A t^2/2"
+            if is_zero(claim**2 - (way / end) ** 2) is True:
+                return "the way is divided by the velocity at its end, and the velocity changes"
+        stated = _acceleration(claim, asked, motion)
+        if stated is None or is_zero(stated - motion.acceleration) is not False:
+            return ""
+        for candidate in candidates:
+            q = motion.coordinate
+            if q in candidate.configuration.slots.coordinates:
+                return next(_of_models(stated, q, candidate), "")
+    except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
+        pass
+    return ""
+
+
+def _uniform(asked: Asked) -> Uniform | None:
+    initial = {s.symbol: s.value for s in asked.initial}
+    for integral in asked.integrals:
+        whole = sp.expand(integral.expression)
+        rates = sorted((s for s in whole.free_symbols if s.name.endswith("'")), key=str)
+        if integral.factor != 1 or len(rates) != 1:
+            continue
+        [v] = rates
+        q = base(v)
+        inertia, pull = 2 * whole.coeff(v, 2), whole.coeff(v, 0).diff(q)
+        constant = not (inertia.has(v, q) or pull.has(v, q)) and whole.coeff(v, 1) == 0
+        if constant and inertia != 0 and pull != 0 and q in initial and v in initial:
+            return Uniform(q, initial[q], initial[v], -pull / inertia)
+    return None
+
+
+def _place(asked: Asked, motion: Uniform) -> sp.Expr | None:
+    """The value of q at which the question is asked; None if `when` is no such place."""
+    for c in asked.question.when:
+        difference = sp.expand(c.lhs - c.rhs)
+        slope = difference.coeff(motion.coordinate)
+        rest = sp.expand(difference - slope * motion.coordinate)
+        if slope != 0 and slope.is_number and not rest.has(motion.coordinate, prime(motion.coordinate)):
+            return -rest / slope
+    return None
+
+
+def _acceleration(claim: sp.Expr, asked: Asked, motion: Uniform) -> sp.Expr | None:
+    """The A for which a stated value would be right; None if the question is of another kind."""
+    q, v = motion.coordinate, prime(motion.coordinate)
+    quantity, place = asked.question.quantity, _place(asked, motion)
+    at_turn = any(sp.expand(c.lhs - c.rhs) in (v, -v) for c in asked.question.when)
+    if place is not None and quantity in (v, v**2):
+        square = claim**2 if quantity == v else claim
+        return (square - motion.velocity**2) / (2 * (place - motion.start))
+    if place is not None and quantity == t:
+        return 2 * (place - motion.start - motion.velocity * claim) / claim**2
+    if at_turn and quantity == q:
+        return -(motion.velocity**2) / (2 * (claim - motion.start))
+    if at_turn and quantity == t:
+        return -motion.velocity / claim
+    return None
+
+
+def _of_models(stated: sp.Expr, q: sp.Symbol, candidate: ReferenceCandidate) -> Iterator[str]:
+    models = candidate.models
+    if models.mechanics is None:
+        return
+    yield from of_changed_problems(prime(q, 2) - stated, models)
+
+
+# At the start
+
+
+def explained_at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> str:
+    """The changed problem that gives a wrong value at t = 0, in a sentence; empty if none is found.
+
+    candidate  the file's own system
+    """
+    question = asked.question
+    slots = candidate.configuration.slots
+    initial = {s.symbol: s.value for s in asked.initial}
+    whole = {*slots.coordinates, *slots.velocities}
+    at_start = all(c.lhs - c.rhs in (t, -t) for c in question.when) and bool(question.when)
+    if not at_start or not whole <= initial.keys():
+        return ""
+    start = {s: initial[s] for s in whole}
+    try:
+        equation = candidate.read(question.quantity - claim)
+        models = Models(candidate.system, {**candidate.values, **start}, candidate.parts)
+        if models.mechanics is None:
+            return ""
+        return next(of_changed_problems(equation, models), "")
+    except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
+        pass
+    return ""
+
+
+def of_changed_problems(equation: sp.Expr, models: Models) -> Iterator[str]:
+    """The changed problems whose equations an equation follows from at several states, within the work allowed."""
+    states = models.states([equation])
+    rows = [at.row(equation) for at in states]
+    work = MAX_MODEL_WORK
+    for number, (_, variation) in enumerate(models.variations):
+        work -= len(models.system.equations) * (len(states[0].unknowns) + 1)
+        if work < 0 or None in rows:
+            return
+        if variation.mechanics is None or variation.is_reduced:
+            continue
+        space = models.space(number, variation)
+        if space is None or rows[0] is None or rows[0] not in space:
+            continue
+        later = [changed_space(variation, at) for at in states[1:]]
+        if all(s is not None and r is not None and r in s for s, r in zip(later, rows[1:], strict=True)):
+            yield f"this is the answer {variation.clause}"
+
+
+# Instants
+
+
+StateAndRates = Mapping[sp.Symbol, sp.Expr]
+
+
+def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> str:
+    """What happens at a wrong time or place, or how a wrong motion begins, in a sentence; empty if that is not found.
+
+    others  all questions, in some of which the motion was found as a function of time
+    """
+    motion: dict[sp.Symbol, sp.Expr] = {}
+    for a in others:
+        motion |= {q: e for q, e in a.solutions.items() if a.choice == asked.choice}
+    question = asked.question
+    initial = {s.symbol: s.value for s in asked.initial}
+    try:
+        if question.by == t and question.quantity.is_Symbol:
+            return next(_beginnings(claim, question.quantity, initial), "")
+        if not motion or question.by is not None:
+            return ""
+        if question.quantity == t:
+            return next(_events(claim, motion, initial, "then"), "")
+        own = motion.get(question.quantity) if question.quantity.is_Symbol else None
+        return "" if own is None else next(_at_place(claim, question.quantity, own, motion, initial), "")
+    except (DivisionByZeroError, NoPointError, UnsupportedError):
+        return ""
+
+
+def _beginnings(claim: sp.Expr, quantity: sp.Symbol, initial: Mapping[sp.Basic, sp.Expr]) -> Iterator[str]:
+    for symbol, value in ((quantity, claim), (prime(quantity), sp.diff(claim, t))):
+        if base(quantity) == quantity and symbol in initial:
+            begins = value.xreplace({t: sp.S.Zero})
+            if is_zero(begins - initial[symbol]) is False:
+                yield f"at t = 0 this gives {symbol} = {_written(begins)} and not {_written(initial[symbol])}"
+
+
+def _events(time: sp.Expr, motion: StateAndRates, initial: Mapping[sp.Basic, sp.Expr], when: str) -> Iterator[str]:
+    """What happens at a time."""
+    if is_zero(time) is not False:
+        return
+    states = {
+        prime(q, n) if n else q: sp.diff(e, t, n).xreplace({t: time}) for q, e in motion.items() for n in (0, 1, 2)
+    }
+    start = {s: v for s, v in states.items() if s in initial}
+    if len(start) >= 2 * len(motion) and all(is_zero(v - initial[s]) is True for s, v in start.items()):
+        yield f"{when} everything is as at the start again: it is a whole period, or several"
+    for n in (1, 2, 0):
+        for q, e in motion.items():
+            s = prime(q, n) if n else q
+            rate = sp.diff(e, t, n)  # one that is constant is zero at all times
+            if rate.has(t) and is_zero(states[s]) is True and is_zero(sp.diff(rate, t)) is not True:
+                yield f"{when} {s} = 0, which is not what is asked for"
+
+
+def _at_place(
+    claim: sp.Expr, q: sp.Symbol, own: sp.Expr, motion: StateAndRates, initial: Mapping[sp.Basic, sp.Expr]
+) -> Iterator[str]:
+    """What happens where a coordinate has a value."""
+    rate = sp.diff(own, t)
+    if rate != 0 and not rate.has(t):
+        yield from _events((claim - own.xreplace({t: sp.S.Zero})) / rate, motion, initial, "there")
+        return
+    turning = [w for w in own.atoms(sp.sin, sp.cos) if w.has(t)]
+    middle = own.xreplace(dict.fromkeys(turning, sp.S.Zero))
+    if turning and not middle.has(t) and is_zero(claim - middle) is True:
+        yield f"there {prime(q, 2)} = 0: it is the middle of the oscillation"
+
+
+def _written(e: sp.Expr) -> str:
+    return text(e, Notation())

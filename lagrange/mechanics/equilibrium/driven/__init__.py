@@ -1,1 +1,0 @@
-"""Forced oscillations: harmonic drives, the linear equations under them, the steady state."""

@@ -1,0 +1,188 @@
+"""Questions about a system at rest: the couple that holds a crank at 60°, the force in a bar in a given position.
+
+At rest the forces balance for each coordinate of the file,
+
+    Q_k + Σ_j λ_j a_jk = 0 ,
+
+with the multipliers λ of all constraints. Together with the constraints and the conditions of the question, these are
+equations for coordinates, unknown forces and multipliers, from which the quantity is eliminated. Positions outside of
+the ranges of the coordinates do not count.
+
+The second route puts each position into Lagrange's equations at rest, in numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.symbols import base, t
+from lagrange.mechanics.dynamics.checks import Check
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.questions.elimination import Eliminated, eliminated
+from lagrange.mechanics.questions.limits import DIGITS
+from lagrange.mechanics.questions.ranges import in_ranges
+from lagrange.mechanics.questions.results import Asked, How, Route, Substituted
+from lagrange.problem.model import Problem, Question
+
+_TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
+_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)
+
+
+def are_about_rest(problem: Problem) -> bool:
+    """Whether no question mentions time, a velocity or an acceleration."""
+    symbols = {
+        s for q in problem.questions for e in (q.quantity, *(c.function for c in q.when)) for s in e.free_symbols
+    }
+    return not problem.initial and t not in symbols and all(base(s) == s for s in symbols)
+
+
+def position_of_rest(
+    equilibrium: Equilibrium | None, impending: Sequence[ImpendingMotion] | None, first: Question
+) -> Equilibrium:
+    """The equilibrium in the file's coordinates, with friction the one at its limit.
+
+    first  the question to be named where friction may act in several senses, or the limit was found in other
+           coordinates: a ProblemError
+    """
+    if equilibrium is not None:
+        return equilibrium
+    if impending is not None and len(impending) == 1:
+        return impending[0].equilibrium
+    if impending:
+        message = f"the question `{first.name}` has several answers: nothing says which way things are about to slip"
+        help_ = "give `slip` to each friction, a vector: `slip: -i`"
+    else:
+        message = f"the question `{first.name}` is about rest with friction, in the file's own coordinates"
+        help_ = "leave `generalized_coordinates` out, or the question"
+    raise ProblemError(Diagnostic("not-determined", message, first.span, help=help_))
+
+
+def answers_at_rest(problem: Problem, resting: Equilibrium, newton: Newton | None) -> tuple[Asked, ...]:
+    """The answers to all questions.
+
+    resting  the equilibrium in the file's coordinates
+    newton   the reactions; None without constraints
+
+    Raises ProblemError where nothing determines the quantity, or the conditions hold in no position of equilibrium.
+    """
+    reactions = () if newton is None else newton.reactions
+    balance = [
+        sp.Add(q, *(r.multiplier * r.row.coefficients[k] for r in reactions)) for k, q in enumerate(resting.work.forces)
+    ]
+    return tuple(_answer(q, problem, resting, reactions, balance) for q in problem.questions)
+
+
+def _answer(
+    question: Question, problem: Problem, resting: Equilibrium, reactions: Sequence[Reaction], balance: list[sp.Expr]
+) -> Asked:
+    configuration = resting.configuration
+    sizes = {r.force: r.single.factor * r.multiplier for r in reactions if r.single is not None and r.named}
+    sizes |= {
+        r.symbol: r.single.factor * r.multiplier for r in reactions if r.single is not None and r.symbol is not None
+    }
+
+    def applied(e: sp.Expr) -> sp.Expr:
+        return configuration.rewritten(e).xreplace(sizes)
+
+    quantity = applied(question.quantity)
+    conditions = tuple((applied(c.lhs), applied(c.rhs)) for c in question.when)
+    parameters = {p.symbol for p in problem.parameters}
+    wanted = sorted(question.quantity.free_symbols & parameters, key=str)
+    is_parameter = bool(wanted) and question.quantity.free_symbols <= parameters
+    unknowns = [*configuration.slots.coordinates, *problem.unknowns, *(r.multiplier for r in reactions)]
+    unknowns += wanted[:1] if is_parameter else []
+    if question.by is not None:
+        unknowns.remove(question.by)
+    equations = [*(a - b for a, b in conditions), *configuration.finite_constraints, *balance]
+    elimination = eliminated(equations, quantity, unknowns, (), question.quantity)
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
+    if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
+        kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
+    if elimination.never or (elimination.solved and not elimination.free and not kept):
+        raise ProblemError(_never_holds(question))
+    if elimination.solved and elimination.free:
+        raise ProblemError(_not_determined(question, elimination))
+    used = [
+        s
+        for s in sizes
+        if s in question.quantity.free_symbols | set().union(*(c.function.free_symbols for c in question.when))
+    ]
+    return Asked(
+        question,
+        configuration.name,
+        How.EXACT if kept and elimination.solved else None,
+        Route.REST,
+        used=tuple(Substituted(s, sizes[s]) for s in sorted(used, key=str) if sizes[s] != s),
+        conditions=conditions,
+        quantity=quantity,
+        branches=tuple(kept) if elimination.solved else (),
+        verified=elimination.verified,
+    )
+
+
+def _never_holds(question: Question) -> Diagnostic:
+    first = question.when[0].span if question.when else question.span
+    message = f"the `when` of the question `{question.name}` holds in no position of equilibrium"
+    help_ = "check the condition: the constraints and the balance of the forces exclude it"
+    return Diagnostic("never-holds", message, first, help=help_)
+
+
+def _not_determined(question: Question, elimination: Eliminated) -> Diagnostic:
+    listed = ", ".join(f"`{s}`" for s in sorted(elimination.free, key=str))
+    message = f"the quantity of the question `{question.name}` is not determined: it depends on {listed}"
+    help_ = "say in which position it is wanted, with `when`"
+    return Diagnostic("not-determined", message, question.written.whole, help=help_)
+
+
+def check_answers_at_rest(
+    asked: Sequence[Asked], problem: Problem, resting: Equilibrium, newton: Newton | None
+) -> list[Check]:
+    """That the answers satisfy their equations, and that Lagrange's equations hold at rest with them."""
+    exact = [a for a in asked if a.answered]
+    if not exact:
+        return []
+    verdicts = [a.verified for a in exact]
+    satisfied = False if False in verdicts else None if None in verdicts else True
+    checks = [Check("the answers to the questions satisfy the equations they were found from", satisfied, "exact")]
+    results = [r for a in exact for r in _at_sampled_values(a, problem, resting, newton)]
+    if results:
+        name = "the conditions and quantities of the questions, from Lagrange's equations in numbers"
+        checks.append(Check(name, all(results), f"at sampled values, {len(results)} states"))
+    return checks
+
+
+def _at_sampled_values(asked: Asked, problem: Problem, resting: Equilibrium, newton: Newton | None) -> Iterator[bool]:
+    """Whether Lagrange's equations can be satisfied at rest in the positions of an answer, and give its value."""
+    configuration = resting.configuration
+    slots = configuration.slots
+    still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    reactions = () if newton is None else newton.reactions
+    equations = [
+        sp.Add(left.xreplace(still), *(-r.multiplier * r.row.coefficients[k] for r in reactions))
+        for k, left in enumerate(lagrange_equations(configuration).left)
+    ]
+    numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    open_ = [p.symbol for p in problem.parameters if p.value is None]
+    numbers |= {s: sp.Rational(_PRIMES[n % len(_PRIMES)], 7) for n, s in enumerate(open_)}
+    for b in asked.branches:
+        for n, state in enumerate(b.states):
+            value = b.values[n] if len(b.values) == len(b.states) else b.values[0]
+            known = {s: e.xreplace(numbers).evalf(DIGITS) for s, e in state.items()}
+            own = {**numbers, **known}
+            if not all(e.is_number and e.is_real for e in known.values()):
+                continue
+            left = [e.xreplace(own).evalf(DIGITS) for e in equations]
+            if any(e.free_symbols for e in left):
+                continue
+            scale = 1 + max((abs(e) for e in known.values()), default=0)
+            balanced = all(abs(e) < _TOLERANCE * scale for e in left)
+            quantity = (asked.quantity - value).xreplace(own).evalf(DIGITS)
+            yield bool(balanced and (quantity.free_symbols or abs(quantity) < _TOLERANCE * scale))

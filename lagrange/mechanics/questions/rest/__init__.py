@@ -1,1 +1,0 @@
-"""Questions about a system at rest, the ranges of coordinates, and why a question has no answer."""

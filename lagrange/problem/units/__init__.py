@@ -1,1 +1,0 @@
-"""Dimensions of what a problem file states."""

@@ -1,1 +1,0 @@
-"""Derivations for notebooks, notes and lessons, composed of the formats of `render`."""

@@ -1,0 +1,59 @@
+"""Wrong speeds, times and distances of a motion with a constant acceleration.
+
+Wrong accelerations and reactions at the start.
+
+Wrong times, places and motions: what happens then and there instead.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.answers.results.diagnoses import Row, assert_explained
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"),
+    [
+        ({"distance": "v^2/(2*g*sin(alpha))"}, "this is the answer without the friction `rub`"),
+        ({"time": "v/(g*(sin(alpha) - mu*cos(alpha)))"}, "the friction `rub` acting the other way"),
+        ({"time": "v/(g*(sin(alpha) + mu))"}, "the normal force m*g, the whole weight"),
+    ],
+)
+def test_a_stopping_sledge(stated: object, said: str) -> None:
+    assert_explained("sledge-up-a-slope", "ask", stated, said)
+
+
+# Starts
+
+
+WRONG: list[Row] = [
+    ("rear-wheel-drive", "ask", {"behind": "m*g*c/(b + c)"}, "without the force `drive`"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG)
+def test_values_at_the_start(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)
+
+
+# Instants
+
+
+WRONG_INSTANTS: list[Row] = [
+    ("weight-let-go-on-a-spring", "ask", {"lowest": "m*g/k"}, "the middle of the oscillation"),
+    ("weight-let-go-on-a-spring", "ask", {"time": "2*pi*sqrt(m/k)"}, "it is a whole period"),
+    (
+        "weight-let-go-on-a-spring",
+        "ask",
+        {"motion": "m*g/k*cos(sqrt(k/m)*t)"},
+        "at t = 0 this gives x = m*g/k and not 0",
+    ),
+    ("thrown-stone", "ask", {"time": "v*sin(alpha)/g"}, "then y' = 0"),
+    ("thrown-stone", "ask", {"range": "v^2*sin(2*alpha)/(2*g)"}, "there y' = 0"),
+]
+
+
+@pytest.mark.parametrize(("problem", "key", "stated", "said"), WRONG_INSTANTS)
+def test_times_places_and_motions(problem: str, key: str, stated: object, said: str) -> None:
+    assert_explained(problem, key, stated, said)

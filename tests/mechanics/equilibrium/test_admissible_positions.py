@@ -1,0 +1,383 @@
+"""Acute angles and ranges: what they decide, and which equilibria they leave out.
+
+Poles of a chart: the azimuth at the pole of a sphere moves nothing.
+
+tan θ = ρ θ beside θ = 0: where it has roots, and the sign of the slope there, against numbers.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.diagnostics import Source
+from lagrange.document.derivation import Prose
+from lagrange.explain.report import Report, report
+from lagrange.explain.rest.equilibrium import explain_virtual_work
+from lagrange.mechanics.equilibrium.admissible_positions import beside_zero, slope, tangent_coefficients
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
+from lagrange.render.json import as_object
+from tests.support.problem_texts import places
+from tests.support.statics_texts import CHAIN, CROSS_WIND, POLES_OF_A_CHOICE
+
+PENDULUM = """title: Pendulum
+axes: {{i: right, j: down}}
+parameters: {{m: positive, l: positive, g: positive{more}}}
+coordinates: {{theta: {{range: {range}}}}}
+particles: {{P: {{mass: m, position: l*sin(theta)*i + l*cos(theta)*j}}}}
+gravity: g*j
+forces: {forces}
+find: equilibrium
+"""
+SPRING = """title: Mass on a spring
+axes: {{j: down}}
+parameters: {{m: {{value: 1 kg}}, g: {{value: 10 m/s^2}}, k: {{value: {k}}}, a: {{value: 1 m}}}}
+coordinates: {{x: {{range: {range}, unit: m}}}}
+particles: {{P: {{mass: m, position: x*j}}}}
+gravity: g*j
+forces: {{s: {{potential: k*x^2/2}}}}
+find: equilibrium
+"""
+
+
+def solved(text: str) -> Report:
+    result = report(read_problem(Source("p.yaml", text)))
+    assert result.holds, result.shortcomings
+    return result
+
+
+def equilibria(result: Report) -> list[list[str]]:
+    found: list[list[str]] = as_object(result)["equilibrium"]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("limits", "inside"),
+    [
+        ("[-90 deg, 90 deg]", ["theta = 0"]),
+        ("[90 deg, 270 deg]", ["theta = pi"]),
+        ("[-180 deg, 180 deg]", ["theta = 0", "theta = pi"]),
+        ("[-pi/3, 4*pi/3]", ["theta = 0", "theta = pi"]),
+        ("[10 deg, 200 deg]", ["theta = pi"]),
+        ("[-3, 3]", ["theta = 0"]),
+        ("[1, 2]", []),
+        ("[0, pi]", ["theta = 0", "theta = pi"]),
+        ("[2*pi, 3*pi]", ["theta = 0", "theta = pi"]),  # modulo 2π
+    ],
+)
+def test_equilibria_outside_of_the_range_are_left_out(limits: str, inside: list[str]) -> None:
+    result = solved(PENDULUM.format(more="", range=limits, forces="{}").replace("forces: {}\n", ""))
+    assert [e for [e] in equilibria(result)] == inside
+    text = terminal.text(result.derivation, result.notation, 200)
+    assert ("outside of the range" in text) == (len(inside) < 2)
+    left_out = as_object(result).get("equilibrium_outside_ranges", [])
+    assert len(left_out) + len(inside) == 2
+
+
+def test_a_range_settles_the_stability() -> None:
+    text = PENDULUM.format(more=", F: positive", range="[-90 deg, 90 deg]", forces="{push: {on: P, vector: F*i}}")
+    result = solved(text)
+    assert result.solution.own.stability is not None
+    [verdict] = result.solution.own.stability.verdicts
+    assert verdict.verdict is StabilityVerdict.STABLE
+    without = solved(text.replace("{theta: {range: [-90 deg, 90 deg]}}", "[theta]"))
+    assert without.solution.own.stability is not None
+    assert without.solution.own.stability.verdicts[0].verdict is StabilityVerdict.CONDITIONAL
+
+
+@pytest.mark.parametrize(("k", "limits", "number"), [("50 N/m", "[0, a]", 1), ("5 N/m", "[0, a]", 0),
+                                                     ("50 N/m", "[0, 10 cm]", 0), ("5 N/m", "[1, 3]", 1)])  # fmt: skip
+def test_lengths_within_their_range(k: str, limits: str, number: int) -> None:
+    result = solved(SPRING.format(k=k, range=limits))
+    found = as_object(result).get("equilibrium_in_numbers", [])
+    assert len(found) == number
+    if found:
+        assert math.isclose(found[0]["coordinates"]["x"]["number"], 10 / float(k.split()[0]))
+
+
+def test_a_range_that_depends_on_a_parameter_is_a_condition() -> None:
+    result = solved(SPRING.format(k="50 N/m", range="[0, a]"))
+    assert as_object(result)["equilibrium_conditions"] == [["a*k >= m*g"]]
+
+
+def test_the_conditions_of_a_branch_tell_on_which_side_it_lies() -> None:
+    """On a table that turns, (k − m w²) r = k l for r > 0; k l/(m w² − k) has r < 0 where k > m w²."""
+    result = solved("""title: Mass on a turning table
+parameters: {m: positive, k: positive, l: positive, w: positive}
+coordinates: {r: {range: [0, 10]}}
+particles: {P: {mass: m, position: r*cos(w*t)*i + r*sin(w*t)*j}}
+forces: {s: {spring: k, between: [O, P], length: l}}
+find: linearization
+""")
+    [branch] = result.solution.own.linearization.branches
+    assert [str(r.rhs) for r in branch.relations] == ["k*l/(k - m*w**2)"]
+    conditions = {f"{c.lhs} {c.relation} {c.rhs}" for c in branch.conditions}
+    assert conditions == {"k > m*w**2", "10*k ≥ k*l + 10*m*w**2"}
+
+
+@pytest.mark.parametrize("assume", ["acute", "{range: [1 deg, 89 deg]}"])
+def test_an_acute_angle_needs_no_conditions(assume: str) -> None:
+    text = f"""title: Block on a wedge
+axes: {{i: right, j: up}}
+parameters: {{m: positive, g: positive, mu: positive, alpha: {assume}}}
+coordinates: [s, n]
+particles: {{P: {{mass: m, position: "(s*cos(alpha) + n*sin(alpha))*i + (n*cos(alpha) - s*sin(alpha))*j"}}}}
+constraints: {{plane: {{equation: n = 0, reaction: N}}}}
+gravity: -g*j
+forces: {{rub: {{friction: mu, constraint: plane, on: P}}}}
+"""
+    page = terminal.text(*(lambda r: (r.derivation, r.notation))(solved(text)), 100)
+    assert "|cos α|" not in page
+    assert "|cos α|" in terminal.text(
+        *(lambda r: (r.derivation, r.notation))(solved(text.replace(assume, "positive"))), 100
+    )
+
+
+@pytest.mark.parametrize(
+    ("declared", "code"),
+    [
+        ("parameters: {a: {range: [1]}}\ncoordinates: [x]", "bad-range"),
+        ("parameters: {a: {range: [2, 1]}}\ncoordinates: [x]", "bad-range"),
+        ("parameters: {a: {range: [-2, -1], assume: positive}}\ncoordinates: [x]", "bad-range"),
+        ("parameters: {a: {range: [0 m, 1 kg], unit: m}}\ncoordinates: [x]", "unit-mismatch"),
+        ("parameters: {a: {range: [0, 1], value: 2}}\ncoordinates: [x]", "value-against-assumption"),
+        ("parameters: {a: {assume: acute, value: 100 deg}}\ncoordinates: [x]", "value-against-assumption"),
+        ("parameters: [l]\ncoordinates: {x: {range: [0, q]}}", "unknown-symbol"),
+        ("parameters: {l: acut}\ncoordinates: [x]", "unknown-assumption"),
+    ],
+)
+def test_ranges_that_cannot_be_used(declared: str, code: str) -> None:
+    assert [found for found, *_ in places(f"title: T\n{declared}\n")] == [code]
+
+
+def test_an_answer_in_letters_is_right_whatever_the_values() -> None:
+    """With P = 150 N > k l the stated branch has no position, and the answer in letters is right all the same."""
+    solved(
+        "title: Column\naxes: {j: up}\ncoordinates: [theta]\nfind: equilibrium\n"
+        "parameters: {k: {value: 200 N/m}, l: {value: 50 cm}, P: {value: 150 N}}\n"
+        "particles: {A: {position: l*sin(theta)*i + l*cos(theta)*j}}\n"
+        "forces: {load: {on: A, vector: -P*j}, spring: {potential: k*l^2*sin(theta)^2/2}}\n"
+        'answers: {equilibrium: [["theta = 0"], ["theta = pi"], ["cos(theta) = P/(k*l)"]]}\n'
+    )
+
+
+# Chart poles
+
+
+CYLINDRICAL = """
+title: A force in cylindrical coordinates
+parameters: [F, k]
+coordinates: [rho, phi]
+particles: {P: {mass: 1, position: rho*cos(phi)*i + rho*sin(phi)*j}}
+forces:
+  centre: {potential: k*rho^2/2}
+  push: {on: P, vector: F*i}
+find: equilibrium
+"""
+SPHERICAL = """
+title: Spherical pendulum
+parameters: [m, g, l]
+coordinates: [theta, phi]
+particles: {P: {mass: m, position: l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(phi)*j - l*cos(theta)*k}}
+gravity: -g*k
+find: equilibrium
+"""
+TORSION = "forces: {spring: {potential: m*g*l*(phi - 1)^2}}"
+CRANK = """
+title: Crank and slider pushed towards the axis
+parameters: [F, l, r]
+coordinates: [phi, psi]
+particles:
+  A: {position: l*cos(phi)*i}
+  B: {position: r*cos(psi)*i}
+forces: {push: {on: A, vector: -F*i}, pull: {on: B, vector: F*i}}
+"""
+
+
+def idle(text: str) -> list[str]:
+    e = solve(read_problem(Source("problem.yaml", text))).own.equilibrium
+    assert e is not None
+    return [" ".join(map(str, names)) for names in e.idle]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        (CYLINDRICAL, ["", ""]),  # ρ = ±F/k; and ρ = 0 with φ = ±π/2 is no equilibrium
+        (SPHERICAL, ["phi", "phi"]),
+        (SPHERICAL + TORSION, ["phi", "phi"]),
+        (CROSS_WIND, ["", ""]),
+        (CHAIN, [""]),
+        (CRANK, ["", "", "", ""]),  # dead centres: δφ moves nothing at φ = 0, but φ has a position of its own
+    ],
+)
+def test_coordinates_that_move_nothing(text: str, names: list[str]) -> None:
+    assert idle(text) == names
+
+
+def words(text: str) -> str:
+    e = solve(read_problem(Source("problem.yaml", text))).own.equilibrium
+    assert e is not None
+    blocks = explain_virtual_work(e, None).body
+    return " ".join(p for b in blocks if isinstance(b, Prose) for p in b.parts if isinstance(p, str))
+
+
+def test_it_is_said() -> None:
+    """Without a horizontal force every φ serves at the pole; with one the pole is no equilibrium of a free particle."""
+    assert "the coordinates are singular there" in words(SPHERICAL)
+    assert "fixed by other means" not in words(SPHERICAL)
+    assert "no equilibri" in words(CYLINDRICAL)
+    assert "fixed by other means" in words(SPHERICAL + TORSION)
+    assert "singular" not in words(CHAIN)
+
+
+BOWL = """
+title: A bowl
+parameters: [k, c]
+coordinates: [{coordinates}]
+let: {{X: {X}, Y: {Y}}}
+particles: {{P: {{mass: 1, position: X*i + Y*j{more}}}}}
+forces: {{field: {{potential: {potential}}}}}
+find: equilibrium
+"""
+POLAR = {"coordinates": "rho, phi", "X": "rho*cos(phi)", "Y": "rho*sin(phi)", "more": ""}
+CARTESIAN = {"coordinates": "x, y", "X": "x", "Y": "y", "more": ""}
+ON_A_CART = {"coordinates": "z, rho, phi", "X": "rho*cos(phi)", "Y": "rho*sin(phi)", "more": " + z*k"}
+CARTESIAN_ON_A_CART = {"coordinates": "z, x, y", "X": "x", "Y": "y", "more": " + z*k"}
+
+
+def verdict_at_rest(chart: dict[str, str], potential: str) -> tuple[str, set[str]]:
+    """The verdict on the place where all but an azimuth vanishes, and the conditions, without their sides."""
+    solution = solve(read_problem(Source("problem.yaml", BOWL.format(potential=potential, **chart))))
+    e, second = solution.own.equilibrium, solution.own.stability
+    assert e is not None
+    assert second is not None
+    [found] = [s for b, s in zip(e.branches, second.verdicts, strict=True) if all(r.rhs == 0 for r in b.relations)]
+    assert solution.holds
+    return found.verdict.value, {str(abs(sp.factor(c.lhs - c.rhs).subs({"k": 1, "c": 3}))) for c in found.conditions}
+
+
+@pytest.mark.parametrize(
+    "potential",
+    [
+        "k*X^2/2 + k*Y^2/2",
+        "-k*X^2/2 - c*Y^2/2",
+        "k*X^2/2 - c*Y^2/2",
+        "k*X^2 + k*Y^2 + c*X*Y",
+        "k*X^2 + c*Y^2 + (k + c)*X*Y",
+    ],
+)
+def test_stability_at_a_pole_is_that_in_cartesian_coordinates(potential: str) -> None:
+    assert verdict_at_rest(POLAR, potential) == verdict_at_rest(CARTESIAN, potential)
+
+
+@pytest.mark.parametrize("potential", ["k*X^2 + k*Y^2 + k*z^2 - k*z*X", "k*X^2 + k*Y^2 + k*z^2 - 3*k*z*X"])
+def test_stability_at_a_pole_beside_another_coordinate(potential: str) -> None:
+    assert verdict_at_rest(ON_A_CART, potential) == verdict_at_rest(CARTESIAN_ON_A_CART, potential)
+
+
+def test_without_all_directions_nothing_is_decided() -> None:
+    """With Y = X φ no displacement along j is among the δX, and V = k X² would seem to have a strict minimum."""
+    fan = {"coordinates": "x, phi", "X": "x", "Y": "x*phi", "more": ""}
+    assert verdict_at_rest(fan, "k*X^2")[0] == "undecided"
+
+
+def test_the_poles_of_a_choice_are_no_equilibria_where_the_forces_do_not_balance() -> None:
+    """At θ = 0, φ = ±π/2 Q_θ and Q_φ vanish, but nothing balances the force along i."""
+    solution = solve(read_problem(Source("problem.yaml", POLES_OF_A_CHOICE)))
+    [choice] = solution.choices
+    e = choice.equilibrium
+    assert e is not None
+    assert [len(e.branches), len(e.poles)] == [2, 4]
+    assert all(r.lhs.has(sp.tan) or r.lhs.name == "phi" for b in e.branches for r in b.relations)
+    assert solution.holds
+    said = " ".join(
+        p for b in explain_virtual_work(e, None).body if isinstance(b, Prose) for p in b.parts if isinstance(p, str)
+    )
+    assert "no equilibri" in said
+
+
+def test_without_a_horizontal_force_the_poles_of_a_choice_are_equilibria() -> None:
+    text = POLES_OF_A_CHOICE.replace("vector: F*i", "vector: -F*k")
+    [choice] = solve(read_problem(Source("problem.yaml", text))).choices
+    assert choice.equilibrium is not None
+    assert [len(choice.equilibrium.branches), len(choice.equilibrium.poles)] == [2, 0]
+
+
+SLIDER = """
+title: A slider, with an angle for its place
+parameters: [a, k, F]
+coordinates: [x]
+particles: {P: {position: x*i}}
+forces: {push: {on: P, vector: F*i}, spring: {potential: k*x^2/2}}
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: a*cos(theta)}}}
+find: equilibrium
+"""
+
+
+def test_the_edge_of_a_choice_is_no_equilibrium() -> None:
+    """x = a cos θ has no displacement at θ = 0 and π, where F = k x does not hold."""
+    solution = solve(read_problem(Source("problem.yaml", SLIDER)))
+    assert all(c.passed for c in solution.checks)
+    [view] = solution.choices
+    assert view.equilibrium is not None
+    assert [str(r.lhs) for b in view.equilibrium.branches for r in b.relations] == ["cos(theta)"]
+    assert [str(r.rhs) for b in view.equilibrium.poles for r in b.relations] == ["0", "pi"]
+
+
+def test_a_dead_centre_is_named() -> None:
+    """In the file's own coordinate θ may be the angle of a crank: then any force balances at θ = 0."""
+    crank = SLIDER[: SLIDER.index("generalized")].replace("coordinates: [x]", "coordinates: [theta]")
+    crank = crank.replace("x*i", "a*cos(theta)*i").replace("k*x^2/2", "k*a^2*cos(theta)^2/2")
+    told = report(read_problem(Source("problem.yaml", crank + "find: equilibrium\n")))
+    assert told.solution.own.equilibrium is not None
+    assert told.solution.own.equilibrium.dead_centres == (0, 1)
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "moves nothing to first order, so any forces balance there: a dead centre" in page
+
+
+# Tangent equation
+
+
+q = sp.Symbol("theta", real=True)
+R, h = sp.symbols("R h", positive=True)
+
+
+def branch(e: sp.Expr) -> Branch:
+    return Branch((), (SignCondition(q, "≠", sp.S.Zero),), left=(e,))
+
+
+def test_roots_exist_under_a_condition() -> None:
+    found = beside_zero(branch(h * sp.sin(q) - R * q * sp.cos(q)), q)
+    assert found is not None
+    assert found.occupied
+    assert found.conditions == (SignCondition(R, ">", h), SignCondition(q, "≠", sp.S.Zero))
+
+
+@pytest.mark.parametrize("ratio", [sp.Rational(1, 2), sp.S.One, sp.Rational(11, 10), sp.Integer(4), -sp.S.One])
+@pytest.mark.parametrize("a", [2, -3])
+def test_numbers(ratio: sp.Rational, a: int) -> None:
+    e = a * (sp.sin(q) - ratio * q * sp.cos(q))
+    value = sp.lambdify(q, e, "math")
+    grid = [0.001 * n for n in range(1, 1571)]
+    changes = [x for x, y in itertools.pairwise(grid) if value(x) * value(y) < 0]
+    found = beside_zero(branch(e), q)
+    assert (found is not None) == bool(changes)
+    for x in changes:
+        rise, sign = slope(e, q) or (sp.S.Zero, 0)
+        assert math.copysign(1, value(x + 0.01) - value(x - 0.01)) == sign
+        assert float(rise.subs(q, x)) == pytest.approx((value(x + 1e-4) - value(x - 1e-4)) / 2e-4, rel=0.05)
+
+
+@pytest.mark.parametrize("e", [sp.sin(q) - q, h * sp.sin(2 * q) - R * q * sp.cos(q), sp.sin(q) - q**2 * sp.cos(q)])
+def test_other_equations_are_left_as_they_are(e: sp.Expr) -> None:
+    assert tangent_coefficients(e, q) is None
+    assert beside_zero(branch(e), q) == branch(e)

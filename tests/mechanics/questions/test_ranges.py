@@ -1,0 +1,92 @@
+"""Why a question has no answer.
+
+Branches that the values of a problem exclude.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+import lagrange
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.core.diagnostics import ProblemError
+from lagrange.explain.report import report
+from lagrange.mechanics.questions.ranges import branches_with
+from lagrange.mechanics.results import values_in
+from lagrange.mechanics.solution import solve
+from lagrange.render import terminal
+from tests.mechanics.test_book_questions import Read
+
+STONE = """
+title: Stone
+parameters: [m, g, v, h]
+coordinates: [y]
+particles: {P: {mass: m, position: y*j}}
+gravity: -g*j
+initial: {y: 0, y': v}
+ask: {QUESTION}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "code"),
+    [
+        ("speed: {quantity: y'}", "not-determined"),
+        ("speed: {quantity: y', when: y'' = 0}", "never-holds"),
+    ],
+)
+def test_the_reason_has_a_code(question: str, code: str) -> None:
+    with pytest.raises(ProblemError) as caught:
+        solve(lagrange.loads(STONE.replace("QUESTION", question)), complete=False)
+    assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+# Ranges
+
+
+ROLLER = """
+title: A cylinder slides in a pipe
+axes: {i: right, j: down}
+parameters: [m, g, R, r]
+coordinates: [x, y]
+particles: {c: {mass: m, position: x*i + y*j}}
+constraints: {wall: {equation: x^2 + y^2 <= (R - r)^2, reaction: N, by: surface}}
+gravity: g*j
+generalized_coordinates:
+  a: {coordinates: [phi], substitute: {x: (R - r)*sin(phi), y: (R - r)*cos(phi)}}
+"""
+
+
+def test_a_difference_of_radii_is_positive_in_the_sense_of_the_file(problem: Read) -> None:
+    solved = report(problem(ROLLER))
+    page = terminal.text(solved.derivation, solved.notation, 120)
+    assert "N = m (R − r) (ẋ² + ẏ² + g y)/(x² + y²) = m (R − r) φ̇² + m g cos φ" in page
+    assert "|R − r|" not in page
+    assert "with R − r > 0" in page
+
+
+# In numbers
+
+
+STONE_IN_NUMBERS = """
+title: Stone
+parameters: {m: 2 kg, g: 9.81 m/s^2, v: 3 m/s, h: {unit: m}}
+coordinates: {y: {unit: m}}
+particles: {P: {mass: m, position: y*j}}
+gravity: -g*j
+initial: {y: 0, y': v}
+ask: {top: {quantity: y, when: y' = 0}}
+"""
+
+
+def test_a_condition_that_the_values_violate_excludes_its_branch_and_an_open_one_does_not() -> None:
+    solution = solve(lagrange.loads(STONE_IN_NUMBERS), complete=False)
+    [asked], values = solution.asked, values_in(solution)
+    assert values is not None
+    [branch] = asked.branches
+    m, g, v, h = (p.symbol for p in solution.problem.parameters)
+    conditions = [SignCondition(v, ">", 2 * v), SignCondition(g, ">", m), SignCondition(h, ">", m)]
+    branches = tuple(replace(branch, conditions=(c,)) for c in conditions)
+    assert branches_with(replace(asked, branches=branches), values) == branches[1:]
