@@ -125,7 +125,7 @@ LINES_OF_EQUATION = 2
 LONGEST_REACTION = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
 
-UNITS_OF_EXPLAINING = 100_000
+UNITS_OF_EXPLAINING = 250_000
 """Work (`core.effort`) for all steps, an eighth of what solving may take, and ten times what a shipped page takes;
 pictures have their own."""
 
