@@ -126,7 +126,7 @@ LONGEST_REACTION = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
 
 UNITS_OF_EXPLAINING = 250_000
-"""Work (`core.effort`) for all steps, an eighth of what solving may take, and ten times what a shipped page takes;
+"""Work (`core.effort`) for all steps, about a third of what solving may take: a single step may take half of what is left;
 pictures have their own."""
 
 UNITS_OF_A_STEP = 5_000
