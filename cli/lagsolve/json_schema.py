@@ -8,8 +8,10 @@ beyond draft 7 is used, for editors that know no more.
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
+from lagrange.core.units import names_of_units
 from lagrange.problem.keys import (
     BODY,
     FRAME,
@@ -26,6 +28,8 @@ Schema = dict[str, Any]
 _SIGNS = r"""=+*/^()\[\]{}<>|,;:!?#$%&~"`'\\.\-"""
 _NAME = f"^[^0-9{_SIGNS}][^{_SIGNS}]*$"
 _ARGUMENT = f"^[^0-9{_SIGNS}][^{_SIGNS}]*['′’]?$"
+_UNIT = f"(({'|'.join(sorted(map(re.escape, names_of_units())))})\\s*($|[*/·⋅^()⁰¹²³⁴⁵⁶⁷⁸⁹⁻])|[(])"
+"""How the name of a unit begins a text: an editor still shows a misspelt assumption."""
 _WORDS_OF_YAML = ["boolean", "null"]
 """What YAML may take a name for: `true`, `null`."""
 _READ_AS: dict[str, Any] = {"true": True, "false": False}
@@ -52,7 +56,7 @@ _INLINE: dict[str, Schema] = {
             {"type": "string", "pattern": r"^[0-9]{1,4}(\.[0-9]{1,2})?$"},
         ]
     },
-    "quantity": {"anyOf": [{"type": "number"}, {"type": "string", "pattern": r"^\s*[-+−]?\s*\.?[0-9]"}]},
+    "quantity": {"anyOf": [{"type": "number"}, {"type": "string", "pattern": rf"^\s*([-+−]?\s*\.?[0-9]|{_UNIT})"}]},
     "nothing": {"type": "null"},
 }
 

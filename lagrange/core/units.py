@@ -82,6 +82,11 @@ _ARITHMETIC = (
 _NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)"
 
 
+def names_of_units() -> frozenset[str]:
+    """All names of single units, with their prefixes."""
+    return frozenset({*_WITH_PREFIX, *_WITHOUT_PREFIX, *(p + u for p in _PREFIXES for u in _WITH_PREFIX)})
+
+
 def near_unit(text: str) -> str | None:
     """The unit that the first unknown name in a text may be meant for: `deg` of `degg`; None if there is none."""
     names = [n for n in re.findall(r"[A-Za-zΩ°µμ]+", text) if _named(n) is None]

@@ -126,8 +126,8 @@ LONGEST_REACTION = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
 
 UNITS_OF_EXPLAINING = 250_000
-"""Work (`core.effort`) for all steps, about a third of what solving may take: a single step may take half of what is left;
-pictures have their own."""
+"""Work (`core.effort`) for all steps, about a third of what solving may take: a step may take half of what is left.
+Pictures have their own."""
 
 UNITS_OF_A_STEP = 5_000
 """Of it, at least, for each step: half of what all steps of a shipped page take."""

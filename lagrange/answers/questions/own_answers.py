@@ -273,6 +273,9 @@ def explained_rest(
         return why
     readings = [read_answer(f, reference.scope) for a in alternatives for f in a]
     equations = [c for r in readings for c in r.components]
+    known = {*reference.parameters.values(), *reference.scope.slots.coordinates, *reference.scope.slots.velocities}
+    if not all(known.issuperset(e.free_symbols) for e in equations):
+        return ""  # with a tension that is to be eliminated it gives no position by itself
     return next(filter(None, (explained_position(equations, e) for e in equilibria)), "")
 
 

@@ -14,8 +14,8 @@ particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r
 straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d, or from a pulley without
 mass, whose coordinate p moves nothing else: (x − p) + (y − p) = L. It grows or decreases toward the pulley; a weight
 tells which, because a string that passes over a pulley holds it up. A constraint that is
-called a string, or is kept `by` one, may have terms of both signs, z − x = L. Where the coordinates do not place the
-ends, as in 2l sin θ = c, the whole of what equals the length L is ℓ.
+called a string, or is kept `by` one, may have terms of both signs, z − x = L. Where the coordinates do not show the
+ends, as in 2l sin θ = c or the distance of the end of a boom from a hook, the whole of what equals the length L is ℓ.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -26,6 +26,8 @@ f ≤ 0 is permitted. |g| is written without the moduli of lengths and of single
 these are positive.
 
 *Neither.* A moment, forces on several bodies, or coordinates that do not place the bodies: the name is the multiplier.
+So it is where a coordinate leads a body along a curve: of the force of a wall on a pendulum, l sin θ ≤ d, only the part
+along e_θ enters, and which way the wall faces is not known; λ is the horizontal force for l sin θ, as it is written.
 """
 
 from __future__ import annotations
@@ -33,6 +35,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from enum import StrEnum
+from itertools import combinations
 
 import sympy as sp
 
@@ -98,20 +101,27 @@ def single_force(
     configuration: Configuration,
     side: int | None = None,
     *,
+    rooted: Row | None = None,
+    constant: sp.Expr | None = None,
     is_whole: bool = True,
 ) -> SingleForce | None:
     """The single force that a reaction is, if it is not that of a rod; None if it is none.
 
     acts      the forces and moments for λ = 1; None if they are not known
+    rooted    the row with √S = l, where `row` has S = l²
+    constant  of f as it is written, where one side of the equation is without coordinates
     side      of a one-sided constraint: the force is positive where it pushes or pulls to that side
     is_whole  whether these are all; a string also acts on the coordinate of a pulley without mass, x + p = L, and
               has one tension all the same
     """
+    is_led = acts is None or placed is None or _is_led(row, acts, placed, configuration)
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
-        tension = _tension(keeping, by, acts, placed, configuration)
+        tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_led and not rooted)
+        if tension is None and is_led and rooted is not None:
+            tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
-    if acts is None or placed is None or by is Keeper.GEAR or not is_whole:
+    if acts is None or placed is None or is_led or by is Keeper.GEAR or not is_whole:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
 
@@ -147,6 +157,20 @@ def _along_unit_vector(
     presumed = tuple(written.get(a.args[0], a.args[0]) for a in sizes)
     unit = direction.map(lambda c: textbook_form(c / size))
     return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
+
+
+def _is_led(row: Row, acts: Forces, placed: Placed, configuration: Configuration) -> bool:
+    """Whether coordinates lead a body with a reaction along a curve, and the constraint is more than q = c."""
+    held = [a for a in row.coefficients if a != 0]
+    coordinates = configuration.slots.coordinates
+    if row.finite is None or (len(held) == 1 and held[0].free_symbols.isdisjoint(coordinates)):
+        return False
+    for f in (f for f in placed if not f.turning and f.name in acts.forces):
+        ways = [f.partials[b].fixed() for b in f.basis]
+        used = sum(any(w.components[n] != 0 for w in ways) for n in range(3))
+        if len(ways) < used and any(not w.partial(q).is_zero for w in ways for q in coordinates):
+            return True
+    return False
 
 
 def _ends(acts: Forces, placed: Placed, configuration: Configuration) -> tuple[str, str] | None:
@@ -251,9 +275,20 @@ class Length:
 
 
 def _tension(
-    row: Row, by: Keeper | None, acts: Forces | None, placed: Placed | None, configuration: Configuration
+    row: Row,
+    by: Keeper | None,
+    acts: Forces | None,
+    placed: Placed | None,
+    configuration: Configuration,
+    written: sp.Expr | None,
+    *,
+    whole: bool,
 ) -> SingleForce | None:
-    """The tension that keeps a distance to a point of a body, or a sum of lengths; None if it is no tension."""
+    """The tension that keeps a distance to a point of a body, or a sum of lengths; None if it is no tension.
+
+    written  the constant of f as it is written; None: by its terms
+    whole    whether what equals it may be a length by which no points are seen
+    """
     assert row.finite is not None
     coordinates = set(configuration.slots.coordinates)
     constant, terms = _separated(row.finite, coordinates)
@@ -271,9 +306,9 @@ def _tension(
             x if x is None or x.shown else _carried(k, e, configuration)
             for x, (k, e) in zip(lengths, terms, strict=True)
         ]
-    if None in lengths and placed is None and (by in (Keeper.STRING, Keeper.ROD) or _is_called_string(row.name)
-                                               or any(e.has(sp.Abs) for _, e in terms)):  # fmt: skip
-        return _of_whole_length(constant)
+    is_cord = by in (Keeper.STRING, Keeper.ROD) or _is_called_string(row.name)
+    if whole and None in lengths and (is_cord or len(terms) == len(roots) == 1):
+        return _of_whole_length(constant if written is None else written)
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
@@ -419,7 +454,7 @@ def _length(share: sp.Expr, rest: sp.Expr, placed: Placed | None, configuration:
 def _distance(share: sp.Expr, square: sp.Expr, placed: Placed | None, configuration: Configuration) -> Length | None:
     """√S of f, S = c d·d with the distance |d| of two points."""
     if placed is None:  # points that the coordinates do not place freely, as the end of a boom that turns
-        return Length(share, -1, shown=True)
+        return Length(_number_of_times(share, square, configuration), -1, shown=True)
     distance = _squared_distance(square, placed, configuration)
     if distance is None:
         return None
@@ -428,6 +463,19 @@ def _distance(share: sp.Expr, square: sp.Expr, placed: Placed | None, configurat
         return None
     unit = (between.span / sp.sqrt(square / scale)).map(tidy_quotient)
     return Length(textbook_form(share * sp.sqrt(scale)), -1, True, between.on, unit, between.opposite)
+
+
+def _number_of_times(share: sp.Expr, square: sp.Expr, configuration: Configuration) -> sp.Expr:
+    """k of share·√S = k |d|: 1 for 2l |sin θ| between the feet of two rods, of which the factor 2l is taken out.
+
+    By the distances of points that have names; where it is none of these, the letters at least are parts of |d|.
+    """
+    places = [p.position.fixed() for p in configuration.points]
+    for d in (*places, *(one - two for one, two in combinations(places, 2))):
+        times = tidy_quotient(textbook_form(share**2 * square) / (textbook_form(d.dot(d)) or sp.nan))
+        if times.is_positive and times.is_number:
+            return sp.sign(share) * sp.sqrt(times)
+    return share.as_coeff_Mul()[0] if share.is_number else sp.sign(share)
 
 
 def _coordinate(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:

@@ -238,25 +238,25 @@ def test_incline() -> None:
 
 
 def test_truss() -> None:
-    """Where the position is not found in closed form, the tensions are functions of it."""
+    """Two rods allow two places of the joint, above each other: in the upper one they would push."""
     along = "T_1*(a + x)/sqrt(a^2 + h^2) = T_2*(b - x)/sqrt(b^2 + h^2)"
     upward = "T_1*(h - y)/sqrt(a^2 + h^2) + T_2*(h - y)/sqrt(b^2 + h^2) = W"
     assert check(TRUSS, along, upward).verdict is Verdict.EQUIVALENT
     assert check(TRUSS, along.replace("a + x", "2*a + x")).verdict is Verdict.WRONG
-    # true at x = y = 0, where the joint is meant to be; at the other place that the rods allow it is not
-    assert check(TRUSS, along.replace("a + x", "a - x")).verdict is Verdict.UNDECIDED
+    # true as well: x = 0 at both places
+    assert check(TRUSS, along.replace("a + x", "a - x")).verdict is Verdict.EQUIVALENT
     found = solved(TRUSS).own.reactions_at_rest
     assert found is not None
-    [there] = found.at
-    assert there is not None
-    # at the joint's place x = y = 0 moments about the other end give each tension
-    w, a, b, h = values = 7.0, 2.0, 3.0, 1.5
-    rule = dict(zip(("W", "a", "b", "h", "x", "y"), (*values, 0.0, 0.0), strict=True))
-    tensions = {
-        n: float(v.subs({s: rule[s.name] for s in v.free_symbols})) for n, v in there.reactions.tensions.items()
-    }
-    assert tensions["left"] == pytest.approx(w * b / (a + b) * (a**2 + h**2) ** 0.5 / h)
-    assert tensions["right"] == pytest.approx(w * a / (a + b) * (b**2 + h**2) ** 0.5 / h)
+    # at x = y = 0 moments about the other end give each tension, and at x = 0, y = 2 h they have the opposite signs
+    w, a, b, h = 7.0, 2.0, 3.0, 1.5
+    rule = {"W": w, "a": a, "b": b, "h": h}
+    for there, sign in zip(found.at, (1, -1), strict=True):
+        assert there is not None
+        tensions = {
+            n: float(v.subs({s: rule[s.name] for s in v.free_symbols})) for n, v in there.reactions.tensions.items()
+        }
+        assert tensions["left"] == pytest.approx(sign * w * b / (a + b) * (a**2 + h**2) ** 0.5 / h)
+        assert tensions["right"] == pytest.approx(sign * w * a / (a + b) * (b**2 + h**2) ** 0.5 / h)
 
 
 def test_rod_on_two_planes() -> None:

@@ -79,7 +79,7 @@ def test_what_is_written(problem: Read) -> None:
     explained = report(problem(ROUGH))
     page = " ".join(terminal.text(explained.derivation, explained.notation, 110).split())
     assert "N_B is not determined: the system is statically indeterminate" in page
-    assert "tan θ ≤ μ_A (2 + μ_B tan θ)" in page
+    assert "(1 − μ_A μ_B) tan θ ≤ 2μ_A" in page
     assert "cos θ > 0 and sin θ > 0 are assumed" in page
 
 
