@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from lagrange.core.units import names_of_units
+from lagrange.core.unit_names import names_of_units
 from lagrange.problem.keys import (
     BODY,
     FRAME,

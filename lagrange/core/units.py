@@ -20,6 +20,7 @@ import sympy as sp
 from lagrange.core.diagnostics import nearest
 from lagrange.core.limits import HIGHEST_POWER_OF_UNIT
 from lagrange.core.records import record
+from lagrange.core.unit_names import PREFIXES, WITH_PREFIX, WITHOUT_PREFIX
 
 Dimension = tuple[sp.Rational, ...]
 BASE = ("kg", "m", "s", "A", "K")
@@ -47,26 +48,6 @@ class Unit:
 NUMBER = Unit(sp.S.One, NO_DIMENSION)
 
 
-# The factor to SI, a text of rational numbers and pi, and the powers of kg, m, s, A, K. A unit is made from it when it
-# is named first: few problems name more than five, and numbers of SymPy take time.
-_WITH_PREFIX = {
-    "g": ("1/1000", (1,)), "m": ("1", (0, 1)), "s": ("1", (0, 0, 1)), "A": ("1", (0, 0, 0, 1)),
-    "K": ("1", (0, 0, 0, 0, 1)), "Hz": ("1", (0, 0, -1)), "N": ("1", (1, 1, -2)), "J": ("1", (1, 2, -2)),
-    "W": ("1", (1, 2, -3)), "Pa": ("1", (1, -1, -2)), "C": ("1", (0, 0, 1, 1)), "V": ("1", (1, 2, -3, -1)),
-    "T": ("1", (1, 0, -2, -1)), "Ω": ("1", (1, 2, -3, -2)), "F": ("1", (-1, -2, 4, 2)), "H": ("1", (1, 2, -2, -2)),
-    "Nm": ("1", (1, 2, -2)), "rad": ("1", ()), "Ns": ("1", (1, 1, -1)), "Nms": ("1", (1, 2, -1)),
-    "Js": ("1", (1, 2, -1)), "Wh": ("3600", (1, 2, -2)),
-}  # fmt: skip
-_PREFIXES = {
-    "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12,
-}  # fmt: skip
-_POUND_FORCE = "0.45359237*9.80665"
-_WITHOUT_PREFIX = {
-    "1": ("1", ()), "%": ("1/100", ()), "sr": ("1", ()), "t": ("1000", (1,)), "min": ("60", (0, 0, 1)),
-    "h": ("3600", (0, 0, 1)), "deg": ("1/180*pi", ()), "°": ("1/180*pi", ()), "rev": ("2*pi", ()),
-    "rpm": ("1/30*pi", (0, 0, -1)), "ft": ("0.3048", (0, 1)), "in": ("0.0254", (0, 1)), "mph": ("0.44704", (0, 1, -1)),
-    "lb": (_POUND_FORCE, (1, 1, -2)), "lbf": (_POUND_FORCE, (1, 1, -2)), "slug": (f"{_POUND_FORCE}/0.3048", (1,)),
-}  # fmt: skip
 _ANGLES = ("rad", "deg", "°", "rev", "rpm")
 
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
@@ -82,15 +63,10 @@ _ARITHMETIC = (
 _NUMBER_AND_UNIT = rf"(?s)\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)"
 
 
-def names_of_units() -> frozenset[str]:
-    """All names of single units, with their prefixes."""
-    return frozenset({*_WITH_PREFIX, *_WITHOUT_PREFIX, *(p + u for p in _PREFIXES for u in _WITH_PREFIX)})
-
-
 def near_unit(text: str) -> str | None:
     """The unit that the first unknown name in a text may be meant for: `deg` of `degg`; None if there is none."""
     names = [n for n in re.findall(r"[A-Za-zΩ°µμ]+", text) if _named(n) is None]
-    return nearest(names[0], [*_WITH_PREFIX, *_WITHOUT_PREFIX]) if names and len(names[0]) > 2 else None
+    return nearest(names[0], [*WITH_PREFIX, *WITHOUT_PREFIX]) if names and len(names[0]) > 2 else None
 
 
 def split_number(text: str) -> tuple[str, str] | None:
@@ -174,9 +150,9 @@ class _Reader:
 
 
 def _named(name: str) -> Unit | None:
-    known, prefix = _WITHOUT_PREFIX.get(name) or _WITH_PREFIX.get(name), 0
-    if known is None and name[0] in _PREFIXES:
-        known, prefix, name = _WITH_PREFIX.get(name[1:]), _PREFIXES[name[0]], name[1:]
+    known, prefix = WITHOUT_PREFIX.get(name) or WITH_PREFIX.get(name), 0
+    if known is None and name[0] in PREFIXES:
+        known, prefix, name = WITH_PREFIX.get(name[1:]), PREFIXES[name[0]], name[1:]
     if known is None:
         return None
     text, powers = known

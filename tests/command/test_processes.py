@@ -62,6 +62,9 @@ LIGHT = (
 )
 
 
+LOADED_BY_SCHEMA = ("problem.keys", "problem.yaml", "problem.yaml.kinds", "core.unit_names")
+
+
 @pytest.mark.parametrize("arguments", LIGHT.split())
 def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
     loaded = modules(arguments.split("+"))
@@ -72,7 +75,7 @@ def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
         "lagrange",
         "lagrange.problem",
         "lagrange.problem.library",
-        *(f"lagrange.problem.{m}" for m in ("keys", "yaml", "yaml.kinds") if arguments == "schema"),
+        *(f"lagrange.{m}" for m in LOADED_BY_SCHEMA if arguments == "schema"),
         "lagrange.core",
         "lagrange.core.limits",
         "lagrange.core.printable",

@@ -30,7 +30,7 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, differential, partial, t, variation
+from lagrange.core.symbols import differential, partial, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
@@ -411,17 +411,9 @@ def _reaction(
     if acts is not None and rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod, acts.forces)
     else:
-        single = single_force(
-            row if placed is None else shown,  # where nothing is placed, only a root shows a distance
-            by,
-            acts,
-            placed,
-            configuration,
-            constraint.side,
-            rooted=None if placed is None or shown is row else row,
-            constant=_constant_side(constraint, row, configuration.slots),
-            is_whole=not others,
-        )
+        written = row if placed is None else shown  # where nothing is placed, only a root shows a distance
+        rooted = None if written is row else row
+        single = single_force(written, by, acts, placed, configuration, constraint, rooted=rooted, is_whole=not others)
     unnamed = Reaction(
         constraint=constraint,
         row=row,
@@ -435,16 +427,6 @@ def _reaction(
         on_body=acts is not None and by is None and set(acts.forces) <= {r.name for r in configuration.rotations},
     )
     return _with_symbol(unnamed, taken)
-
-
-def _constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | None:
-    """−b of a − b, or a, where that side of the equation a = b has no coordinates; None where neither is so."""
-    if row.finite is None or isinstance(constraint.lhs, Vector) or isinstance(constraint.rhs, Vector):
-        return None
-    for side in (-constraint.rhs, constraint.lhs):
-        if side.free_symbols.isdisjoint(slots.coordinates) and row.finite == constraint.lhs - constraint.rhs:
-            return side
-    return None
 
 
 def _with_symbol(reaction: Reaction, taken: frozenset[str]) -> Reaction:
