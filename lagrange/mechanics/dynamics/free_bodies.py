@@ -36,6 +36,7 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import solved_constraints
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.problem.model import Constraint
 
 
 @record
@@ -263,16 +264,20 @@ class Rod:
 
 
 def recognised_rod(
-    row: Row, points: Sequence[MassPoint], directions: dict[str, Vector], slots: Slots, surface: Surface
+    row: Row, configuration: Configuration, directions: dict[str, Vector], stated: sp.Expr | None = None
 ) -> Rod | None:
     """The distance that a constraint keeps; None if it is not a distance constraint, or not recognised as one.
 
-    points      the particles
-    directions  of the constraint's reactions on them, R_P = λ · direction
+    It has another length than the stated one only where no distance from a known point has that: for a collar on a
+    straight guide x² + h² = c² is x² = c² − h² as well.
+
+    directions  of the constraint's reactions on particles, R_P = λ · direction
     """
+    slots, surface = configuration.slots, configuration.states
     if row.finite is None or not 1 <= len(directions) <= 2:
         return None
-    for ends, centre, d in _candidates(points, directions, slots):
+    other: Rod | None = None
+    for ends, centre, d in _candidates(configuration.points, directions, slots):
         squared = textbook_form(d.dot(d))
         slopes = [partial(squared, q) for q in slots.coordinates]
         ratio = _ratio(row, slopes, surface)
@@ -281,8 +286,47 @@ def recognised_rod(
             if length is None:
                 continue
             factor = _where_it_holds(textbook_form(-(ratio * length).xreplace({squared: length**2})), row, slots)
-            return Rod(ends, centre, d, length, ratio, factor)
-    return None
+            rod = Rod(ends, centre, d, length, ratio, factor)
+            if is_length(length, stated):
+                return rod
+            other = other or rod
+    return other
+
+
+def stated_length(constraint: Constraint, row: Row, placed: Placed | None, slots: Slots) -> sp.Expr | None:
+    """L of √S = L, and of S = L² where a body has one coordinate; None where the equation states no length so."""
+    side = constant_side(constraint, row, slots)
+    if side is None or placed is None or not (side.is_positive or side.is_negative):
+        return None
+    if without_root(row, slots) is not row:
+        return abs(side)
+    powers = [e for f in sp.Mul.make_args(abs(side)) if not f.is_number for e in [f.as_base_exp()[1]]]
+    is_square = bool(powers) and all(e.is_even for e in powers)
+    return sp.sqrt(abs(side)) if is_square and all(len(f.basis) == 1 for f in placed if not f.turning) else None
+
+
+def constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | None:
+    """−b of a − b, or a, where that side of the equation a = b has no coordinates; None where neither is so."""
+    if row.finite is None or isinstance(constraint.lhs, Vector) or isinstance(constraint.rhs, Vector):
+        return None
+    sides = (-constraint.rhs, constraint.lhs) if row.finite == constraint.lhs - constraint.rhs else ()
+    return next((side for side in sides if side.free_symbols.isdisjoint(slots.coordinates)), None)
+
+
+def is_length(length: sp.Expr, stated: sp.Expr | None) -> bool:
+    """Whether a length is the stated one, up to a number; also where none is stated."""
+    return stated is None or bool(tidy_quotient(length / stated).is_number)
+
+
+def along_rod(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
+    """The full force of a rod for λ = 1, even if the coordinates by themselves take up a part of it."""
+    first, second = rod.ends
+    full = dict(directions)
+    for name, sign in ((first, 1), (second, -1)):
+        force = (rod.span * (sign * rod.ratio)).map(textbook_form)
+        if name and not (force - directions.get(name, Vector.zero())).map(textbook_form).is_zero:
+            full[name] = force
+    return full
 
 
 def _where_it_holds(e: sp.Expr, row: Row, slots: Slots) -> sp.Expr:
@@ -306,6 +350,8 @@ def _candidates(
     [name] = directions
     point = next(p for p in points if p.name == name)
     yield (name, ""), Vector.zero(), point.position
+    for p in (p for p in points if p.name != name and all(v.is_zero for v in p.partials)):
+        yield (name, ""), p.position.fixed(), point.position.fixed() - p.position.fixed()
     centre = _centre(point, directions[name], slots)
     if centre is not None and not centre.is_zero:
         yield (name, ""), centre, point.position.fixed() - centre

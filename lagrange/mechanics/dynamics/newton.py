@@ -40,11 +40,14 @@ from lagrange.mechanics.dynamics.free_bodies import (
     Freedom,
     Placed,
     Rod,
+    along_rod,
     form_as_forces,
     idle_forces,
+    is_length,
     marks_on_bodies,
     placed_freely,
     recognised_rod,
+    stated_length,
     without_root,
 )
 from lagrange.mechanics.dynamics.principle import given_forces
@@ -400,20 +403,24 @@ def _reaction(
     others = idle_forces(row, configuration)
     shown = without_root(row, configuration.slots)
     acts = None if placed is None else form_as_forces(shown, placed, configuration.states)
-    rod = None
+    rod, stated = None, stated_length(constraint, row, placed, configuration.slots)
     if acts is not None and acts.forces and not others and not acts.moments:
-        rod = recognised_rod(shown, configuration.points, dict(acts.forces), configuration.slots, configuration.states)
+        rod = recognised_rod(shown, configuration, dict(acts.forces), stated)
+    ends_elsewhere = rod is not None and not is_length(rod.length, stated)
+    rod = None if ends_elsewhere else rod
     if rod is not None and constraint.side is not None:
         is_surface = is_surface or not (constraint.side * rod.factor).is_positive
     if acts is not None and rod is not None:
-        acts = Forces(_along(rod, acts.forces), acts.moments)
+        acts = Forces(along_rod(rod, acts.forces), acts.moments)
     by = constraint.by or (Keeper.SURFACE if is_surface else None)
     if acts is not None and rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod, acts.forces)
     else:
         written = row if placed is None else shown  # where nothing is placed, only a root shows a distance
         rooted = None if written is row else row
-        single = single_force(written, by, acts, placed, configuration, constraint, rooted=rooted, is_whole=not others)
+        single = single_force(
+            written, by, acts, placed, configuration, constraint, rooted, is_led=ends_elsewhere, is_whole=not others
+        )
     unnamed = Reaction(
         constraint=constraint,
         row=row,
@@ -440,17 +447,6 @@ def _with_symbol(reaction: Reaction, taken: frozenset[str]) -> Reaction:
         return replace(reaction, multiplier=own, symbol=given, named=True)
     tension = sp.Symbol(f"T_{reaction.row.name}", real=True)
     return reaction if reaction.rod is None or tension.name in taken else replace(reaction, symbol=tension)
-
-
-def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
-    """The full force of a rod for λ = 1, even if the coordinates by themselves take up a part of it."""
-    first, second = rod.ends
-    full = dict(directions)
-    for name, sign in ((first, 1), (second, -1)):
-        force = (rod.span * (sign * rod.ratio)).map(textbook_form)
-        if name and not (force - directions.get(name, Vector.zero())).map(textbook_form).is_zero:
-            full[name] = force
-    return full
 
 
 def _field(placed: Placed, configuration: Configuration) -> Forces | None:

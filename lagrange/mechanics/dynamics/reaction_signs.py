@@ -44,11 +44,11 @@ from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, t
+from lagrange.core.symbols import t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.mechanics.dynamics.free_bodies import Forces, Placed, Rod, form_as_forces
+from lagrange.mechanics.dynamics.free_bodies import Forces, Placed, Rod, constant_side, form_as_forces
 from lagrange.problem.model import Constraint, Keeper
 
 SURFACES = frozenset({Keeper.SURFACE, Keeper.WIRE})
@@ -100,8 +100,9 @@ def single_force(
     placed: Placed | None,
     configuration: Configuration,
     constraint: Constraint,
-    *,
     rooted: Row | None = None,
+    *,
+    is_led: bool = False,
     is_whole: bool = True,
 ) -> SingleForce | None:
     """The single force that a reaction is, if it is not that of a rod; None if it is none.
@@ -110,13 +111,17 @@ def single_force(
 
     acts      the forces and moments for λ = 1; None if they are not known
     rooted    the row with √S = l, where `row` has S = l²
+    is_led    whether a length is kept of which only a part is along ways that the coordinates leave
     is_whole  whether these are all; a string also acts on the coordinate of a pulley without mass, x + p = L, and
               has one tension all the same
     """
-    side, constant = constraint.side, _constant_side(constraint, rooted or row, configuration.slots)
-    is_led = acts is None or placed is None or _is_led(row, acts, placed, configuration)
+    side, constant = constraint.side, constant_side(constraint, rooted or row, configuration.slots)
+    by = by or (Keeper.ROD if is_led else None)
+    is_led = is_led or acts is None or placed is None or _is_led(row, acts, placed, configuration)
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
-        tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_led and not rooted)
+        tension = _tension(
+            keeping, by, acts, placed, configuration, constant, whole=not rooted and (is_led or by is Keeper.STRING)
+        )
         if tension is None and is_led and rooted is not None:
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
@@ -124,14 +129,6 @@ def single_force(
     if acts is None or placed is None or is_led or by is Keeper.GEAR or not is_whole:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
-
-
-def _constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | None:
-    """−b of a − b, or a, where that side of the equation a = b has no coordinates; None where neither is so."""
-    if row.finite is None or isinstance(constraint.lhs, Vector) or isinstance(constraint.rhs, Vector):
-        return None
-    sides = (-constraint.rhs, constraint.lhs) if row.finite == constraint.lhs - constraint.rhs else ()
-    return next((side for side in sides if side.free_symbols.isdisjoint(slots.coordinates)), None)
 
 
 def _kept(row: Row, configuration: Configuration) -> Row | None:

@@ -514,4 +514,49 @@ def test_a_body_that_a_coordinate_leads_along_a_curve(equation: str, force: str)
     found = parse_expr((there.get("force") or there["multiplier"]).replace("^", "**"))
     sizes = {"c": 3.1 if "+" in equation else 1.1, "W": 3, "l": 2}
     assert float(found.subs(sizes)) == pytest.approx(float(parse_expr(force.replace("^", "**")).subs(sizes)))
-    assert "direction" not in written
+    assert written.get("direction") in (None, "-l*sin(theta)*i/c + c*j/(2*l)")  # from B to A, if that is seen
+
+
+COLLAR = """
+title: A collar on a straight guide, tied to a point beside it
+parameters: {P: positive, h: positive, c: positive}
+coordinates: {x: {range: [0, c]}}
+particles: {B: {mass: 0, position: x*i}}
+constraints: {tie: {EQUATION, reaction: T}}
+forces: {pull: {on: B, vector: P*i}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    "equation",
+    ["equation: norm(r_B - h*j) = c, by: string", "equation: norm(r_B - h*j) <= c", "equation: c = sqrt(x^2 + h^2)",
+     "equation: 'dot(r_B - h*j, r_B - h*j) = c^2'", "equation: x^2 + h^2 = c^2, by: rod", "equation: norm(r_B - h*k) = c"],
+)  # fmt: skip
+def test_a_tie_beside_a_straight_guide(equation: str) -> None:
+    """Along the guide: P = T x/c, x² = c² − h²; not T = P, as if the tie went along the guide."""
+    written = as_object(report(read_problem(Source("collar.yaml", COLLAR.replace("EQUATION", equation)))))
+    tension = parse_expr(written["reactions"]["tie"]["at_equilibrium"][0]["force"].replace("^", "**"))
+    sizes = {"c": 1.1, "P": 2.2, "h": 0.7}
+    assert float(tension.subs(sizes)) == pytest.approx(2.2 * 1.1 / (1.21 - 0.49) ** 0.5)
+
+
+def test_a_string_at_the_end_of_a_body_placed_by_three_coordinates() -> None:
+    """A ladder on smooth floor and wall: T = (W/2) tan θ, a pull, though x + (l/2) sin θ is no length by itself."""
+    text = """
+title: Ladder
+parameters: {W: positive, l: positive, c: positive}
+coordinates: {x: , y: , theta: {range: [0, pi/2]}}
+bodies: {L: {mass: 0, inertia: 0, position: x*i + y*j, angle: -theta}}
+constraints:
+  wall: {equation: "x - l/2*sin(theta) >= 0", reaction: A}
+  floor: {equation: "y - l/2*cos(theta) >= 0", reaction: B}
+  rope: {equation: x + l/2*sin(theta) = c, reaction: T, by: string}
+forces: {w: {on: L, vector: -W*j}}
+find: equilibrium
+"""
+    reactions = as_object(report(read_problem(Source("ladder.yaml", text))))["reactions"]
+    sizes = {"c": 1.1, "W": 3, "l": 2}
+    found = [float(parse_expr(reactions[n]["force"].replace("^", "**")).subs(sizes)) for n in ("wall", "floor", "rope")]
+    thrust = 3 / 2 * tan(asin(1.1 / 2))
+    assert found == pytest.approx([thrust, 3, thrust])
