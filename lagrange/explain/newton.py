@@ -190,6 +190,13 @@ def _support(reaction: Reaction) -> str:
 
 
 def _force(reaction: Reaction) -> list[Prose]:
+    if not reaction.is_partial or not reaction.acts_on:
+        return _whole_force(reaction)
+    words = f"Of it, only the part along the path that the coordinates leave to {joined(map(the, reaction.acts_on))} "
+    return [*_whole_force(reaction), prose(words, "enters the equations.")]
+
+
+def _whole_force(reaction: Reaction) -> list[Prose]:
     if reaction.rod is not None:
         return [_of_rod(reaction, reaction.rod)]
     called, single = constraints_called([reaction.name]), reaction.single
@@ -269,6 +276,8 @@ def _not_a_force(reaction: Reaction) -> list[Part]:
     why = _why_no_force(reaction)
     if why is None or reaction.given is None:
         return []
+    if reaction.is_partial:
+        return [" Its direction cannot be told from the coordinates: ", math(reaction.given), " is the multiplier."]
     return [" It ", why, " and is no single force: ", math(reaction.given), " is the multiplier."]
 
 

@@ -55,6 +55,7 @@ from lagrange.mechanics.dynamics.reaction_signs import (
     SURFACES,
     ForceKind,
     SingleForce,
+    is_led,
     single_force,
     tension_of_rod,
 )
@@ -73,6 +74,7 @@ class Reaction:
     on_body     whether it acts on mass centres of rigid bodies only: then a contact keeps a distance, and no rod
     rough       the same if it is a surface, on which something slides with friction or as the file says: no tension
     single      the single force that it is; None if it is none
+    is_partial  whether only the part of it along the ways that coordinates leave is known
     symbol      of that force, if it is not λ; `named` if the file gives it
     """
 
@@ -88,6 +90,7 @@ class Reaction:
     on_body: bool = False
     rough: Rod | None = None
     single: SingleForce | None = None
+    is_partial: bool = False
 
     @property
     def name(self) -> str:
@@ -156,7 +159,7 @@ class Reaction:
     def is_normal(self) -> bool:
         """Whether it is the force of a surface on one particle."""
         alone = self.directions is not None and len(self.directions) == 1 and not self.others and not self.moments
-        return alone and self.row.finite is not None and self.rod is None
+        return alone and self.row.finite is not None and self.rod is None and not self.is_partial
 
     def on(self, particle: str) -> Vector | None:
         """The direction of the force on a particle; None if it does not act there."""
@@ -412,14 +415,14 @@ def _reaction(
         is_surface = is_surface or not (constraint.side * rod.factor).is_positive
     if acts is not None and rod is not None:
         acts = Forces(along_rod(rod, acts.forces), acts.moments)
-    by = constraint.by or (Keeper.SURFACE if is_surface else None)
+    by = constraint.by or (Keeper.SURFACE if is_surface else Keeper.ROD if ends_elsewhere else None)
+    leads = ends_elsewhere or (rod is None and is_led(shown, acts, placed, configuration))
     if acts is not None and rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod, acts.forces)
     else:
         written = row if placed is None else shown  # where nothing is placed, only a root shows a distance
-        rooted = None if written is row else row
         single = single_force(
-            written, by, acts, placed, configuration, constraint, rooted, is_led=ends_elsewhere, is_whole=not others
+            written, by, acts, placed, configuration, constraint, row, leads=leads, is_whole=not others
         )
     unnamed = Reaction(
         constraint=constraint,
@@ -431,6 +434,7 @@ def _reaction(
         moments={} if acts is None else acts.moments,
         rough=rod if is_surface else None,
         single=single,
+        is_partial=leads,
         on_body=acts is not None and by is None and set(acts.forces) <= {r.name for r in configuration.rotations},
     )
     return _with_symbol(unnamed, taken)

@@ -100,9 +100,9 @@ def single_force(
     placed: Placed | None,
     configuration: Configuration,
     constraint: Constraint,
-    rooted: Row | None = None,
+    rooted: Row,
     *,
-    is_led: bool = False,
+    leads: bool = False,
     is_whole: bool = True,
 ) -> SingleForce | None:
     """The single force that a reaction is, if it is not that of a rod; None if it is none.
@@ -110,23 +110,21 @@ def single_force(
     Of a one-sided constraint it is positive where it pushes or pulls to the permitted side.
 
     acts      the forces and moments for λ = 1; None if they are not known
-    rooted    the row with √S = l, where `row` has S = l²
-    is_led    whether a length is kept of which only a part is along ways that the coordinates leave
+    rooted    the row as it is written, with √S = l where `row` has S = l²
+    leads     whether only a part of the force is along ways that the coordinates leave
     is_whole  whether these are all; a string also acts on the coordinate of a pulley without mass, x + p = L, and
               has one tension all the same
     """
-    side, constant = constraint.side, constant_side(constraint, rooted or row, configuration.slots)
-    by = by or (Keeper.ROD if is_led else None)
-    is_led = is_led or acts is None or placed is None or _is_led(row, acts, placed, configuration)
+    side, constant = constraint.side, constant_side(constraint, rooted, configuration.slots)
+    leads = leads or acts is None or placed is None
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
-        tension = _tension(
-            keeping, by, acts, placed, configuration, constant, whole=not rooted and (is_led or by is Keeper.STRING)
-        )
-        if tension is None and is_led and rooted is not None:
+        whole = rooted is row and (leads or by is Keeper.STRING)
+        tension = _tension(keeping, by, acts, placed, configuration, constant, whole=whole)
+        if tension is None and leads and rooted is not row:
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
-    if acts is None or placed is None or is_led or by is Keeper.GEAR or not is_whole:
+    if acts is None or placed is None or leads or by is Keeper.GEAR or not is_whole:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
 
@@ -163,8 +161,10 @@ def _along_unit_vector(
     return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
 
 
-def _is_led(row: Row, acts: Forces, placed: Placed, configuration: Configuration) -> bool:
+def is_led(row: Row, acts: Forces | None, placed: Placed | None, configuration: Configuration) -> bool:
     """Whether coordinates lead a body with a reaction along a curve, and the constraint is more than q = c."""
+    if acts is None or placed is None:
+        return False
     held = [a for a in row.coefficients if a != 0]
     coordinates = configuration.slots.coordinates
     if row.finite is None or (len(held) == 1 and held[0].free_symbols.isdisjoint(coordinates)):

@@ -115,7 +115,7 @@ class HeldBody:
     """A direction in which the coordinates cannot place a body, although a force has to act along it.
 
     along  the unit vector n; None if there are several such directions
-    value  S, positive along n; None if a field may have a component there that the coordinates do not tell
+    value  S, positive along n; None if a field or a reaction may have a component there that is not known
     """
 
     body: str
@@ -137,7 +137,7 @@ def _held(body: FreeBody, at_rest: bool) -> Iterator[HeldBody]:
     force = point.acceleration.fixed() * mass - body.applied.fixed()
     for reaction, direction in body.reactions:
         force = force - direction.fixed() * reaction.force
-    known = "" not in body.loads
+    known = "" not in body.loads and not any(reaction.is_partial for reaction, _ in body.reactions)
     directions = _across(placed)
     values = [textbook_form(force.dot(n)) for n in directions]
     acting = [(n, value) for n, value in zip(directions, values, strict=True) if is_zero(value) is not True]
