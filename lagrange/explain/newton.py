@@ -120,7 +120,7 @@ def natures(reactions: Iterable[Reaction]) -> list[Prose]:
     alike: dict[tuple[object, ...], list[Reaction]] = {}
     for r in reactions:
         by_form = _is_of_form(r) and r.constraint.by is None and r.row.nonlinear is None
-        key: tuple[object, ...] = (r.acts_on, str(_why_no_force(r))) if by_form else (r.name,)
+        key: tuple[object, ...] = (r.acts_on, str(_why_no_force(r)), r.is_partial) if by_form else (r.name,)
         if r.constraint.by is Keeper.WIRE and r.is_normal and r.single is not None and r.given is not None:
             key = (r.acts_on, Keeper.WIRE)
         alike.setdefault(key, []).append(r)
@@ -161,6 +161,7 @@ def _by_their_forms(reactions: Sequence[Reaction]) -> list[Prose]:
             "They have moments and are no single forces: " if why == "has a moment" else "They act on several bodies: "
         )
         they = "They act on coordinates that move no particle: " if reactions[0].others else they
+        they = "Their directions cannot be told from the coordinates: " if reactions[0].is_partial else they
         end = (f" {they}", *multipliers, " are the multipliers.")
     return [prose(words, *multipliers, " times the coefficients of their forms.", *end)]
 
