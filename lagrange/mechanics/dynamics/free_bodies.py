@@ -269,12 +269,16 @@ def recognised_rod(
     """The distance that a constraint keeps; None if it is not a distance constraint, or not recognised as one.
 
     It has another length than the stated one only where no distance from a known point has that: for a collar on a
-    straight guide x² + h² = c² is x² = c² − h² as well.
+    straight guide x² + h² = c² is x² = c² − h² as well. Where a body has one coordinate, whatever holds it keeps its
+    distance from every point.
 
     directions  of the constraint's reactions on particles, R_P = λ · direction
     """
     slots, surface = configuration.slots, configuration.states
     if row.finite is None or not 1 <= len(directions) <= 2:
+        return None
+    ways = [sum(not v.is_zero for v in p.partials) for p in configuration.points if p.name in directions]
+    if stated is None and ways == [1]:
         return None
     other: Rod | None = None
     for ends, centre, d in _candidates(configuration.points, directions, slots):
@@ -296,7 +300,7 @@ def recognised_rod(
 def stated_length(constraint: Constraint, row: Row, placed: Placed | None, slots: Slots) -> sp.Expr | None:
     """L of √S = L, and of S = L² where a body has one coordinate; None where the equation states no length so."""
     side = constant_side(constraint, row, slots)
-    if side is None or placed is None or not (side.is_positive or side.is_negative):
+    if side is None or side == 0 or placed is None:
         return None
     if without_root(row, slots) is not row:
         return abs(side)

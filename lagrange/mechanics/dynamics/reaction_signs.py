@@ -162,18 +162,22 @@ def _along_unit_vector(
 
 
 def is_led(row: Row, acts: Forces | None, placed: Placed | None, configuration: Configuration) -> bool:
-    """Whether coordinates lead a body with a reaction along a curve, and the constraint is more than q = c."""
-    if acts is None or placed is None:
+    """Whether coordinates lead a body with a reaction along a curve, and the constraint is more than q = c.
+
+    It is more than that where q is no length or angle along the curve: x = c stops a bead on y = x²/a by a wall.
+    """
+    if acts is None or placed is None or row.finite is None:
         return False
-    held = [a for a in row.coefficients if a != 0]
+    held = [(k, a) for k, a in enumerate(row.coefficients) if a != 0]
     coordinates = configuration.slots.coordinates
-    if row.finite is None or (len(held) == 1 and held[0].free_symbols.isdisjoint(coordinates)):
-        return False
+    is_at = len(held) == 1 and held[0][1].free_symbols.isdisjoint(coordinates)
     for f in (f for f in placed if not f.turning and f.name in acts.forces):
         ways = [f.partials[b].fixed() for b in f.basis]
         used = sum(any(w.components[n] != 0 for w in ways) for n in range(3))
         if len(ways) < used and any(not w.partial(q).is_zero for w in ways for q in coordinates):
-            return True
+            way = f.partials[held[0][0]].fixed()
+            if not is_at or textbook_form(way.dot(way)).free_symbols & {*coordinates}:
+                return True
     return False
 
 

@@ -177,9 +177,12 @@ def _at(
     common = {} if b.left else b.common
     configuration, letters = resting.configuration, resting.solution.letters
 
+    places = {q: letters.write(v) for q, v in common.items() if q in configuration.slots.coordinates}
+
     def write(e: sp.Expr) -> sp.Expr:
         algebraic = letters.read(configuration.rewritten(e).xreplace(dict(points.given)))
-        return letters.write(resolved(algebraic, common)).xreplace(dict(points.given))
+        written = resolved(letters.write(resolved(algebraic, common)), places)  # x under a root is no letter
+        return written.xreplace(dict(points.given))
 
     place = SolutionPlace(write, points, points, tidy_quotient, lambda e: over_one_denominator(shortest_form(e)))
     slots = original.configuration.slots
