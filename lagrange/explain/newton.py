@@ -210,7 +210,7 @@ def _whole_force(reaction: Reaction) -> list[Prose]:
             what = ("the tension ", math(*_valued(reaction, reaction.symbol_of_force)))
         beginning = f"{capital(called)}{keeper} keeps a length constant: its reaction is "
         return [prose(beginning, *what, ", positive where it pulls.")]
-    if single is not None and reaction.given is not None:
+    if single is not None and reaction.given is not None and not reaction.is_partial:
         return [_along(reaction, single, reaction.given)]
     multiplier = math(reaction.multiplier)
     if reaction.is_normal and reaction.directions:
@@ -223,6 +223,8 @@ def _whole_force(reaction: Reaction) -> list[Prose]:
     if reaction.row.nonlinear is not None:
         form = "the derivatives of the constraint with respect to the velocities"
     words = f"The reaction of {called} on {joined(map(the, reaction.acts_on))} is "
+    if single is not None and reaction.given is not None:
+        multiplier, form = math(reaction.given), f"{form}, to the permitted side"
     return [prose(words, multiplier, f" times {form}.", *_not_a_force(reaction))]
 
 

@@ -118,12 +118,14 @@ def single_force(
     side, constant = constraint.side, constant_side(constraint, rooted, configuration.slots)
     leads = leads or acts is None or placed is None
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
-        whole = rooted is row and (leads or by is Keeper.STRING)
-        tension = _tension(keeping, by, acts, placed, configuration, constant, whole=whole)
+        is_cord = rooted is row and (leads or by is Keeper.STRING)
+        tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_cord)
         if tension is None and leads and rooted is not row:
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
+    if leads and placed is not None and side == -1:  # λ, counted as it pushes
+        return SingleForce(ForceKind.ALONG, sp.S.NegativeOne)
     if acts is None or placed is None or leads or by is Keeper.GEAR or not is_whole:
         return None
     return _along_unit_vector(row, acts, placed, configuration, side or 1)
@@ -164,12 +166,11 @@ def _along_unit_vector(
 def is_led(row: Row, acts: Forces | None, placed: Placed | None, configuration: Configuration) -> bool:
     """Whether coordinates lead a body with a reaction along a curve, and the constraint is more than q = c.
 
-    It is more than that where q is no length or angle along the curve: x = c stops a bead on y = x²/a by a wall.
+    It is more where q is no length or angle along the curve: x = c stops a bead on y = x²/a by a wall.
     """
     if acts is None or placed is None or row.finite is None:
         return False
-    held = [(k, a) for k, a in enumerate(row.coefficients) if a != 0]
-    coordinates = configuration.slots.coordinates
+    coordinates, held = configuration.slots.coordinates, [(k, a) for k, a in enumerate(row.coefficients) if a != 0]
     is_at = len(held) == 1 and held[0][1].free_symbols.isdisjoint(coordinates)
     for f in (f for f in placed if not f.turning and f.name in acts.forces):
         ways = [f.partials[b].fixed() for b in f.basis]

@@ -565,3 +565,36 @@ find: equilibrium
     found = [float(parse_expr(reactions[n]["force"].replace("^", "**")).subs(sizes)) for n in ("wall", "floor", "rope")]
     thrust = 3 / 2 * tan(asin(1.1 / 2))
     assert found == pytest.approx([thrust, 3, thrust])
+
+
+BEAD = """
+title: A bead on a parabola, stopped by a wall
+parameters: {W: positive, P: positive, a: positive, c: positive}
+coordinates: [COORDINATES]
+particles: {B: {mass: 0, position: PLACE}}
+constraints: {CURVE wall: {equation: EQUATION, reaction: S}}
+forces: {weight: {on: B, vector: -W*j}, pull: {on: B, vector: P*i}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "place", "curve"),
+    [("x", "x*i + x^2/a*j", ""), ("x, y", "x*i + y*j", "curve: {equation: a*y = x^2, reaction: N},")],
+)
+@pytest.mark.parametrize("equation", ["x <= c", "c >= x", "2*x <= 2*c"])
+def test_a_wall_on_a_curve(coordinates: str, place: str, curve: str, equation: str) -> None:
+    """The force of the curve is (−2c/a, 1) W, so that the wall has to push with S = P − 2 W c/a, and not away from O."""
+    text = BEAD.replace("COORDINATES", coordinates).replace("PLACE", place).replace("CURVE", curve)
+    made = report(read_problem(Source("bead.yaml", text.replace("EQUATION", equation))))
+    reactions = as_object(made)["reactions"]
+    sizes = {"W": 1.3, "P": 2.2, "a": 1.5, "c": 0.7}
+    times = 2 if equation.startswith("2") and not curve else 1
+    [wall] = reactions["wall"]["at_equilibrium"]
+    push = float(parse_expr(wall.get("force") or wall["multiplier"]).subs(sizes))
+    assert push * times == pytest.approx(2.2 - 2 * 1.3 * 0.7 / 1.5)
+    if curve:
+        normal = reactions["curve"]["at_equilibrium"][0]["force"].replace("^", "**")
+        assert abs(float(parse_expr(normal).subs(sizes))) == pytest.approx(1.3 * (1 + (1.4 / 1.5) ** 2) ** 0.5)
+    page = " ".join(terminal.text(made.derivation, made.notation, 100).split())
+    assert "at the distance" not in page
