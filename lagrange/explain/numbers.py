@@ -28,8 +28,9 @@ from lagrange.document.derivation import (
     series,
 )
 from lagrange.explain.limits import MOST_SHAPES
-from lagrange.explain.questions import angle_of, answer_label
+from lagrange.explain.questions import angle_of, answer_label, in_degrees
 from lagrange.explain.words import plural, suffix_of, title_in
+from lagrange.mechanics.equilibrium.admissible_positions import only_angle
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position, critical_values
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
@@ -63,8 +64,9 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
-    angles: Angles = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+    angles: dict[Sides, Math] = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
               if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
+    angles = {**angles, **{sides: angle for view in solution.views for sides, angle in _at_rest(view, values, digits)}}
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
@@ -83,6 +85,20 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         else:
             there = _at_positions_found(step, solution, values, digits) if step.rule is Rule.SOLVED_REACTIONS else ()
             yield replace(step, body=(*_blocks(step, values, digits, excluded, bare, angles), *there))
+
+
+def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple[Sides, Math]]:
+    """The angles of equilibria that a sine, cosine or tangent and the range of the coordinate determine."""
+    for b in view.equilibrium.branches if view.equilibrium is not None else ():
+        stated: set[object] = set()
+        for r in b.relations:
+            q = r.lhs.args[0] if isinstance(r.lhs, sp.sin | sp.cos | sp.tan) else None
+            if q in stated or q not in view.configuration.ranges:
+                continue
+            angle = only_angle(r.lhs, values.put_in(r.rhs), view.configuration.ranges[q])
+            if angle is not None and (shown := in_degrees(q, angle, digits)) is not None:
+                stated.add(q)
+                yield (r.lhs, r.rhs), shown
 
 
 def _given(values: Values, digits: int) -> Iterator[Block]:

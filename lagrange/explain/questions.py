@@ -323,18 +323,21 @@ def _angles(asked: Asked) -> Iterator[Math]:
 
 def angle_of(asked: Asked, b: AnswerBranch, values: Values | None = None, digits: int = 4) -> Math | None:
     """θ = 48.19° for cos θ = 2/3, with values substituted; None where it gives no angle by its cosine or the like."""
-    from lagrange.values.quantities import NotRealError, is_exact, rounded, with_unit
-
     if not isinstance(b.lhs, sp.cos | sp.sin | sp.tan):
         return None
     angles = [v if values is None else values.put_in(v) for v in b.values]
-    degrees = one_value([v * 180 / sp.pi for v in angles if v.is_number])
-    if degrees is None:
-        return None
+    angle = one_value([v for v in angles if v.is_number])
+    return None if angle is None else in_degrees(asked.question.quantity, angle, digits)
+
+
+def in_degrees(name: sp.Expr, angle: sp.Expr, digits: int) -> Math | None:
+    """θ = 48.19° for an angle that is a number; None where it is not real."""
+    from lagrange.values.quantities import NotRealError, is_exact, rounded, with_unit
+
+    degrees = angle * 180 / sp.pi
     try:
         shown = rounded(degrees, digits)
-        relation = "=" if is_exact(degrees, shown) else "≈"
-        return math(asked.question.quantity, with_unit(shown, "°"), relation=relation)
+        return math(name, with_unit(shown, "°"), relation="=" if is_exact(degrees, shown) else "≈")
     except NotRealError:
         return None
 

@@ -83,6 +83,20 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
     return (sp.sin(q - limits.low), sp.sin(limits.high - q)), False
 
 
+def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
+    """The only θ in a range with cos θ, sin θ or tan θ = value, all of them numbers; None if there is not just one."""
+    if not (value.is_number and limits.low.is_number and limits.high.is_number):
+        return None
+    inverse, period = {sp.cos: (sp.acos, 2 * sp.pi), sp.sin: (sp.asin, 2 * sp.pi), sp.tan: (sp.atan, sp.pi)}[wave.func]
+    first = inverse(value)
+    if not first.is_real:
+        return None
+    others = {sp.cos: (-first,), sp.sin: (sp.pi - first,), sp.tan: ()}[wave.func]
+    turned = {sp.expand(a + n * period) for a in (first, *others) for n in range(-2, 3)}
+    inside = [a for a in turned if limits.low <= a <= limits.high]
+    return inside[0] if len(inside) == 1 else None
+
+
 def is_outside(
     point: Values, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet, positive: Sequence[sp.Expr] = ()
 ) -> bool:

@@ -19,10 +19,11 @@ from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
 from lagrange.explain.report import Report, report
 from lagrange.explain.rest.equilibrium import explain_virtual_work
-from lagrange.mechanics.equilibrium.admissible_positions import beside_zero, slope, tangent_coefficients
+from lagrange.mechanics.equilibrium.admissible_positions import beside_zero, only_angle, slope, tangent_coefficients
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Range
 from lagrange.render import terminal
 from lagrange.render.json import as_object
 from tests.support.problem_texts import places
@@ -381,3 +382,42 @@ def test_numbers(ratio: sp.Rational, a: int) -> None:
 def test_other_equations_are_left_as_they_are(e: sp.Expr) -> None:
     assert tangent_coefficients(e, q) is None
     assert beside_zero(branch(e), q) == branch(e)
+
+
+@pytest.mark.parametrize(
+    ("wave", "value", "low", "high", "angle"),
+    [
+        (sp.cos, "1/2", "0", "pi", "pi/3"),
+        (sp.cos, "1/2", "-pi/2", "pi/2", None),
+        (sp.cos, "1/2", "3*pi/2", "2*pi", "5*pi/3"),
+        (sp.cos, "-1", "0", "pi", "pi"),
+        (sp.sin, "1/2", "0", "pi/2", "pi/6"),
+        (sp.sin, "1/2", "0", "pi", None),
+        (sp.sin, "1", "0", "pi", "pi/2"),
+        (sp.tan, "-1", "0", "pi", "3*pi/4"),
+        (sp.tan, "1", "0", "2*pi", None),
+        (sp.sin, "3/2", "0", "pi", None),
+        (sp.cos, "x", "0", "pi", None),
+    ],
+)
+def test_the_only_angle_in_a_range(wave: type[sp.Function], value: str, low: str, high: str, angle: str | None) -> None:
+    of = sp.sympify
+    found = only_angle(wave(sp.Symbol("q")), of(value), Range(of(low), of(high)))
+    assert found == (None if angle is None else of(angle))
+
+
+def test_a_place_is_told_in_degrees_where_the_range_settles_it() -> None:
+    text = """
+title: A bracket
+parameters: {W: {value: 120 N}, l: {value: 1.5 m}, h: {value: 0.8 m}, c: {value: 1.5 m}}
+coordinates: {theta: {range: LIMITS}}
+particles: {B: {position: l*sin(theta)*i + l*cos(theta)*j}}
+constraints: {cable: {equation: norm(r_B - h*j) = c, by: string, reaction: T}}
+forces: {load: {on: B, vector: -W*j}}
+find: equilibrium
+"""
+    for limits, told in (("[0, pi]", True), ("[-pi/2, pi/2]", False)):  # cos theta = 4/15
+        made = report(read_problem(Source("bracket.yaml", text.replace("LIMITS", limits))))
+        page = terminal.text(made.derivation, made.notation, 100)
+        assert ("θ ≈ 74.53°" in page) is told
+        assert "cos θ ≈ 0.2667" in page
