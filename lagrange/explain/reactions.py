@@ -30,6 +30,7 @@ from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.limits import LONGEST_IN_TEXT, LONGEST_REACTION, LONGEST_REACTIONS
 from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
+from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reaction_signs import SURFACES
@@ -292,9 +293,10 @@ def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | N
     several = len(static.at) > 1
     known = _balances(newton)
     if not known:
+        what = "" if all(r.force != r.multiplier for r in newton.reactions) else "multipliers for "
         yield prose(
-            "With multipliers for the reactions, the generalized forces add up to zero in every coordinate, not only "
-            "in those whose displacements are free:"
+            f"With {what}the reactions, the generalized forces add up to zero in every coordinate, not only in those "
+            "whose displacements are free:"
         )
         yield _written_out(own or static, newton)
     where: list[Part] = ["At an equilibrium "]
@@ -323,9 +325,9 @@ def _balances(newton: Newton) -> list[Part]:
 def _written_out(static: StaticReactions, newton: Newton) -> Block:
     """Q_k + Σ λ_j a_jk = 0 for every coordinate."""
     work, slots = static.equilibrium.work, static.configuration.slots
-    lines = []
+    lines, rows = [], [(r.force * r.per_force, without_root(r.row, slots)) for r in newton.reactions]
     for k, force in enumerate(work.forces):
-        reaction = sp.Add(*(r.multiplier * r.row.coefficients[k] for r in newton.reactions))
+        reaction = sp.Add(*(multiplier * row.coefficients[k] for multiplier, row in rows))
         if force != 0 or reaction != 0:
             lines.append(Equation((force + reaction, sp.S.Zero), label=f"balance-{slots.coordinates[k].name}"))
     return display(*lines)

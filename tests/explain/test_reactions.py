@@ -134,3 +134,19 @@ find: equilibrium
     words = page(read)
     assert words.count("N_A = W/2") + words.count("N_A = ½ W") == 2
     assert any(f"At ({n}) and ({n + 1}) they are" in words for n in range(10, 40))
+
+
+def test_the_balance_is_written_in_the_named_force(problem: Read) -> None:
+    text = """
+title: A pendulum
+parameters: {m: positive, g: positive, l: positive}
+coordinates: [x, y]
+particles: {B: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+constraints: {rod: {equation: norm(r_B) = l, reaction: T}}
+find: [motion, equilibrium]
+"""
+    explained = report(problem(text))
+    page = " ".join(terminal.text(explained.derivation, explained.notation, 100).split())
+    assert "With the reactions, the generalized forces add up to zero" in page
+    assert "−m g − (y/l) T = 0" in page
