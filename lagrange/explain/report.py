@@ -58,7 +58,7 @@ from lagrange.mechanics.energy_symbols import (
     small_displacements,
     states_potential,
 )
-from lagrange.mechanics.results import InCoordinates, Solution, values_in
+from lagrange.mechanics.results import InCoordinates, Solution, values_in, with_known_values
 from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Problem
 from lagrange.problem.values import no_values
@@ -151,6 +151,7 @@ def _explained(
     make = Attempts(UNITS_OF_EXPLAINING, UNITS_OF_A_STEP)
     notation = notation_of(solution)
     problem, values = solution.problem, values_in(solution)
+    answered, solution = solution, solution if values is None else with_known_values(solution, values)
     large = not solution.own.elimination.is_closed
 
     def finished(steps: Iterable[Step]) -> Iterator[Step]:
@@ -180,10 +181,11 @@ def _explained(
             arranged = _later(on_page, problem, whole) if complete else make(lambda: tuple(on_page())) or ()
     remarks = () if large else make(lambda: (*remarks_on(solution, method), *not_compared(solution, answers))) or ()
     if make.why_not:
-        solution = replace(solution, given_up=solution.given_up or f"explanations and pictures, {make.why_not}")
+        given_up = solution.given_up or f"explanations and pictures, {make.why_not}"
+        solution, answered = replace(solution, given_up=given_up), replace(answered, given_up=given_up)
         whole, arranged = _without_missing((*steps[:-1], explain_checks(solution, _compared(answers)))), ()
     derivation = Derivation(problem.title, problem.source, whole, arranged)
-    return Report(solution, answers, derivation, notation, remarks, values)
+    return Report(answered, answers, derivation, notation, remarks, values)
 
 
 def _without_missing(steps: Sequence[Step]) -> tuple[Step, ...]:

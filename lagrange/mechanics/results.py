@@ -202,6 +202,24 @@ class Solution:
 # Solution values
 
 
+def with_known_values(solution: Solution, values: Values) -> Solution:
+    """The solution without conditions for equilibria that the values of the parameters fulfil."""
+    if all(v.equilibrium is None or not any(b.conditions for b in v.equilibrium.branches) for v in solution.views):
+        return solution
+    from lagrange.mechanics.equilibrium.in_numbers import without_known_conditions
+
+    def known(view: InCoordinates) -> InCoordinates:
+        before = view.equilibrium
+        if before is None or (after := without_known_conditions(before, values)) is before:
+            return view
+        linear = view.linearization
+        if linear is not None and linear.branches == before.branches:
+            linear = replace(linear, branches=after.branches)
+        return replace(view, equilibrium=after, linearization=linear)
+
+    return replace(solution, own=known(solution.own), choices=tuple(map(known, solution.choices)))
+
+
 def values_in(solution: Solution) -> Values | None:
     """The values of the problem that was solved; None where it has none."""
     values, newton = values_of(solution.problem), unit_of("N")

@@ -149,6 +149,12 @@ def test_a_position_that_strings_determine_is_found_with_their_tensions(problem:
     assert "that is y = 2.4 m" in page
     assert "T₁ = 80 N" in page
     assert "T₂ = 60 N" in page
+    assert "where" not in page.partition("1 The system")[0]  # of a triangle with the sides 3, 4 and 5 nothing is open
+    in_letters = report(problem(STRINGS.replace("c: {value: 4 m}", "c: positive")))
+    assert (
+        "where"
+        in " ".join(terminal.text(in_letters.derivation, in_letters.notation, 120).split()).partition("1 The")[0]
+    )
 
 
 def test_a_time_found_in_numbers_has_its_unit(problem: Read) -> None:

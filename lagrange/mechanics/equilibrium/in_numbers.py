@@ -14,12 +14,13 @@ parameter occurs in one power, a p^n + b; a bound that the sign of the parameter
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.closed_forms.single_equation import Values as Letters
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -414,3 +415,24 @@ def _solved(c: SignCondition, p: sp.Symbol, values: Values) -> CriticalValue | N
     if quantity is None:
         return None
     return CriticalValue(c, p, c.relation if slope > 0 else REVERSED[c.relation], quantity)
+
+
+def without_known_conditions(e: Equilibrium, values: Values) -> Equilibrium:
+    """The equilibria without conditions on parameters that the values fulfil: 3, 4 and 5 are a triangle."""
+    branches = tuple(_without_known(b, values) for b in e.branches)
+    return e if branches == e.branches else replace(e, branches=branches)
+
+
+def _without_known(b: Branch, values: Values) -> Branch:
+    """A branch with the conditions that the values leave open, or violate; the others become implied ones."""
+    known = tuple(c for c in b.conditions if _holds(c, values))
+    open_ = tuple(c for c in b.conditions if c not in known)
+    return replace(b, conditions=open_, implied=(*b.implied, *known)) if known else b
+
+
+def _holds(c: SignCondition, values: Values) -> bool:
+    difference = values.put_in(c.lhs - c.rhs)
+    if not difference.is_number:
+        return False
+    signs = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0), "≠": (1, -1)}[c.relation]
+    return sign_of(difference) in signs
