@@ -203,10 +203,11 @@ class Solution:
 
 
 def with_known_values(solution: Solution, values: Values) -> Solution:
-    """The solution without conditions for equilibria that the values of the parameters fulfil."""
-    if all(v.equilibrium is None or not any(b.conditions for b in v.equilibrium.branches) for v in solution.views):
+    """The solution without the conditions, for equilibria and for single answers, that the values fulfil."""
+    stated = [b.conditions for v in solution.views if v.equilibrium is not None for b in v.equilibrium.branches]
+    if not any(stated) and not any(b.conditions for a in solution.asked for b in a.branches):
         return solution
-    from lagrange.mechanics.equilibrium.in_numbers import without_known_conditions
+    from lagrange.mechanics.equilibrium.in_numbers import open_conditions, without_known_conditions
 
     def known(view: InCoordinates) -> InCoordinates:
         before = view.equilibrium
@@ -217,7 +218,14 @@ def with_known_values(solution: Solution, values: Values) -> Solution:
             linear = replace(linear, branches=after.branches)
         return replace(view, equilibrium=after, linearization=linear)
 
-    return replace(solution, own=known(solution.own), choices=tuple(map(known, solution.choices)))
+    def single(asked: Asked) -> Asked:
+        if len(asked.branches) != 1:
+            return asked  # several are told apart by their conditions
+        [b] = asked.branches
+        return replace(asked, branches=(replace(b, conditions=open_conditions(b.conditions, values)),))
+
+    asked = tuple(map(single, solution.asked))
+    return replace(solution, own=known(solution.own), choices=tuple(map(known, solution.choices)), asked=asked)
 
 
 def values_in(solution: Solution) -> Values | None:

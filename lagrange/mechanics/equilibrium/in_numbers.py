@@ -20,7 +20,7 @@ import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
-from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Values as Letters
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -425,14 +425,18 @@ def without_known_conditions(e: Equilibrium, values: Values) -> Equilibrium:
 
 def _without_known(b: Branch, values: Values) -> Branch:
     """A branch with the conditions that the values leave open, or violate; the others become implied ones."""
-    known = tuple(c for c in b.conditions if _holds(c, values))
-    open_ = tuple(c for c in b.conditions if c not in known)
-    return replace(b, conditions=open_, implied=(*b.implied, *known)) if known else b
+    left = open_conditions(b.conditions, values)
+    known = tuple(c for c in b.conditions if c not in left)
+    return replace(b, conditions=left, implied=(*b.implied, *known)) if known else b
 
 
-def _holds(c: SignCondition, values: Values) -> bool:
-    difference = values.put_in(c.lhs - c.rhs)
-    if not difference.is_number:
+def open_conditions(conditions: Iterable[SignCondition], values: Values) -> tuple[SignCondition, ...]:
+    """The conditions that the values do not fulfil."""
+    return tuple(c for c in conditions if not _is_fulfilled(c, values))
+
+
+def _is_fulfilled(condition: SignCondition, values: Values) -> bool:
+    try:
+        return condition_holds(condition, values.put_in) is True
+    except NotRealError:
         return False
-    signs = {">": (1,), "≥": (1, 0), "<": (-1,), "≤": (-1, 0), "≠": (1, -1)}[c.relation]
-    return sign_of(difference) in signs
