@@ -25,7 +25,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.expression_size import count_operations
@@ -318,8 +318,10 @@ def constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | N
 
 
 def is_length(length: sp.Expr, stated: sp.Expr | None) -> bool:
-    """Whether a length is the stated one, up to a number; also where none is stated."""
-    return stated is None or bool(tidy_quotient(length / stated).is_number)
+    """Whether a length may be the stated one, up to a number; also where none is stated."""
+    if stated is None or tidy_quotient(length / stated).is_number:
+        return True
+    return is_zero(length**2 - stated**2) is not False  # of d + a cos(omega t) the square is written in 2 omega t
 
 
 def along_rod(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
