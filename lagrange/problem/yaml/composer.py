@@ -252,10 +252,11 @@ class _Anchored:
 class Composer:
     """Builds nodes from the events of YAML, counting what it builds, aliased parts as often as they are repeated."""
 
-    def __init__(self, source: Source, diagnostics: Diagnostics) -> None:
+    def __init__(self, source: Source, diagnostics: Diagnostics, end: int | None = None) -> None:
+        """end    where the text is cut off; None: nowhere"""
         self.source = source
         self.diagnostics = diagnostics
-        self.events: Iterator[yaml.Event] = yaml.parse(source.text, Loader=_Loader)
+        self.events: Iterator[yaml.Event] = yaml.parse(source.text[:end], Loader=_Loader)
         self.anchors: dict[str, _Anchored] = {}
         self.parts = 0
         self.aliases = 0
@@ -484,6 +485,20 @@ def _opened(node: Node) -> int:
     return node.text.count("(") - node.text.count(")")
 
 
+def _first_document(source: Source, diagnostics: Diagnostics) -> Node | None:
+    """The first document; None where there is none.
+
+    Since libyaml 0.2.6 the C library has a limit of its own for nesting. As it looks ahead for the colon of a key, it
+    can give up before the event that is too deep for a problem file: the text up to there is read to find that place.
+    """
+    try:
+        return Composer(source, diagnostics).document()
+    except yaml.MarkedYAMLError as error:
+        if error.problem_mark is None or "maximum nesting" not in str(error.problem):
+            raise
+        return Composer(source, diagnostics, error.problem_mark.index).document()
+
+
 _TEMPLATE = "a problem needs at least `title: ...` and `coordinates: [...]`"
 
 
@@ -503,7 +518,7 @@ def parse(
     if unreadable:
         raise ProblemError(unreadable)
     try:
-        root = Composer(source, diagnostics).document()
+        root = _first_document(source, diagnostics)
     except yaml.YAMLError as error:
         raise ProblemError(yaml_mistake(source, error)) from None
     if root is None or (isinstance(root, Scalar) and root.is_empty):

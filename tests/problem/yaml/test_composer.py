@@ -75,6 +75,8 @@ YAML: dict[str, tuple[str | bytes, list[tuple[str, int, int]]]] = {
     "theta in double quotes": (HEAD + 'let: {a: "\\theta"}\n', [("escaped-latex", 4, 11)]),
     "deep lists": ("title: T\nlet: " + "[" * 30 + "]" * 30, [("nested-too-deep", 2, 25)]),
     "very deep lists": ("[" * 100_000, [("nested-too-deep", 1, 21)]),
+    "very deep braces": ("{" * 3_000, [("nested-too-deep", 1, 21)]),
+    "very deep dashes": ("- " * 100_000, [("nested-too-deep", 1, 41)]),
     "very deep mappings": ("{a: " * 20_000, [("nested-too-deep", 1, 78)]),
     "many values": (HEAD + "find: [" + "x," * 20_001 + "x]", [("too-many-values", 4, 39962)]),
     "billion laughs": (laughs(), [("too-many-values", 5, 14)]),
