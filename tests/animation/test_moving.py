@@ -1,4 +1,4 @@
-"""What a figure that moves brings along: coordinates, values, reactions, what it takes for open functions."""
+"""The data of a moving figure: coordinates, values, reactions, assumed undefined functions."""
 
 import re
 

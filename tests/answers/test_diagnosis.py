@@ -1,7 +1,7 @@
-"""What is said of wrong equations: the one change, the group of terms, dimensions, other conventions.
+"""Feedback on wrong equations: the one change, the group of terms, dimensions, other conventions.
 
 Every row is an answer with one slip in it and the words that name the slip. That an equation is wrong, and that the
-change makes it right, is not the table's to say: it is decided by solving both systems for the accelerations.
+change makes it right, does not rest on the table: both systems are solved for the accelerations.
 """
 
 from __future__ import annotations
@@ -400,7 +400,7 @@ gravity: g*j
     ],
 )
 def test_a_term_is_named_as_it_was_written(velocities: str, said: str) -> None:
-    """The file gives l = 1 and L = 2; the answer has letters, and so has what is said of it."""
+    """The file gives l = 1 and L = 2; the answer has letters, and so has the feedback."""
     answer = Fragment.of(f"2*L*phi'' + l*psi''*cos(phi - psi) {velocities} + 2*g*sin(phi) = 0")
     found = check_answer(read_problem(Source("problem", WITH_VALUES)), (answer,))
     assert said in found.equations.equations[0].diagnosis

@@ -1,4 +1,4 @@
-"""How much is said of a wrong equation.
+"""How much a hint reveals about a wrong equation.
 
 Other conventions of signs and angles, and what they do not explain.
 """

@@ -1,7 +1,6 @@
 """Inputs that must not hurt: each gives its verdict or error as an answer, and nothing else happens.
 
-The table of the contract, in plain text. That nothing takes long is seen by whoever runs this; a hang would be caught by
-the time limit of the whole run. `trap` makes every way of running code from text an error.
+The table of the contract, in plain text. A hang is caught by the time limit of the test. `trap` makes every way of running code from text an error.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What stands around values in an answer: names before a colon, brackets, units, decimals at a limit."""
+"""Text around values in an answer: names before a colon, brackets, units, decimals at a limit."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ MULTIPLIER = "the multiplier"
     ],
 )
 def test_the_remark_says_what_a_stated_reaction_is_taken_for(problem: Read, stated: str, taken_for: str) -> None:
-    """Of two contradictory statements no more than one is right without a remark."""
+    """Of two contradictory statements, at most one is right without a remark."""
     found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
     [answer] = compared_answers(found)
     [said] = answer.equations
@@ -246,7 +246,7 @@ def _block(problem: Read) -> Solution:
 def test_reactions_beside_an_equilibrium_that_is_not_solved(
     known: bool, expected: Verdict, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The folded position of a three-hinged frame has no closed form: the one in which it stands decides."""
+    """The folded position of a three-hinged frame has no closed form: the position in which it is drawn decides."""
     branches = iter([stated._AtBranch([[known]], [False]), stated._AtBranch([[None]], [False])])
     monkeypatch.setattr(stated._AtBranch, "of", lambda *_: next(branches))
     configuration = SimpleNamespace(slots=SimpleNamespace(coordinates=()), expressed=(), rewritten=lambda e: e)

@@ -1,4 +1,4 @@
-"""Radii: an answer that is right where r > 0 is right, and it is said where. Other coordinates have both signs."""
+"""Radii: an answer that holds for r > 0 is right, with a remark. Other coordinates may have either sign."""
 
 from __future__ import annotations
 

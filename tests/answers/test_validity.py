@@ -1,6 +1,6 @@
-"""What is said beside a verdict: where an answer is valid, and what a wrong equation is.
+"""Remarks beside a verdict: where an answer is valid, and what a wrong equation is.
 
-A factor that is named must really matter: where it is zero the equations determine the accelerations no longer, or cannot
+A factor that is named must really matter: where it is zero the equations no longer determine the accelerations, or cannot
 be evaluated (`second_route` in numbers), and at other states they do.
 """
 

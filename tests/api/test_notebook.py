@@ -23,7 +23,7 @@ def pendulum() -> Result:
 
 
 def elements(page: str) -> ElementTree.Element:
-    """The output as a tree: HTML that is XML too, but for the empty elements that the pages use."""
+    """The output as a tree: HTML that is also XML, except for the empty elements that the pages use."""
     return ElementTree.fromstring(page.replace("<wbr>", "<wbr/>"))
 
 

@@ -78,7 +78,7 @@ BAD = {
 
 @pytest.mark.parametrize(("said", "answer"), BAD.items(), ids=BAD)
 def test_what_cannot_be_read_says_why(pendulum: lagrange.Result, said: str, answer: object) -> None:
-    """One that cannot be read is named, and leaves the verdict on the others as it is; alone it is the verdict."""
+    """An unreadable equation is named and does not affect the verdict on the others; alone it is the verdict."""
     said = said.replace("`object`", "`complex`")
     alone = lagrange.check(pendulum, [answer])
     assert alone.verdict == "unreadable"

@@ -2,7 +2,7 @@
 
 Each answer of the table (`tests/answers/test_equations.py`) is judged once by a reference that has judged one other answer, as in
 a marked pile of answers; a verdict is with its remarks and reasons, without the diagnosis, which has its own benchmark.
-Beside it stands what a student of SymPy would do: `simplify` and `.equals(0)` of the difference of the accelerations that
+For comparison, what a user of SymPy would do: `simplify` and `.equals(0)` of the difference of the accelerations that
 two systems give. All times are medians of five, a verdict's and its peers' in turn; ratios are medians of the ratios.
 """
 
@@ -65,7 +65,7 @@ def verdicts(text_of: Callable[[str], str]) -> dict[str, float]:
 
 
 def accelerations(system: str, equations: list[str]) -> list[sp.Expr]:
-    """What equations say of the accelerations, by Cramer's rule, as it comes out."""
+    """The accelerations that equations determine, by Cramer's rule, unsimplified."""
     names = [f"{q.strip()}''" for q in GIVEN[system][0].split(",")]
     left = [read(e.replace("2 theta", "2*theta")) for e in equations]
     unknowns = [sp.Symbol(n) for n in names]

@@ -256,7 +256,7 @@ def test_the_answers_of_a_file_may_be_in_latex(here: Path) -> None:
 
 @pytest.mark.parametrize("width", [40, 60, 80, 120])
 def test_an_equation_is_broken_before_its_signs(width: int) -> None:
-    """Not inside brackets, as long as its terms fit; what is said stands under it."""
+    """Not inside brackets if the terms fit; the feedback is printed below it."""
     equation = (
         "(m1 + m2)*l1*phi1'' + m2*l2*phi2''*cos(phi1 - phi2) + m2*l2*phi2'^2*sin(phi1 - phi2) = -(m1 + m2)*g*sin(phi1)"
     )

@@ -79,7 +79,7 @@ def grader() -> Grader:
 
 
 def messages_of_a_problem(text: str) -> Iterator[str]:
-    """A key, a name, a value and an expression, quoted so that YAML reads what is meant; and the text as it is."""
+    """A key, a name, a value and an expression, quoted so that YAML reads it as intended; and the raw text."""
     quoted = json.dumps(text)
     for file in (
         f"title: {quoted}\ncoordinates: [x, {quoted}]\n{quoted}: 1\nfind: {quoted}\nforces: {{{quoted}: {{on: {quoted}}}}}\n",

@@ -33,7 +33,7 @@ def test_what_a_name_may_mean(name: str, said: str, here: Path) -> None:
 
 
 def test_a_file_whose_name_is_that_of_a_shipped_problem(here: Path) -> None:
-    """A name without its ending is the library's, and standard error says that the file was not meant."""
+    """A name without extension is that of a bundled problem, and standard error says that the file was not used."""
     (here / "ex11.yaml").write_text(TEMPLATE)
     (here / "bead.yml").write_text(TEMPLATE)
     shipped = run("ex11", "--detail", "brief")

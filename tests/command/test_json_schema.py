@@ -45,7 +45,7 @@ for _tag, _pattern in CORE:
 
 
 class Text(yaml.BaseLoader):
-    """YAML in which every value is text, and nothing is nothing."""
+    """YAML in which every value is text, and an empty value is null."""
 
 
 Text.add_implicit_resolver("tag:yaml.org,2002:null", re.compile("$"), [""])

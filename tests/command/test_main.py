@@ -206,7 +206,7 @@ def test_what_the_command_line_cannot_mean(arguments: list[str], said: str, file
 
 
 def test_no_arguments_are_answered_by_the_three_most_useful_commands() -> None:
-    """Each of which runs; the help is for whoever asks for it."""
+    """Each of these runs; the help is printed on request only."""
     result = run()
     assert (result.exit_code, result.stderr) == (0, "")
     commands = re.findall(r"^  (lagsolve .*?)(?:  .*)?$", result.stdout, re.MULTILINE)

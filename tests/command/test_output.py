@@ -33,7 +33,7 @@ def test_figures_are_written_beside_the_page(folder: Path) -> None:
     assert run("o.yaml", "-o", "page.md").exit_code == 0  # its own figures are replaced
 
 
-def test_a_picture_of_somebody_else_is_not_overwritten(folder: Path) -> None:
+def test_a_foreign_picture_is_not_overwritten(folder: Path) -> None:
     (folder / "page.svg").write_text("<svg>mine</svg>", encoding="utf-8")
     result = run("o.yaml", "-o", "page.md")
     assert result.exit_code == 2

@@ -1,7 +1,7 @@
 """The wheel: what is in it, and that it works where nothing else is.
 
 The command is run from another folder, in an environment of its own. The dependencies are borrowed from where the tests
-run; with CI=true they come from the package index, and the build is isolated, as it is for somebody who installs.
+run; with CI=true they come from the package index, and the build is isolated, as for a user who installs.
 """
 
 from __future__ import annotations

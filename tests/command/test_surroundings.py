@@ -200,7 +200,7 @@ def test_a_template_is_not_left_half_written(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == []
 
 
-def test_tensors_are_left_out_until_somebody_wants_them() -> None:
+def test_tensors_are_imported_only_when_needed() -> None:
     """The first sum would import them, and `sympy.combinatorics` with them."""
     program_text = """
 import sys

@@ -93,7 +93,7 @@ with bounded(None, 256):
 
 
 def test_spare_memory_is_freed_when_memory_runs_out() -> None:
-    """Handling the error takes some, and Python 3.11 ends a process that has none for it."""
+    """Handling the error needs some memory, and Python 3.11 aborts a process that has none."""
     with bounded(None, 65536):
         assert sum(map(len, spare_memory)) == SPARE_MEMORY
         with pytest.raises(MemoryError), allowed(1):

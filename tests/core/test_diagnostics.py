@@ -1,4 +1,4 @@
-"""Where a finding stands, and how it is shown."""
+"""The place of a diagnostic, and how it is shown."""
 
 from __future__ import annotations
 

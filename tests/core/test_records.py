@@ -1,4 +1,4 @@
-"""Records are to be told from frozen dataclasses by nothing but what they cost.
+"""Records behave like frozen dataclasses, at a lower cost.
 
 Kleene's logic of three values.
 """

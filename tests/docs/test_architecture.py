@@ -1,4 +1,4 @@
-"""The house: imports run one way, a few libraries stay in their rooms, nothing is evaluated as code, files stay short.
+"""The house: imports run one way, a few libraries are imported in one package only, nothing is evaluated as code, files stay short.
 
 The order of packages is `PACKAGES`, here and on docs/architecture.md.
 """
@@ -127,7 +127,7 @@ def package_of(module: str) -> str:
 
 
 def circle(module: str, above: tuple[str, ...] = (), done: set[str] | None = None) -> tuple[str, ...]:
-    """A chain of imports that comes back to where it began; empty where there is none."""
+    """A circular chain of imports; empty if there is none."""
     done = set() if done is None else done
     if module in above:
         return (*above[above.index(module) :], module)

@@ -118,7 +118,7 @@ def test_every_code_has_an_entry_and_every_entry_a_code() -> None:
 
 @pytest.mark.parametrize("code", [c for c, (_, example) in sorted(EXAMPLES.items()) if example is not None])
 def test_the_example_shows_its_code(code: str, folder: Path, request: pytest.FixtureRequest) -> None:
-    """And stands on the page with what is printed."""
+    """It is on the page together with what is printed."""
     example = EXAMPLES[code][1]
     assert example is not None
     output = shown(example, folder)
@@ -129,7 +129,7 @@ def test_the_example_shows_its_code(code: str, folder: Path, request: pytest.Fix
 
 
 def test_the_page_has_the_codes_in_their_order(folder: Path, request: pytest.FixtureRequest) -> None:
-    """What stands under each is compared with what is printed above."""
+    """The text under each is compared with what is printed above."""
     if request.config.getoption("--renew"):
         examples = {code: example for code, (_, example) in EXAMPLES.items()}
         entries = (entry(c, shown(e, folder) if (e := examples[c]) is not None else "") for c in sorted(EXAMPLES))

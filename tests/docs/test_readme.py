@@ -1,6 +1,6 @@
 """The README is true: its problem file solves, its commands run, what it shows is what is printed.
 
-Every line of a block of commands is run, or stands in `NOT_RUN` with the reason. What docs/other-programs.md says of SymPy is asked of SymPy.
+Every line of a block of commands is run, or listed in `NOT_RUN` with the reason. What docs/other-programs.md says of SymPy is asked of SymPy.
 """
 
 from __future__ import annotations

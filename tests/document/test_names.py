@@ -1,4 +1,4 @@
-"""How names are written: Greek letters, indices, dots, and what a declaration says of them."""
+"""How names are written: Greek letters, indices, dots, and how a declaration changes them."""
 
 import pytest
 import sympy as sp

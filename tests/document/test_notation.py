@@ -1,4 +1,4 @@
-"""What a notation says of letters: vectors, components, arguments of functions."""
+"""The notation of letters: vectors, components, arguments of functions."""
 
 import sympy as sp
 

@@ -1,4 +1,4 @@
-"""What is said of springs and bodies."""
+"""The prose about springs and bodies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said of the forms of constraints."""
+"""The prose about the forms of constraints."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is said where nothing can move."""
+"""The prose about a system that cannot move."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where pictures stand in a derivation, and what is said of them."""
+"""The places of pictures in a derivation, and their captions."""
 
 from __future__ import annotations
 

@@ -100,7 +100,7 @@ def test_they_are_given_by_the_accelerations(name: str, rule: Rule, said: str) -
 
 
 def test_a_string_only_pulls(problem: Read) -> None:
-    """Of one that runs through a ring nothing is said of a support that can only push beside it."""
+    """For a string through a ring, nothing is said about a support that can only push."""
     words = page(
         problem(
             """title: A ring on a string between a peg and a rail

@@ -1,4 +1,4 @@
-"""Derivations as texts: every reference has its equation, and no equation is referred to before it stands."""
+"""Derivations as texts: every reference has its equation, and no equation is referred to before it appears."""
 
 from __future__ import annotations
 
@@ -154,7 +154,7 @@ def test_what_refers_to_a_missing_step(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_page_that_takes_too_much_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    """In its place stand the steps of the full derivation."""
+    """The steps of the full derivation replace it."""
     monkeypatch.setattr(reports, "steps_of_page", too_much)
     explained = report(load(PROBLEMS / f"{PENDULUM}.yaml"), complete=False)
     assert explained.derivation.at(Detail.STEPS) is explained.derivation.steps

@@ -1,4 +1,4 @@
-"""Arithmetic that would not come to an end soon is refused."""
+"""Arithmetic that would take too long is refused."""
 
 from __future__ import annotations
 

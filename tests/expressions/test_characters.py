@@ -1,4 +1,4 @@
-"""What characters look like, and where they stand."""
+"""How characters are shown, and their positions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-r"""LaTeX, read from the contract: what it means, where it is refused, and what is said about it.
+r"""LaTeX, as the contract defines it: what it means, where it is refused, and with which message.
 
 What a row means is given in the plain language, which has tables of its own; a few are built by hand beside it. A refusal
 has a code and a column.

@@ -1,4 +1,4 @@
-"""The expression language, read from the contract: what a text means, where it is refused, and what is said about it.
+"""The expression language, as the contract defines it: what a text means, where it is refused, and with which message.
 
 Every expected value is built by hand from plain symbols. A refusal has a code and a column, and says what to do.
 

@@ -1,6 +1,6 @@
 """Which names a text may use, and how they are spelt.
 
-What is said of unknown names, and of readings that may surprise.
+Messages about unknown names, and notes on readings that may surprise.
 """
 
 from __future__ import annotations

@@ -73,7 +73,7 @@ def test_friction_at_rest_acts_where_the_body_touches() -> None:
 
 @pytest.mark.parametrize("name", ["motion/conical-pendulum", "motion/coupled-pendulums", "motion/ball-on-turntable"])
 def test_no_free_body_without_the_forces_that_the_coordinates_hide(name: str) -> None:
-    """Rods pull and a table pushes, though no constraint stands for them: a body without these would be wrong."""
+    """Rods pull and a table pushes, though no constraint represents them: a free body without these forces would be wrong."""
     assert system_of(name).configuration.has_forces_built_in
     assert free_body_scene(system_of(name), reported(name).notation) is None
     assert not system_of("chapter6/ex11-ideal-pendulum").configuration.has_forces_built_in

@@ -1,6 +1,6 @@
 """Bodies and circles as they are seen.
 
-Shapes of bodies that the moments of inertia tell.
+Shapes of bodies inferred from their moments of inertia.
 """
 
 from __future__ import annotations

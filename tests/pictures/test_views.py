@@ -1,4 +1,4 @@
-"""From where a system is seen."""
+"""The viewpoint of a drawing."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_axes_point_as_the_words_say() -> None:
     "axes", [{}, {"k": "up"}, {"k": "down"}, {"i": "north", "j": "east", "k": "down"}, {"j": "up"}]
 )
 def test_space_is_right_handed(axes: dict[str, str]) -> None:
-    """Three perpendicular unit vectors, of which two are seen and the third is the way to the reader: an orthographic
+    """Three perpendicular unit vectors; two span the page and the third points to the reader: an orthographic
     projection, in which a sphere is a circle.
     """
     found = view(axes, frozenset({0, 1, 2}))

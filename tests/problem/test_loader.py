@@ -55,7 +55,7 @@ def test_a_reference_system() -> None:
 
 
 def test_prime_quotes() -> None:
-    """In single quotes YAML halves the primes, which is said; in double quotes and without any it does not."""
+    """In single quotes YAML halves the primes, which gives a note; in double quotes and without quotes it does not."""
     halved = read(ALL + "answers: {equations: ['x'' = 0']}\n")
     [note] = readings(halved)
     assert note.code == "read-as"
@@ -345,7 +345,7 @@ BITS = [
 
 @st.composite
 def misspelt_files(draw: st.DrawFn) -> str:
-    """Lines of a file in some order, with characters cut out and put in."""
+    """Lines of a file in some order, with characters removed and inserted."""
     text = "\n".join(draw(st.lists(st.sampled_from(LINES), max_size=12)) + draw(st.sampled_from([[], LINES[:3]])))
     for _ in range(draw(st.integers(0, 4))):
         start = draw(st.integers(0, len(text)))

@@ -79,7 +79,7 @@ def test_a_large_file_is_not_read_to_its_end(tmp_path: Path) -> None:
 
 
 def test_a_text_that_is_no_expression_is_not_taken_apart(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A megabyte would become half a million tokens before anybody said that it is too long."""
+    """A megabyte would become half a million tokens before it is refused as too long."""
     monkeypatch.setattr(load_context, "tokens", lambda _: pytest.fail("it was read"))
     text = "a " * MAX_CHARACTERS
     assert names_in(text) == derivatives_in(text) == ()

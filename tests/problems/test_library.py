@@ -1,4 +1,4 @@
-"""The shipped library as a whole: what every problem must say of itself, and the index of what each exercises.
+"""The shipped library as a whole: what every problem must state, and the index of what each exercises.
 
 That every problem passes its own checks and agrees with its answers is held in `test_read_back`, where all are solved.
 """

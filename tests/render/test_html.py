@@ -39,7 +39,7 @@ EXAMPLES = ("ex04", "ex06", "ex11", "ex15-rough-s", "ex17", "ex18", "rolling-dis
 
 
 class Tree(HTMLParser):
-    """Elements in order, and whether they are closed as they were opened."""
+    """Elements in order, and whether each is closed."""
 
     def __init__(self, page):
         super().__init__()

@@ -92,7 +92,7 @@ def test_what_introduces_nothing_goes_too() -> None:
 
 
 def test_what_introduces_equations_comes_with_them() -> None:
-    """Also after others that were left out, which it must not stand before."""
+    """Also after others that were left out, which it must not precede."""
     long, short = sums(1, 3000), sums(1, 10)
     large = derivation(prose("It is"), display(*long), prose("The force is"), display(*short), prose("and"))
     left, words, kept, last = shown(large, Detail.STEPS).steps[0].body

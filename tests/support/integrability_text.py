@@ -1,4 +1,4 @@
-"""What a derivation says of the integrability of constraints between x, y and z."""
+"""The prose of a derivation on the integrability of constraints between x, y and z."""
 
 from __future__ import annotations
 

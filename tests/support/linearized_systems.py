@@ -24,7 +24,7 @@ Numbers = dict[str, mpf]
 class System:
     """A system.
 
-    text         its problem file, but for title and question
+    text         its problem file without title and question
     lagrangian   L(q, v, parameters)
     place        the equilibrium in the coordinates of L
     coordinates  the same in those of the problem, by name

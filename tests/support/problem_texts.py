@@ -1,4 +1,4 @@
-"""The head of a problem file, and what is said of its mistakes."""
+"""The head of a problem file, and the messages about its mistakes."""
 
 from __future__ import annotations
 

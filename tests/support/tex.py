@@ -25,7 +25,7 @@ def faults_of_tex(document, folder):
 
 
 def faults_of_labels(document):
-    """Labels that are there twice, and references to none."""
+    """Duplicate labels, and references to missing ones."""
     labels = Counter(re.findall(r"\\label\{([^}]*)\}", document))
     references = re.findall(r"\\(?:eq|auto|page)?ref\{([^}]*)\}", document)
     repeated = [f"label {name} repeated" for name, times in labels.items() if times > 1]

@@ -1,4 +1,4 @@
-"""Problems that say nothing of their figure, with what it has to show all the same: how many lines of each kind."""
+"""Problems without a `figure:` section, with what their figures must show all the same: how many lines of each kind."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Lagrange's equations as the method: against d'Alembert's principle, SymPy's LagrangesMethod, and as a text.
 
-What stands in the steps is read back and must be an identity in T and V; a constraint on velocities put into T before
+The text of the steps is read back and must be an identity in T and V; a constraint on velocities put into T before
 differentiating gives something else, and the program does not do it.
 """
 

@@ -1,6 +1,6 @@
 """Slips in the equations of every shipped problem of motion are found to be wrong.
 
-A mutation that happens to be right (the sign of a whole equation of two terms cannot be told from that of the other; a
+A mutation that happens to be right (in an equation of two terms, changing the sign of one is the same as changing that of the other; a
 term that the constraints make zero) must be right by a second route: the accelerations that the system gives, solved in
 mpmath at a state that satisfies the constraints, satisfy it.
 """

@@ -1,6 +1,6 @@
 """Random systems at rest, in motion and of constraints, against numbers; `python -m tests.support.nets` runs any number, `--times` more of these.
 
-A seed that finds something fails with the problem file, what is said of it, and what is true.
+A seed that finds something fails with the problem file, what was printed, and what is true.
 """
 
 from __future__ import annotations

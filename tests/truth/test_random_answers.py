@@ -1,10 +1,10 @@
-"""Answers by chance: no text brings the comparison down, and every verdict on what is generated is the true one.
+"""Random answers: no text crashes the comparison, and every verdict on a generated answer is the true one.
 
-    right equations, rearranged        rows of the system combined with random coefficients, each side as it falls
+    right equations, rearranged        rows of the system combined with random coefficients, terms on either side
     one thing changed in them          a coefficient, a sign, a function, an exponent
-    texts                              characters and words of the language without sense, in both input languages
+    texts                              characters and words of both input languages without sense
 
-The verdict on what is generated is found by numbers, with `answer_truth`, which shares no code with the program.
+The true verdict is found in numbers, with `answer_truth`, which shares no code with the program.
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ def test_characters_without_sense(text: str) -> None:
 @settings(FUZZ, max_examples=examples(300))
 @given(st.sampled_from(RIGHT), st.integers(0, 10**9))
 def test_right_answers_with_misprints(right: tuple[str, str], seed: int) -> None:
-    """A misprint may leave an answer right, but only where it says the same: numbers decide."""
+    """A misprint may leave an answer right, but only if its meaning is unchanged, which is decided in numbers."""
     name, answer = right
     draw = random.Random(seed)
     text = list(draw.choice(answer.split(";")))

@@ -86,7 +86,7 @@ MOST = {  # of n = 8; what they are today, and a tenth more
 
 @pytest.mark.parametrize("family", MOST)
 def test_no_more_work_than_before(family: str, counted: Counter[str]) -> None:
-    """A count that grows is a change to be explained, or the number here is to be raised with the reason."""
+    """A count that grows needs an explanation; raise the number here together with the reason."""
     found = work(family, 8, counted)
     assert {what: found.get(what, 0) <= most for what, most in MOST[family].items()} == dict.fromkeys(
         MOST[family], True

@@ -90,7 +90,7 @@ def test_a_pole_at_which_it_does_not_hold_is_not_mentioned() -> None:
 
 
 def test_what_cannot_be_read_in_letters_stays_open() -> None:
-    """A fourth root of an unknown is left by an elimination; nothing is said of its branch."""
+    """A fourth root of an unknown is left by an elimination; its branch stays open."""
     x = sp.Symbol("x", real=True)
     branch = Branch((), left=((1 / x) ** sp.Rational(1, 4) - x - 1,))
     assert real_branches([branch], TrigLetters([x], [x])) == [branch]

@@ -31,7 +31,7 @@ EXPRESSIONS = [
     2 * a - b - sp.sqrt(a * b), x - sp.sqrt(x**2 + a), a - b * sp.sqrt(x**2 + 1),
 ]  # fmt: skip
 DECIDED = 18
-"""Signs that can be told, of those."""
+"""Those of them whose signs can be decided."""
 
 
 def places(count: int = 40) -> list[dict[sp.Symbol, sp.Rational]]:

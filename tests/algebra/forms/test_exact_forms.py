@@ -126,7 +126,7 @@ def test_a_potential_is_a_primitive_times_a_constant(e):
 NOT_FOUND = [
     ("not closed", form(x=y, y=-x)),
     ("not closed in time", form(x=sin(omega * t), y=-cos(omega * t))),
-    ("closed but for a sign", form(x=f.partial(0), y=-f.partial(1))),
+    ("closed up to a sign", form(x=f.partial(0), y=-f.partial(1))),
     ("not elementary", form(x=exp(-(x**2)))),
     ("not elementary in two", form(x=y * sin(x) / x, y=sp.S.One)),
     ("a prescribed motion's own integral", form(t=u)),

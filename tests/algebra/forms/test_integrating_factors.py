@@ -127,7 +127,7 @@ def test_as_a_person_writes_it(form, factor, integral):
 
 
 BOOKS: list[Form] = [
-    # two variables: homogeneous, linear, Bernoulli's, exact but for a function of one variable, of x y, of x + y
+    # two variables: homogeneous, linear, Bernoulli's, exact up to a function of one variable, of x y, of x + y
     {x: 3 * x * y + y**2, y: x**2 + x * y},
     {x: x**2 + y**2 + x, y: x * y},
     {x: x**2 + y**2, y: -x * y},

@@ -1,4 +1,4 @@
-"""Constraints that are not linear in the velocities: what they come to, and motion by Chetaev's rule.
+"""Constraints that are not linear in the velocities: what they are equivalent to, and motion by Chetaev's rule.
 
 The second routes are numbers: roots of a constraint along random lines of velocities, and Gauss' principle of least
 constraint, by which the accelerations are those nearest to the free ones that the constraint, differentiated, admits.

@@ -1,4 +1,4 @@
-"""Products of sines and cosines put together, and what is left as it is."""
+"""Products of sines and cosines combined, and those left unchanged."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The table of wrong answers derived from wrong models, `slips.txt`, and what is said of each.
+"""The table of wrong answers derived from wrong models, `slips.txt`, and the feedback on each.
 
-An answer is *helped* if the physical cause is named: the model is one of those expected. It is *true but useless* if what
-is said is true of it and does not name the cause, or if nothing is said. It is *misleading* if a model is named that does
+An answer is *helped* if the physical cause is named: the model is one of those expected. It is *true but useless* if the
+feedback is true but does not name the cause, or if there is none. It is *misleading* if a model is named that does
 not reproduce it, which the program tests, or one that is listed here as no explanation of it.
 """
 
@@ -86,7 +86,7 @@ def wrong_parts(judgement: Judgement) -> list[EquationVerdict]:
 
 
 def assert_named(answer: WrongAnswer) -> None:
-    """The answer is wrong, something is said of each of its wrong equations, and it is the cause."""
+    """The answer is wrong, and the feedback on each of its wrong equations names the cause."""
     judgement = judged(answer)
     assert judgement.verdict is Verdict.WRONG
     parts = wrong_parts(judgement)

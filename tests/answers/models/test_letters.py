@@ -1,4 +1,4 @@
-"""Wrong equilibria, reactions, frequencies and numbers: what is said of them, and that it is of something wrong."""
+"""Wrong equilibria, reactions, frequencies and numbers: the feedback, and that it concerns what is wrong."""
 
 from __future__ import annotations
 

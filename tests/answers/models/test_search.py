@@ -1,4 +1,4 @@
-"""Nothing is said that was not tested, and nothing of right equations."""
+"""Feedback contains nothing untested, and nothing about correct equations."""
 
 from __future__ import annotations
 

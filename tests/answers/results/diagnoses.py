@@ -1,4 +1,4 @@
-"""What is said of stated results that are wrong, with the problems that several tests ask about."""
+"""Feedback on wrong stated results, with the problems that several tests share."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Row = tuple[str, str, object, str]
 
 
 def diagnoses(problem: str, answers: object) -> tuple[Verdict, str]:
-    """The verdict on answers, with all that is said of them."""
+    """The verdict on answers, with all feedback."""
     read = read_answers(Source("answers", json.dumps(answers)), loaded(problem))
     [other] = Examiner(loaded(problem), solved(problem, complete=False)).check_answers(read).others
     return other.verdict, "; ".join([other.diagnosis, *(e.diagnosis for e in other.equations)])
 
 
 def assert_explained(problem: str, key: str, stated: object, said: str) -> None:
-    """The stated result is wrong, and that is said of it."""
+    """The stated result is wrong, and the feedback contains this text."""
     verdict, diagnosis = diagnoses(problem, {key: stated})
     assert verdict in (Verdict.WRONG, Verdict.INCOMPLETE) if key == "rest" else verdict is Verdict.WRONG
     assert said in diagnosis

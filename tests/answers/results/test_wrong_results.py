@@ -1,4 +1,4 @@
-"""Wrong conditions of rest, amplitudes, impacts, limits of friction, values: what is said they are.
+"""Wrong conditions of rest, amplitudes, impacts, limits of friction, values: the causes named.
 
 The answers come from wrong models, worked out by a script that shares no code with the program.
 """

@@ -2,7 +2,7 @@
 
 The sense of a motion by a word, or by a sign alone.
 
-What is said of special cases beside the equations.
+Special cases stated beside the equations.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ Values that an answer states for parameters.
 
 Several values of one quantity in one line.
 
-What stands beside a result: its unit, and its value rounded.
+Text beside a result: its unit, and its rounded value.
 
 Words on stability, and conditions, beside an equation.
 """

@@ -1,4 +1,4 @@
-"""What is noted, so that a batch goes on where it was."""
+"""The journal, from which an interrupted batch continues."""
 
 from __future__ import annotations
 

@@ -295,7 +295,7 @@ def batch_that_stops_in_the_middle(answers: Path) -> None:
 
 
 def mark_the_journal() -> None:
-    """Changes what is noted, so that it can be told from what is graded again."""
+    """Changes the journal, so that reused rows can be distinguished from rows graded again."""
     journal = Path("marks.csv.journal")
     lines = [
         json.loads(line) for line in journal.read_text().splitlines() if line.startswith("{") and line.endswith("}")

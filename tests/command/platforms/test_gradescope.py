@@ -1,4 +1,4 @@
-"""What platforms are told, against what their documentation says they accept.
+"""Output for teaching platforms, against what their documentation accepts.
 
 Gradescope   https://gradescope-autograders.readthedocs.io/en/latest/specs/#output-format
 PrairieLearn https://prairielearn.readthedocs.io/en/latest/externalGrading/#grading-results, .../devElements/

@@ -1,6 +1,6 @@
 """One-sided constraints: forces to the permitted side, as long as what contact lasts, against formulas by hand.
 
-What a page says of the forces that coordinates hold bodies with, and of supports that only push.
+The prose about forces that coordinates alone imply, and about supports that can only push.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """T, V and the generalized forces, where Lagrange's method begins.
 
-What a page and JSON say of Hamilton's function.
+Hamilton's function on a page and in JSON.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is said of Lagrange's equations, and where."""
+"""The prose about Lagrange's equations, and its place."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tests.support.paths import PROBLEMS
 
 
 def test_an_integrable_constraint_could_be_put_in() -> None:
-    """x' = R φ' comes to a finite relation: there it is no mistake, and the text does not call it one."""
+    """x' = R φ' is equivalent to a finite relation, so that it is not a mistake, and the text does not call it one."""
     found = by_lagrange("rolling_cylinder_by_velocities")
     motion = motions(found)[0]
     configuration, principle = motion.configuration, motion.principle

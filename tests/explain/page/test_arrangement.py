@@ -114,7 +114,7 @@ def test_forces_alike_are_in_one_sentence_and_each_body_once() -> None:
 
 
 def test_what_is_folded_takes_its_equations_with_it() -> None:
-    """The principle written out in the file's coordinates stands before the equations that need it."""
+    """The principle written out in the file's coordinates precedes the equations that need it."""
     steps = reported("ex18-double-pendulum", complete=False).derivation.page
     [folded] = [s for s in steps if s.folded and s.rule is Rule.EQUATIONS_OF_MOTION and not s.choice]
     labels = [e.label for b in folded.body if isinstance(b, Display) for e in b.equations]

@@ -1,4 +1,4 @@
-"""What a page says of equilibria that are not solved, and of conditions."""
+"""The prose about equilibria that are not solved, and about conditions."""
 
 from __future__ import annotations
 

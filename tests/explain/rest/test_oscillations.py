@@ -1,4 +1,4 @@
-"""What is said of small oscillations."""
+"""The prose about small oscillations."""
 
 from __future__ import annotations
 

@@ -108,7 +108,7 @@ def test_a_ladder_slides_with_friction_at_both_ends(problem: Read) -> None:
 
 
 def test_a_disc_turns_between_wall_and_floor(problem: Read) -> None:
-    """N_A = mu N_B and N_B + nu N_A = m g, at rest but for the turning."""
+    """N_A = mu N_B and N_B + nu N_A = m g, at rest except for the rotation."""
     values = {"m": 2, "g": 10, "R": 1, "mu": sp.Rational(1, 2), "nu": sp.Rational(1, 3), "M_0": 20}
     up = sp.Rational(20) / (1 + sp.Rational(1, 6))
     across = up / 2

@@ -142,7 +142,7 @@ def test_the_tension_of_a_string_over_pulleys(problem: Read, constraint: str, gr
 
 
 def test_a_string_that_unrolls(problem: Read) -> None:
-    """A yo-yo: T = m g J/(J + m R²), upward, on whichever side of the equation the length stands."""
+    """A yo-yo: T = m g J/(J + m R²), upward, on whichever side of the equation the length is."""
     for equation in ("y = R*theta", "R*theta = y", "y' = R*theta'", "R*theta' = y'"):
         text = f"""title: Example
 parameters: [m, J, R, g]

@@ -102,7 +102,7 @@ forces:
 
 
 def test_a_state_in_which_the_constraints_are_dependent_is_not_taken(problem: Read) -> None:
-    """Rods of lengths 2 and 1 in one line: a velocity of their end along it is impossible, but for rounding."""
+    """Rods of lengths 2 and 1 in one line: a velocity of their end along it is impossible, up to rounding."""
     text = """
 title: Double pendulum
 parameters: [m, M, g]

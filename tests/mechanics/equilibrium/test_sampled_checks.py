@@ -91,7 +91,7 @@ def test_multipliers_are_needed() -> None:
 
 
 def test_an_equilibrium_at_which_nothing_is_tried_is_undecided() -> None:
-    """The other equilibria do not stand in for one that is stated to exist where no drawn parameters are."""
+    """The other equilibria do not replace one that is stated to exist only for parameters that were not drawn."""
     view = own(BEAD)
     assert view.equilibrium is not None
     branches = [

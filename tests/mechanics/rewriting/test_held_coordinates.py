@@ -1,4 +1,4 @@
-"""What constraints give of the motion is put in, and only that.
+"""What the constraints determine of the motion is substituted, and only that.
 
 Coordinates that two contacts hold together, and the forces there.
 """

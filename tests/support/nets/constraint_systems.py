@@ -245,7 +245,7 @@ def _strays(text: str, system: System, rng: random.Random, chosen: str | None = 
 
 
 def _integral(system: System, c: dict[str, Any], rng: random.Random) -> list[Finding]:
-    """The differential of what is said to be constant must be a multiple of the form, where the geometric constraints hold."""
+    """The differential of a stated integral must be a multiple of the form, where the geometric constraints hold."""
     if _strays(c["integral"], system, rng, c["name"]):
         return [
             Finding(
@@ -256,7 +256,7 @@ def _integral(system: System, c: dict[str, Any], rng: random.Random) -> list[Fin
 
 
 def _hidden(system: System, hidden: list[str], integrable: int, rng: random.Random) -> list[Finding]:
-    """A relation that is said to be hidden must be constant along every admissible motion."""
+    """A stated hidden relation must be constant along every admissible motion."""
     for text in hidden:
         if _strays(text, system, rng):
             return [

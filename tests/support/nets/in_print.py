@@ -1,4 +1,4 @@
-"""What must stand in no printed result, sought in all of the JSON and on the terminal's page.
+"""Things that no printed result may contain, searched for in the whole JSON and on the terminal page.
 
 Results of algebra that has gone wrong: imaginary units, nan, an infinity where no limit is taken, functions that readers
 do not know (DiracDelta, Piecewise), a root of a negative number. And names that are in neither the file nor the notation:
@@ -63,7 +63,7 @@ IN_WORDS = {"title", "description", "source", "meaning", "note", "axes", "answer
 
 
 def names_of_file(text: str) -> set[str]:
-    """All names in a problem file, but for those in its prose."""
+    """All names in a problem file, except those in its prose."""
     return {n for x in _texts(yaml.load(text, yaml.BaseLoader), IN_WORDS, True) for n in re.findall(r"[^\W\d]\w*", x)}
 
 
@@ -111,7 +111,7 @@ def _in_words(text: str) -> bool:
 
 
 def _texts(value: Any, without: set[str], with_keys: bool = False) -> Iterator[str]:
-    """All texts of an object, and its keys where they are names, but for what stands under some keys."""
+    """All texts of an object, and its keys where they are names, except the values of some keys."""
     if isinstance(value, str):
         yield value
     elif isinstance(value, dict):

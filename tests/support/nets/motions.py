@@ -232,7 +232,7 @@ def _close(kind: str, said: str, a: float, b: float) -> Iterator[Finding]:
 
 
 def _terms(text: str, scope: dict[str, float]) -> tuple[float, float]:
-    """Left minus right, and its size where accelerations are changed: what it is compared with."""
+    """Left minus right, and its size for changed accelerations, with which it is compared."""
     value = difference(text, scope)
     changed = {n: v + 1.3 if n.endswith("__2") or n.startswith("lambda_") else v for n, v in scope.items()}
     return value, 1 + abs(difference(text, changed))
@@ -316,7 +316,7 @@ def _words(text: str) -> list[str]:
 
 
 def _named(system: System, shown: Printed, s: State) -> dict[str, float]:
-    """The named reactions as they are boxed, as far as JSON has them as forces."""
+    """The named reactions in the boxes that JSON has as forces."""
     values = {}
     reactions = shown.json.get("reactions") or {}
     for constraint, name in system.named.items():

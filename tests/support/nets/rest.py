@@ -137,7 +137,7 @@ def is_pole(system: System, q: Sequence[float], parameters: Mapping[str, float])
 
 
 def rests_at_pole(system: System, q: Array, parameters: Mapping[str, float]) -> bool:
-    """Whether there is equilibrium for every value of the coordinates that move nothing: then it is none of the chart alone."""
+    """Whether there is equilibrium for every value of the coordinates that move nothing, so that it is not an artefact of the chart."""
     still = is_pole(system, q, parameters)
     assert still is not None
     shifted = (q + still @ (s * np.ones(still.shape[1])) for s in (0.7, 1.9, 3.3, 5.1))

@@ -172,7 +172,7 @@ def _points(
     """Points of a branch that are in no equilibrium; a branch without points.
 
     named_singular  whether poles are named as such
-    open_existence  whether it is said of unsolved equations that they may have no real solution
+    open_existence  whether the page says that unsolved equations may have no real solution
     """
     relations, conditions = branch
     said = " and ".join(relations) + (f" where {', '.join(conditions)}" if conditions else "")

@@ -40,7 +40,7 @@ class Space:
         self.slopes = [self._slope(k) for k in range(size)]
 
     def _slope(self, k: int) -> tuple[Array, Array, Array]:
-        """∂/∂u_k of a series: which coefficients are multiplied by what, and where the products stand."""
+        """∂/∂u_k of a series: which coefficients are multiplied by what, and the positions of the products."""
         terms = [(n, e) for n, e in enumerate(self.exponents) if e[k]]
         lower = [self.place[tuple(x - (j == k) for j, x in enumerate(e))] for _, e in terms]
         return np.array([n for n, _ in terms], int), np.array([e[k] for _, e in terms]), np.array(lower, int)
@@ -84,7 +84,7 @@ class Taylor:
         return matrix
 
     def derivative(self, k: int) -> Taylor:
-        """∂/∂u_k; the terms of the highest order are lost, and stand as zero."""
+        """∂/∂u_k; the terms of the highest order are lost and count as zero."""
         terms, factors, places = self.at.slopes[k]
         result = np.zeros_like(self.coefficients)
         result[places] = factors * self.coefficients[terms]

@@ -1,4 +1,4 @@
-"""Constraints that are seen to be finite relations share a section; others keep theirs.
+"""Constraints that are evidently finite relations share a section; others keep their own.
 
 Virtual displacements have no list of their own where it repeats that of the forms.
 

@@ -1,6 +1,6 @@
 """Bodies in bearings: vectors for the values at which the bearings hold coordinates.
 
-The page of a car on two axles: after the constraints their values are put in.
+The page of a car on two axles: the values are substituted after the constraints.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The balance of forces in rough contacts, solved in an order.
 
-Coordinates that the constraints hold are put in.
+Coordinates that the constraints determine are substituted.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ def test_full_turns_do_not_matter() -> None:
 
 
 def test_where_nothing_can_be_searched() -> None:
-    """An equilibrium for special parameters only: no zero is found, and nothing is said."""
+    """An equilibrium for special parameters only: no zero is found, and nothing is printed."""
     assert with_search(found(INCLINES)).all_found is None
 
 
