@@ -322,6 +322,7 @@ class Purpose(Enum):
     WAVES = auto()  # There are solutions proportional to cos(ω t), with a constant amplitude, where
     RESONANCE = auto()  # The denominator vanishes at a frequency of free oscillations
     IN_TERMS_OF = auto()  # In terms of position and velocity,
+    AS_BEFORE = auto()  # As before, (17) holds.
     # of paragraphs on what a result says
     IN_SHORT = auto()
     CONSERVED = auto()

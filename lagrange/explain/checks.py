@@ -117,4 +117,14 @@ def _called(answer: str) -> str:
 
 
 def _assignments(values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Part, ...]:
-    return listed(math(s, v) for s, v in values.items())
+    return listed(math(s, _in_decimals(v)) for s, v in values.items())
+
+
+def _in_decimals(value: sp.Expr) -> sp.Expr:
+    """A fraction as a file states it, 9.81 and not 981/100; 1/2 and 1/3 stay fractions."""
+    if not isinstance(value, sp.Rational) or value.q < 10:
+        return value
+    from lagrange.values.quantities import is_exact, rounded
+
+    shown = rounded(value)
+    return shown if is_exact(value, shown) else value

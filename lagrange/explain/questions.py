@@ -106,7 +106,8 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
                 seen.setdefault((asked.choice, i.expression), _label(asked, "integral", n))
         else:
             known = listed(Ref(x) for x in labels if x is not None)
-            yield prose("Throughout the motion, as before, ", *known, plural(len(labels), " holds.", " hold."))
+            holds = plural(len(labels), " holds.", " hold.")
+            yield prose("Throughout the motion, as before, ", *known, holds, purpose=Purpose.AS_BEFORE)
     if asked.integrand is not None:
         yield from _quadrature(asked.integrand, asked.question.quantity)
     if asked.solutions:

@@ -25,6 +25,7 @@ from lagrange.render.json_numbers import (
     damped_modes,
     equations_in_numbers,
     impending_in_numbers,
+    numbers_of_branches,
     position,
     quantity,
     rest_in_numbers,
@@ -596,5 +597,8 @@ def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     entries |= value_of_asked(asked, " or ".join(stated), values, write)
     entries |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
     if len(stated) > 1:
-        entries["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]
+        numbers = numbers_of_branches(asked, values, write)
+        entries["branches"] = [
+            {"value": v, **n, "conditions": c} for v, n, c in zip(stated, numbers, each, strict=True)
+        ]
     return entries | ({"choice": asked.choice} if asked.choice else {})

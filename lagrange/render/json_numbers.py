@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -107,12 +108,15 @@ def quantity(expression: sp.Expr | None, values: Values | None, write: Write) ->
 
 
 def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
-    """`number` and `unit` of an answer that has one value; of an angle and its opposite it is the positive one."""
+    """`number` and `unit` of an answer with one value; of two opposite ones that may both come, the positive."""
     unknown = {"number": None, "unit": None}
     from lagrange.mechanics.questions.ranges import branches_with
     from lagrange.mechanics.questions.results import one_value
 
     left = branches_with(asked, values)
+    if asked.mirrored and len(left) == 2 and left[0].rhs == -left[1].rhs:
+        each = [asked_number(replace(asked, branches=(b,)), values, write) for b in left]
+        return next((e for e in each if e["number"] is not None and e["number"] > 0), unknown)
     if len(left) != 1:
         return unknown
     [branch] = left
@@ -131,6 +135,12 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     if not unit and not asked.has_bare_numbers:  # `x = 2` hides a unit, and that of the quantity is sure
         unit = next(q.unit for q in measured if q is not None)
     return {"number": number, "unit": unit or None}
+
+
+def numbers_of_branches(asked: Asked, values: Values, write: Write) -> list[dict[str, Any]]:
+    """`number` and `unit` of each of several branches that has one; empty where it has none."""
+    alone = (asked_number(replace(asked, branches=(b,)), values, write) for b in asked.branches)
+    return [entry if entry["number"] is not None else {} for entry in alone]
 
 
 def value_of_asked(asked: Asked, stated: str, values: Values, write: Write) -> dict[str, Any]:

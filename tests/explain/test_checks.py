@@ -25,3 +25,11 @@ def test_without_any_number_there_is_nothing_to_try() -> None:
     free = read("title: A free particle\ncoordinates: [x]\nparticles: {P: {mass: 2, position: x*i}}\n")
     [step] = [s for s in report(free, complete=False).derivation.page if s.rule is Rule.CHECKS]
     assert "Try it" not in str(step.body)
+
+
+def test_values_to_try_are_decimals_as_a_file_states_them() -> None:
+    falls = read("title: A sledge\nparameters: {g: 9.81, a: acute}\ncoordinates: [s]\n"
+                 "particles: {P: {mass: 2, position: s*cos(a)*i - s*sin(a)*j}}\ngravity: -g*j\n")  # fmt: skip
+    [step] = [s for s in report(falls, complete=False).derivation.page if s.rule is Rule.CHECKS]
+    assert "981/100" not in str(step.body)
+    assert "9.81" in str(step.body)

@@ -195,9 +195,7 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             if isinstance(block, Display) and step.rule is Rule.QUESTION and not block.boxed:
                 sides = tuple(e.sides for e in block.equations)
                 if sides in asked and blocks and isinstance(blocks[-1], Prose):
-                    known = [Ref(label) for label in asked[sides] if label]
-                    holds = plural(len(known), " holds.", " hold.")
-                    blocks[-1:] = [prose("As before, ", *listed(known), holds)] if known else []
+                    blocks[-1:] = [*_as_before([Ref(label) for label in asked[sides] if label])]
                     continue
                 asked[sides] = [e.label for e in block.equations]
             if isinstance(block, Display) and _is_kinematic(block):
@@ -214,7 +212,29 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
             else:
                 blocks.append(block)
         if blocks or not step.body:
-            yield replace(step, body=tuple(blocks))
+            yield replace(step, body=tuple(_referring_once(blocks)))
+
+
+def _as_before(known: Sequence[Ref]) -> Iterator[Prose]:
+    """`As before, (17) and (18) hold.`; nothing where there is nothing to refer to."""
+    if known:
+        holds = plural(len(known), " holds.", " hold.")
+        yield prose("As before, ", *listed(known), holds, purpose=Purpose.AS_BEFORE)
+
+
+def _referring_once(blocks: Iterable[Block]) -> Iterator[Block]:
+    """The blocks with neighbouring references to what earlier questions found as one sentence."""
+    known: list[Ref] = []
+    alone: list[Block] = []
+    for block in blocks:
+        if has_purpose(block, Purpose.AS_BEFORE):
+            known += [p for p in parts_of(block) if isinstance(p, Ref)]
+            alone.append(block)
+            continue
+        yield from alone if len(alone) < 2 else _as_before(known)
+        yield block
+        known, alone = [], []
+    yield from alone if len(alone) < 2 else _as_before(known)
 
 
 def _is_kinematic(block: Display) -> bool:

@@ -74,7 +74,16 @@ def test_a_second_question_does_not_state_the_condition_again() -> None:
     blocks = (prose("The condition becomes"), display(Equation((x, sp.S.Zero), label="one")))
     first, second = said_before([step(*blocks, rule=Rule.QUESTION), step(*blocks, prose("So"), rule=Rule.QUESTION)])
     assert first.body == blocks
-    assert second.body == (prose("As before, ", Ref("one"), " holds."), prose("So"))
+    assert second.body == (prose("As before, ", Ref("one"), " holds.", purpose=Purpose.AS_BEFORE), prose("So"))
+
+
+def test_what_earlier_questions_found_is_recalled_in_one_sentence() -> None:
+    force = step(display(Equation((x, y, z), label="force"), boxed=True), rule=Rule.SOLVED_REACTIONS)
+    integral = prose("Throughout the motion, as before, ", Ref("energy"), " holds.", purpose=Purpose.AS_BEFORE)
+    again = step(prose("In terms of position,"), display(Equation((x, z))), integral, prose("So"), rule=Rule.QUESTION)
+    _, question = said_before([force, again])
+    together = prose("As before, ", Ref("force"), " and ", Ref("energy"), " hold.", purpose=Purpose.AS_BEFORE)
+    assert question.body == (together, prose("So"))
 
 
 def test_short_lines_of_one_kind_are_paired_unless_something_refers_to_the_second() -> None:
@@ -135,7 +144,7 @@ def test_what_the_reaction_is_a_question_does_not_display_again() -> None:
     found = step(display(Equation((x, y, z), label="force"), boxed=True), rule=Rule.SOLVED_REACTIONS)
     asked = step(prose("In terms of position and velocity,"), display(Equation((x, z))), rule=Rule.QUESTION)
     _, question = said_before([found, asked])
-    assert question.body == (prose("As before, ", Ref("force"), " holds."),)
+    assert question.body == (prose("As before, ", Ref("force"), " holds.", purpose=Purpose.AS_BEFORE),)
 
 
 def test_accelerations_that_a_choice_leaves_as_they_are_stand_once() -> None:
