@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step, listed, math, prose
 from lagrange.explain.limits import LONGEST_SPOT
-from lagrange.explain.words import constraints_called, joined, plural, spoken
+from lagrange.explain.words import constraints_called, in_decimals, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_forms import acceleration_formula, values_that_matter
@@ -117,14 +117,4 @@ def _called(answer: str) -> str:
 
 
 def _assignments(values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Part, ...]:
-    return listed(math(s, _in_decimals(v)) for s, v in values.items())
-
-
-def _in_decimals(value: sp.Expr) -> sp.Expr:
-    """A fraction as a file states it, 9.81 and not 981/100; 1/2 and 1/3 stay fractions."""
-    if not isinstance(value, sp.Rational) or value.q < 10:
-        return value
-    from lagrange.values.quantities import is_exact, rounded
-
-    shown = rounded(value)
-    return shown if is_exact(value, shown) else value
+    return listed(math(s, in_decimals(v)) for s, v in values.items())

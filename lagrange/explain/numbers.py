@@ -355,7 +355,8 @@ def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
     if own is None:
         return "" if is_bare else right.unit
     named = values.unit_of(left)  # of an angular velocity rad/s, where the right side says s⁻¹
-    same = right.unit and own == dimension_of_unit(right.unit) and not named.startswith("rad")
+    is_special = named == "J" or named.startswith("rad")
+    same = right.unit and own == dimension_of_unit(right.unit) and not is_special
     return right.unit if same else named
 
 

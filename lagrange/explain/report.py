@@ -158,7 +158,8 @@ def _explained(
         if values is not None or any(v.in_numbers is not None for v in solution.views):
             from lagrange.explain.numbers import with_numbers
 
-            steps = with_numbers(steps, solution, values or no_values(problem), digits)
+            letters = energy_symbols(solution).of_energies
+            steps = with_numbers(steps, solution, (values or no_values(problem)).with_energies(*letters), digits)
         return illustrated(steps, solution, notation)
 
     def in_full() -> Iterator[Step]:

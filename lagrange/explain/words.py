@@ -191,8 +191,8 @@ def as_stated(condition: Condition) -> Math:
     given = condition.measured
     is_plain = given is not None and given.dimension == NO_DIMENSION
     if given is None or (is_plain and (given.number / sp.pi * MOST_PARTS_OF_PI).is_Integer):
-        return math(condition.lhs, condition.rhs)
-    return math(condition.lhs, as_given(given) or condition.rhs)
+        return math(condition.lhs, in_decimals(condition.rhs))
+    return math(condition.lhs, as_given(given, condition.rhs) or condition.rhs)
 
 
 def as_given(given: Measured, value: sp.Expr | None = None) -> sp.Expr | None:

@@ -37,6 +37,16 @@ class EnergySymbols:
     index: str
 
     @property
+    def before(self) -> sp.Symbol:
+        """T_0, the kinetic energy before an impact."""
+        return _symbol(f"{self.kinetic.name}_0")
+
+    @property
+    def of_energies(self) -> tuple[sp.Symbol, ...]:
+        """T, T_0, V, L, H: what is measured in J."""
+        return self.kinetic, self.before, self.potential, self.lagrangian, self.hamiltonian
+
+    @property
     def coordinate(self) -> sp.Symbol:
         """q_k, any coordinate."""
         return _symbol(f"q_{self.index}")

@@ -29,7 +29,7 @@ from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction
 from lagrange.mechanics.dynamics.spot_values import SpotValue
-from lagrange.problem.model import Problem
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Problem
 from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
@@ -231,7 +231,10 @@ def with_known_values(solution: Solution, values: Values) -> Solution:
 def values_in(solution: Solution) -> Values | None:
     """The values of the problem that was solved; None where it has none."""
     values, newton = values_of(solution.problem), unit_of("N")
-    if values is None or newton is None or solution.law is None or not values.units:
+    if values is None or newton is None or not values.units:
+        return values
+    values = values.with_energies(KINETIC_ENERGY, ENERGY)
+    if solution.law is None:
         return values
     forces = {r.force: newton.dimension for r in solution.law.newton.reactions if r.named}
     return replace(values, units={**forces, **values.units})

@@ -438,11 +438,18 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
             case GeneralizedForce():
                 pass  # its unit is that of an energy divided by the coordinate's
             case Friction():
-                yield f.coefficient, "1"
+                yield from ((e, "1") for e in (f.coefficient, f.static) if e is not None)
+                yield from _components(f.surface_velocity, "m/s")
             case Belt():
                 yield from ((f.coefficient, "1"), (f.angle, "1"), (f.tight, "N"), (f.slack, "N"))
             case unreachable:
                 assert_never(unreachable)
+    if problem.impact is not None:
+        yield from ((e, "1") for e in problem.impact.restitution.values())
+        for blow in problem.impact.impulses:
+            strength, unit = (blow.vector, "N s") if isinstance(blow, AppliedForce) else (blow.moment, "N m s")
+            yield from _components(strength, unit)
+            yield from _components(blow.at if isinstance(blow, AppliedForce) else None, "m")
 
 
 def _components(vector: Vector | None, unit: str) -> Iterator[tuple[sp.Expr, str]]:

@@ -11,6 +11,7 @@ real with these values has no quantity.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from decimal import ROUND_HALF_EVEN, Context, Decimal
 
 import sympy as sp
@@ -20,7 +21,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol, base, t
-from lagrange.core.units import NO_DIMENSION, Dimension, unit_called
+from lagrange.core.units import NO_DIMENSION, Dimension, unit_called, unit_of
 from lagrange.values.dimensions import dimension
 from lagrange.values.limits import LARGEST_IN_NUMBERS, SPARE_DIGITS, WORKING_DIGITS
 
@@ -71,12 +72,22 @@ class Values:
     parameters  all parameters, with and without values
     units       the dimensions of parameters and coordinates, as far as the units of the file determine them
     angles      the coordinates that are angles
+    energies    symbols of energies: a number for them is in J, where that of a moment is in N m
     """
 
     numbers: Mapping[sp.Symbol, sp.Expr]
     parameters: frozenset[sp.Symbol]
     units: Mapping[sp.Symbol, Dimension]
     angles: frozenset[sp.Symbol] = frozenset()
+    energies: frozenset[sp.Symbol] = frozenset()
+
+    def with_energies(self, *letters: sp.Symbol) -> Values:
+        """The values, with further letters of energies; unchanged where the file gives no units."""
+        joule = unit_of("J")
+        if not self.units or joule is None:
+            return self
+        units = {**self.units, **dict.fromkeys(letters, joule.dimension)}
+        return replace(self, units=units, energies=self.energies.union(letters))
 
     def covers(self, *expressions: sp.Expr) -> bool:
         """Whether every parameter that occurs has a value."""
@@ -108,6 +119,8 @@ class Values:
         if not self.units or not {base(s) for s in expression.free_symbols} & {t, *self.units}:
             return unit_called(NO_DIMENSION, is_angle) if is_angle and expression.is_number else ""
         unit = dimension(expression, self.units)
+        if unit is not None and expression.free_symbols <= self.energies:
+            return "J"
         return "" if unit is None else unit_called(unit, is_angle or self._is_angle(expression))
 
     def _is_angle(self, expression: sp.Expr) -> bool:

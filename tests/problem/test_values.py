@@ -119,6 +119,14 @@ HANGING = "coordinates: [x, theta]\naxes: {j: down}\n"
         ("k: {value: 5 N/m}", "particles: {P: {mass: 1, position: x*i}}\nforces: {s: {potential: k*x^2/2}}", True),
         ("k: {value: 5 N}", "particles: {P: {mass: 1, position: x*i}}\nforces: {s: {potential: k*x^2/2}}", False),
         ("c: {value: 5 m/s}, m: {value: 1}", "particles: {P: {mass: m, position: x*i}}", True),
+        ("mu: {value: 5 N}", "coordinates: [x, y]\nparticles: {P: {mass: 1, position: x*i + y*j}}\n"
+         "constraints: {c: y = 0}\nforces: {s: {friction: 0.1, static: mu, constraint: c, on: P}}", False),
+        ("e: {value: 2 m}", "particles: {P: {mass: 1, position: x*i}}\nfind: impact\n"
+         "impact: {constraints: {c: x = 0}, restitution: {c: e}}", False),
+        ("J: {value: 2 N}", "particles: {P: {mass: 1, position: x*i}}\nfind: impact\n"
+         "impact: {impulses: {b: {on: P, vector: J*i}}}", False),
+        ("J: {value: 2 N s}", "particles: {P: {mass: 1, position: x*i}}\nfind: impact\n"
+         "impact: {impulses: {b: {on: P, vector: J*i}}}", True),
     ],
 )  # fmt: skip
 def test_a_unit_fits_the_place_of_its_parameter(parameters: str, rest: str, fits: bool) -> None:

@@ -226,7 +226,7 @@ def _energy(motion: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
     """The kinetic energy before and after, what is lost and where."""
     T = letters.kinetic
     before, after = motion.kinetic
-    earlier = sp.Symbol(f"{T.name}_0", real=True)
+    earlier = letters.before
     blows = motion.full.loads or motion.full.torques
     if motion.is_driven:
         yield prose(

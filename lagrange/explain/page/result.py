@@ -58,6 +58,7 @@ from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
+    from lagrange.values.quantities import Values
 
 
 _CALLED = {
@@ -399,8 +400,8 @@ def _impact(solution: Solution) -> Iterator[Equation]:
         yield Equation((*none, sp.S.Zero), condition=(plural(len(none), "the impulse of ", "the impulses of "), of))
     struck = motion.full.loads or motion.full.torques
     if not motion.is_driven and not struck and motion.energy_lost != 0:
-        kinetic = energy_symbols(solution).kinetic
-        line = Equation((sp.Symbol(f"{kinetic.name}_0", real=True) - kinetic, motion.energy_lost))
+        letters = energy_symbols(solution)
+        line = Equation((letters.before - letters.kinetic, motion.energy_lost))
         yield from [replace(line, condition=("the energy lost",))] if line.operations <= LONGEST_ANSWER else []
 
 
@@ -423,12 +424,12 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
             yield replace(line, condition=("when ", *listed(map(as_stated, asked.question.when))))
     for b in branches:
         line = answer_line(b)
-        if line.operations > LONGEST_ANSWER:
-            quantity = None if values is None else values.quantity(b.rhs)
-            if values is None or quantity is None or not quantity.is_number or len(branches) > 1:
+        too_long = line.operations > LONGEST_ANSWER
+        if too_long or (values is not None and _hides_units(asked, b, values)):
+            number = None if len(branches) > 1 or values is None else _in_numbers(asked, b, values)
+            if number is None and too_long:
                 continue
-            unit = values.unit_of(b.lhs) or ("" if asked.has_bare_numbers else quantity.unit)
-            line = Equation((b.lhs, replace(quantity, unit=unit).shown()), relation="≈")
+            line = number or line
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(map(as_stated, asked.question.when))))
@@ -443,6 +444,26 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         for clause in clauses:
             words += [", " if words else "", *clause]
         yield replace(line, condition=tuple(words))
+
+
+def _hides_units(asked: Asked, b: AnswerBranch, values: Values) -> bool:
+    """Whether numbers in a formula have units, so that its dimension is not that of the quantity: 9 m/2, an energy."""
+    if not asked.has_bare_numbers or not b.rhs.free_symbols:
+        return False
+    expected = values.unit_of(b.lhs).replace("J", "N m")
+    return expected not in ("", values.unit_of(b.rhs))
+
+
+def _in_numbers(asked: Asked, b: AnswerBranch, values: Values) -> Equation | None:
+    """An answer as a number with its unit; None where letters are left in it."""
+    from lagrange.values.quantities import is_exact
+
+    quantity = values.quantity(b.rhs)
+    if quantity is None or not quantity.is_number:
+        return None
+    unit = values.unit_of(b.lhs) or ("" if asked.has_bare_numbers else quantity.unit)
+    relation = "=" if is_exact(quantity.formula, quantity.formula_shown()) else "≈"
+    return Equation((b.lhs, replace(quantity, unit=unit).shown()), relation=relation)
 
 
 def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:

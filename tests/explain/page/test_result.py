@@ -178,3 +178,35 @@ def test_a_coordinate_that_is_held_has_its_value(problem: Callable[[str], Proble
     assert "│  R θ̈ − g sin θ = 0" in box(told)
     assert "│  N = m g cos θ − m R θ̇²" in box(told)
     assert "With r = R: R θ̈ − g sin θ = 0." in terminal.text(told.derivation, told.notation, 100)
+
+
+SPRING = """title: Mass on a spring
+parameters: {m: 2 kg, k: 800 N/m}
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {spring: {potential: k*x^2/2}}
+initial: {x: 0, x': 3 m/s}
+ask: {kinetic: {quantity: T_kinetic, when: "x = 0.1 m"}, whole: {quantity: energy, when: "x = 0.1 m"}}
+"""
+
+
+def test_a_formula_whose_numbers_hide_units_gives_way_to_the_number_and_energies_are_in_joules(
+    problem: Callable[[str], Problem],
+) -> None:
+    head = box(report(problem(SPRING), complete=False))
+    assert "T_kinetic = 5 J    when x = 0.1 m" in head
+    assert "energy = 9 J    when x = 0.1 m" in head
+    with_letters = SPRING.replace("x': 3 m/s", "x': v").replace("800 N/m", "800 N/m, v: 3 m/s")
+    letters = box(report(problem(with_letters), complete=False))
+    assert "energy = ½ m v²    when x = 0.1 m, that is energy = 9 J" in letters
+
+
+def test_the_energy_lost_in_an_impact_is_in_joules(problem: Callable[[str], Problem]) -> None:
+    text = """title: Two pucks
+parameters: {m_1: 1 kg, m_2: 2 kg, v: 3 m/s, e: 0.5}
+coordinates: [x_1, x_2]
+particles: {A: {mass: m_1, position: x_1*i}, B: {mass: m_2, position: x_2*i}}
+find: impact
+impact: {before: {x_1': v, x_2': 0}, constraints: {contact: x_1 - x_2 = 0}, restitution: {contact: e}}
+"""
+    assert "2.25 J" in box(report(problem(text), complete=False))
