@@ -51,6 +51,7 @@ def _factored(expression: sp.Expr) -> sp.Expr:
 
 def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     sign = 1
+    unknown = []
     for factor in sp.Mul.make_args(product):
         base, exponent = factor.as_base_exp()
         if exponent.is_Integer and exponent % 2 == 0 and base.is_real:
@@ -59,9 +60,22 @@ def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
         if exponent.is_Rational and not exponent.is_Integer:
             factor_sign = 1  # a root is positive where it exists
         if factor_sign is None:
-            return None
-        sign *= factor_sign
-    return sign
+            unknown.append(base if exponent.is_Integer else factor)
+        else:
+            sign *= factor_sign
+    together = _of_known_product(unknown, known) if unknown else 1
+    return None if together is None else sign * together
+
+
+def _of_known_product(factors: list[sp.Expr], known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of several factors of which only the product is known: (a − b)/(c − d), where (a − b) (d − c) > 0."""
+    if len(factors) > 1:
+        for n, p in enumerate(known):
+            if n % 2 == 0 and {*sp.Mul(*factors).free_symbols} <= p.free_symbols:
+                ratio = _factored(sp.Mul(_factored(p), *(1 / f for f in factors)))
+                if (sign := _of_product(ratio, ())) is not None:
+                    return sign
+    return None
 
 
 def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:

@@ -416,7 +416,9 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     restricted = [within(b, ranges, solution) for b in branches] if ranges else branches
     outside = tuple(b for b, inside in zip(branches, restricted, strict=True) if inside is None)
     branches = tuple(b for b in restricted if b is not None)
-    singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
+    singular = tuple(
+        SingularPlace(b, _without_length(b, solution, e.configuration)) for b in _consistent(excluded, solution)
+    )
     applied = load_parameters(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
     branches = _merged((_with_stated_angles(b, solution) for b in branches), {*solution.letters.angles})
@@ -455,6 +457,24 @@ def _held(e: Equilibrium) -> SolutionSet | None:
             replace(b, conditions=tuple(dict.fromkeys(cs))) for b, cs in zip(solution.branches, conditions, strict=True)
         ),
     )
+
+
+def _consistent(branches: Sequence[Branch], solution: SolutionSet) -> list[Branch]:
+    """Branches at whose points all that they state holds, and each only once: not x = 0 with x = a."""
+
+    def fails(p: Values, e: sp.Expr) -> bool:
+        try:
+            value = solution.at(p, e)
+        except (NotAlgebraicError, DivisionByZeroError):
+            return False
+        return not value.free_symbols & {*solution.unknowns} and is_zero(value) is False
+
+    kept: list[Branch] = []
+    for b in branches:
+        contradictory = not b.left and any(fails(p, r.residual) for p in b.points for r in b.relations)
+        if not contradictory and not any(is_part(b, o, solution) for o in kept):
+            kept.append(b)
+    return kept
 
 
 def _with_stated_angles(b: Branch, solution: SolutionSet) -> Branch:
@@ -528,12 +548,23 @@ def _without(
     for b in branches:
         turned, divided = _turned(b, multipliers)
         divisors |= dict.fromkeys(divided)
+        values = {r.lhs: r.rhs for r in turned.relations if r.lhs in multipliers}
         relations = tuple(r for r in turned.relations if r.lhs not in multipliers)
-        key = (relations, turned.conditions, turned.left)
+        left = tuple(_with_multipliers_put_in(e, values) for e in turned.left)
+        key = (relations, turned.conditions, left)
         known = merged.get(key)
         points = (*(known.points if known else ()), *turned.points)
-        merged[key] = replace(turned, relations=relations, points=points)
+        merged[key] = replace(turned, relations=relations, left=left, points=points)
     return tuple(merged.values()), tuple(divisors)
+
+
+def _with_multipliers_put_in(e: sp.Expr, values: Values) -> sp.Expr:
+    """An unsolved equation with the multipliers for which relations are omitted: without these it would say less."""
+    for _ in values:  # a value may contain other multipliers
+        if not e.free_symbols & values.keys():
+            break
+        e = sp.expand(e.xreplace(dict(values)))
+    return e
 
 
 def _turned(b: Branch, multipliers: Sequence[sp.Symbol]) -> tuple[Branch, list[sp.Expr]]:

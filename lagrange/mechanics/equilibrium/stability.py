@@ -465,14 +465,17 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
     known = known_positive(b)
     judged = by_signs(minors, b, e)
     written = tuple(min(m, shortest_form(m), key=lambda x: count_operations(x)) for m in minors)
-    if judged.verdict is StabilityVerdict.STABLE or any(sign_on(m, known) == -1 for m in minors):
+    is_negative = any(sign_on(m, known) == -1 for m in minors)
+    if judged.verdict is StabilityVerdict.STABLE or (is_negative and not judged.presupposed):
         return replace(judged, minors=written)
     others = [m for rows in _not_leading(len(matrix)) if (m := _minor(matrix, rows, b, e)) is not None]
-    negative = next((m for m in others if sign_on(m, known) == -1), None)
-    if negative is not None:
-        presupposed = not_vanishing([negative], b, e)
+    negative = [(not_vanishing([m], b, e), m) for m in others if sign_on(m, known) == -1]
+    presupposed, deciding = min(negative, key=lambda pair: len(pair[0]), default=((), None))
+    if deciding is not None and (not is_negative or len(presupposed) < len(judged.presupposed)):
         verdict = StabilityVerdict.UNSTABLE
-        return Stability(verdict, written, presupposed=presupposed, principal=shortest_form(negative))
+        return Stability(verdict, written, presupposed=presupposed, principal=shortest_form(deciding))
+    if is_negative:
+        return replace(judged, minors=written)
     if any(sign_on(m, known) == 0 for m in minors):
         return replace(_never_definite(minors[-1], [*minors, *others], b, e), minors=written)
     return replace(judged, minors=written)

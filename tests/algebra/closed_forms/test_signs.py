@@ -154,3 +154,11 @@ def test_both_signs_are_seen_at_points_and_one_sign_is_not() -> None:
     # where x > 0 it is positive, and points outside are not looked at
     assert takes_both_signs(sp.expand(long * x), (x,)) is False
     assert sign_of(sp.expand(long * x), (x,)) == 1
+
+
+def test_a_sign_of_several_factors_whose_product_is_known() -> None:
+    product = (a * b - c) * (b - c)
+    assert sign_of((a * b - c) / (c - b), [product]) == -1
+    assert sign_of(a**2 * (a * b - c) ** 3 * (b - c), [product]) == 1
+    assert sign_of((a * b - c) / (c - a), [product]) is None
+    assert sign_of(a * b - c, [product]) is None

@@ -536,3 +536,45 @@ def test_beside_unsolved_equations_an_angle_is_stated_by_both_its_functions() ->
         ("-2*sqrt(5)/5", "sqrt(5)/5"),
         ("2*sqrt(5)/5", "-sqrt(5)/5"),
     ]
+
+
+WIRE = """
+title: a bead on a curve, held by a spring
+parameters: {g: positive}
+coordinates: [x, y]
+particles: {P: {mass: 2, position: x*i + y*j}}
+constraints: {c: "0 = y - cosh(x)"}
+gravity: -g*j
+forces: {s: {spring: 2, between: [2*j, P]}}
+find: equilibrium
+"""
+
+
+def test_an_unsolved_equation_has_its_multiplier_put_in() -> None:
+    """V = 2 g y + x² + (y − 2)² on y = cosh x: dV/dx = 2 x + (2 g + 2 y − 4) sinh x; λ alone would leave x open."""
+    found = solve(read(WIRE)).own.equilibrium
+    assert found is not None
+    [b] = found.branches
+    assert not any(s.name == "lambda_c" for e in b.left for s in e.free_symbols)
+    x, y = found.configuration.slots.coordinates
+    g = next(s for e in b.left for s in e.free_symbols if s.name == "g")
+    force = 2 * x + (2 * g + 2 * y - 4) * sp.sinh(x)
+    assert any(sp.expand(e - force) == 0 or sp.expand(e + force) == 0 for e in b.left)
+
+
+def test_places_without_a_force_are_consistent() -> None:
+    """On |x| + |y| = a the slope jumps at the four corners: no list of them has both x = 0 and x = a."""
+    text = """
+title: a bead on a square
+parameters: [m, g, a]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {w: "abs(x) + abs(y) = a"}
+gravity: -g*j
+find: equilibrium
+"""
+    found = solve(read(text)).own.equilibrium
+    assert found is not None
+    stated = [[r.lhs.name for r in p.branch.relations if r.lhs.is_Symbol] for p in found.singular]
+    assert stated
+    assert all(len(names) == len({*names}) for names in stated)

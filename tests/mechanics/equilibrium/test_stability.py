@@ -172,6 +172,34 @@ def test_a_principal_minor_decides_where_the_leading_ones_do_not() -> None:
     assert s.principal == -(k**2)
 
 
+def test_a_principal_minor_that_is_always_negative_decides_before_one_that_may_vanish() -> None:
+    """V = a x²/2 + c x y − b z²/2 + y z with a real c: the leading minor −c² may be 0, and −b is negative."""
+    text = """
+title: a saddle
+parameters: {a: positive, b: positive, c: real}
+coordinates: [x, y, z]
+forces: {field: {potential: "a*x^2/2 + c*x*y - b*z^2/2 + z*y"}}
+"""
+    stability = solve(read(text)).own.stability
+    assert stability is not None
+    [s] = stability.verdicts
+    assert (s.verdict, s.presupposed) == (Stable.UNSTABLE, ())
+
+
+def test_a_sign_that_follows_from_a_product() -> None:
+    """A repelled mass on a spring: x = (d k − F)/(c − k) is negative by its condition, and V'' = k − c there."""
+    text = """
+title: a spring with a length, on a line
+parameters: [k, d, F, c]
+coordinates: [x]
+particles: {P: {position: x*i}}
+forces: {s: {spring: k, between: [0*i, P], length: d}, f: {potential: -c*x^2/2 - F*x}}
+"""
+    stability = solve(read(text)).own.stability
+    assert stability is not None
+    assert sorted(s.verdict for s in stability.verdicts) == [Stable.CONDITIONAL, Stable.STABLE]
+
+
 def test_a_zero_minor_with_a_determinant_of_open_sign() -> None:
     """V = k x y + (a − b) z²/2 takes negative values; so does (a − b) x y, unless a = b."""
     assert stability_of("k*x*y + (a - b)*z^2/2", "x, y, z")[0].verdict is Stable.UNSTABLE
