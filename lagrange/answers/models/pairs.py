@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.answers.limits import MAX_FIRST_MISTAKES, MAX_OF_ONE_KIND, MAX_PAIR_WORK
 from lagrange.answers.models.mechanics import Mechanics, Variation
-from lagrange.answers.models.search import Explanation, Models, changed_space, said_of_all, unusable
+from lagrange.answers.models.search import Explanation, Models, changed_space, follows_from_rest, said_of_all, unusable
 from lagrange.answers.models.table import MODELS, Model
 
 LIKELY = frozenset(
@@ -47,9 +47,14 @@ def explained_by_two(equations: Sequence[sp.Expr], models: Models) -> Explanatio
         rows = [[at.row(e) for e in equations] for at in states]
         others = states[1:]
         for name, variation, space in models.pairs(lambda: _pairs(models)):
-            if all(r is not None and r in space for r in rows[0]) and all(
-                (other := changed_space(variation, at)) is not None and all(r is not None and r in other for r in own)
-                for at, own in zip(others, rows[1:], strict=True)
+            if (
+                all(r is not None and r in space for r in rows[0])
+                and all(
+                    (other := changed_space(variation, at)) is not None
+                    and all(r is not None and r in other for r in own)
+                    for at, own in zip(others, rows[1:], strict=True)
+                )
+                and not any(r is not None and follows_from_rest(r, variation, states[0]) for r in rows[0])
             ):
                 return said_of_all(name, variation, len(equations))
     except unusable:

@@ -331,7 +331,7 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
         if right.is_rational_function(p) and _same(
             claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero})
         ):
-            yield f"this is the answer for a very large {p}, as if nothing moved that has it"
+            yield f"this is the answer in the limit of a very large {p}"
     legs = sp.Add.make_args(sp.expand(right**2))
     if len(legs) == 2:
         sides = [sp.sqrt(leg) for leg in legs]
@@ -359,16 +359,19 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
     if not all(map(_is_plain, sp.Mul.make_args(ratio))):
         ratio = sp.factor(sp.cancel(sp.together(claim / right)))
     factors = sp.Mul.make_args(ratio)
-    if len(factors) <= 3 and all(map(_is_plain, factors)):
+    opposite = _same(claim, -ratio * right)
+    if len(factors) <= 3 and all(map(_is_plain, factors)) and (opposite or _same(claim, ratio * right)):
         above, below = sp.fraction(ratio)
         if ratio.is_number and 1 not in (above**2, below**2):
             size = abs(below / above)
+            only = "its sign is wrong, and a number" if opposite else "only a number is wrong in it"
             if _is_short(size):
-                yield f"only a number is wrong in it: it has to be {_written(size)} times as large"
+                yield f"{only}: it has to be {_written(size)} times as large"
             elif _is_short(size**2):
-                yield f"only a number is wrong in it: its square has to be {_written(size**2)} times as large"
+                yield f"{only}: its square has to be {_written(size**2)} times as large"
             return
-        parts = [f"a factor {_written(below)} is missing"] if below != 1 else []
+        parts = ["its sign is wrong"] if opposite else []
+        parts += [f"a factor {_written(below)} is missing"] if below != 1 else []
         if above != 1:
             there = above.free_symbols <= claim.free_symbols
             parts.append(

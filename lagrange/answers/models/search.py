@@ -216,6 +216,21 @@ def _space_by_rule(variation: Variation, at: ModelState) -> RowSpace | None:
     return None if None in rows else at.space([r for r in rows if r is not None])
 
 
+def follows_from_rest(row: NumberRow, variation: Variation, at: ModelState) -> bool:
+    """Whether an equation follows from a variation only because all its accelerations vanish there.
+
+    Then its coefficients may be any, and it is explained only if it is one of the equations itself.
+    """
+    vanishes, number = at.point.arithmetic.vanishes, at.point.number
+    columns = [j for j, x in enumerate(row) if not vanishes(x)]
+    if variation.rule or len(columns) < 2 or columns[-1] == len(row) - 1:
+        return False
+    rows = changed_rows(variation, at) or []
+    space = at.space(rows)
+    units = ([number(int(i == j)) for i in range(len(row))] for j in columns)
+    return all(unit in space for unit in units) and not any(row in at.space([own]) for own in rows)
+
+
 def inverted(rule: Mapping[sp.Basic, sp.Basic]) -> dict[sp.Basic, sp.Basic] | None:
     """The inverse of a rule that exchanges symbols, or replaces each by a multiple of itself and others that stay."""
     inverse: dict[sp.Basic, sp.Basic] = {}
@@ -279,7 +294,11 @@ class _Search:
                 return None
             if not combined and variation.is_reduced:
                 continue
-            if self._fits(number, variation, which) and self._holds(variation, which, combined):
+            if (
+                self._fits(number, variation, which)
+                and self._holds(variation, which, combined)
+                and not any(follows_from_rest(self.rows[n], variation, self.states[0]) for n in which)
+            ):
                 return name, variation
         return None
 

@@ -88,7 +88,7 @@ def positions_of(answer: Sequence[Fragment], solution: Solution) -> tuple[Answer
 def at_stated_positions(
     answer: Sequence[Fragment], stated: Sequence[Fragment], verdict: AnswerVerdict, solution: Solution
 ) -> AnswerVerdict:
-    """The verdict on right frequencies: wrong where one stands after a single position, and is that of another one."""
+    """The verdict on frequencies not wrong everywhere: wrong where one stands after a position, and is not its."""
     from lagrange.answers.questions.frequencies import check_frequencies
     from lagrange.answers.written.working import understood
 
@@ -105,6 +105,8 @@ def at_stated_positions(
             where.append([e for g in judged if isinstance(g, GivenEquation) for e in g.reading.components])
     for position, f in after:
         there = check_frequencies([[f]], solution, only_at=position) if position else verdict
+        if there.verdict is Verdict.WRONG and verdict.verdict is Verdict.UNDECIDED:
+            return there
         if there.verdict is Verdict.WRONG and check_frequencies([[f]], solution).verdict is not Verdict.WRONG:
             why = f"not right there: {f.text.strip()}; it is the frequency at another equilibrium"
             return replace(verdict, verdict=Verdict.WRONG, diagnosis=why)

@@ -125,8 +125,8 @@ class EquilibriumPoint:
             right = sp.expand(sp.cancel(self.at(system.stiffness[j][j] / system.mass[j][j])))
         except (NotAlgebraicError, IndexError):
             return ""
-        if sp.count_ops(right) > LONGEST_SQUARE:
-            return ""
+        if sp.count_ops(right) > LONGEST_SQUARE or sign_of(right) in (-1, 0):
+            return ""  # nothing oscillates there
         why = explained_value(sp.expand(as_written(claim) ** 2).xreplace(values), right.xreplace(values), set())
         return f"in omega^2, {why}" if why else ""
 
@@ -220,7 +220,7 @@ def check_frequencies(
         return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NONE_KNOWN)
     complete = any(_is_complete(f) for f, rates in oscillating if not rates) or all(map(_is_complete, linearizations))
     values = dict(reference.values)
-    complete = complete or _asked_by_the_file(solution, places, values, reference)
+    complete = complete or bool(only_at) or _asked_by_the_file(solution, places, values, reference)
     texts = [[f.text.strip() for f in fragments] for fragments in stated]
     verdicts = [_of_list(c, t, places, values, complete=complete) for c, t in zip(lists, texts, strict=True)]
     best = max(verdicts, key=lambda v: _BEST.index(v.verdict))
@@ -231,7 +231,10 @@ def check_frequencies(
         for claims, v in zip(lists, verdicts, strict=True)
         if v.verdict is Verdict.WRONG or v.diagnosis == _NOT_ALL_KNOWN
     ]
-    sentence = next(_explained(wrong, places, values, reference), "")
+    if best.verdict is Verdict.WRONG:
+        sentence = next(_explained(wrong, places, values, reference), "")
+    else:  # it may be right elsewhere: what is wrong in it cannot be said
+        sentence = next(filter(None, (_of_models(claims, places, reference) for claims in wrong)), "")
     return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
 
 

@@ -18,6 +18,7 @@ from lagrange.answers.questions.equilibrium_in_text import (
     with_rate_as_omega,
 )
 from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
+from lagrange.answers.questions.texts.frequency_labels import name_of_frequency, stated_frequencies
 from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
@@ -40,6 +41,7 @@ _SECOND_VARIATION = re.compile(
 _KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", re.IGNORECASE)
 """theta = const, which says no more than that the motion is steady."""
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
+_JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
 _NO_STATEMENT = "it says nothing about the motion"
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
@@ -209,7 +211,6 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion, and on the frequencies beside them."""
     from lagrange.answers.questions.frequencies import check_frequencies
-    from lagrange.answers.questions.texts.frequency_labels import stated_frequencies
     from lagrange.answers.written.working import understood
 
     reference = reference_of_solution(solution)
@@ -226,20 +227,31 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             tried = check_frequencies([stated], solution, working.defined)
             if working.defined and tried.verdict is not Verdict.UNREADABLE:
                 frequencies, rest = replace(tried, notes=working.notes), list(working.judged)
-        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and rest:
+        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED) and rest:
             frequencies = at_stated_positions(answer, stated, frequencies, solution)
         if frequencies.verdict is Verdict.WRONG:  # omega, and the period, may be those of a steady motion itself
             others = _if_readable(answer, judge)
             if others is not None and others.verdict is Verdict.EQUIVALENT:
                 return others
-        if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
+        undeclared = not any(name_of_frequency(f) in reference.declared for f in stated)
+        if frequencies.verdict in _JUDGED or (frequencies.verdict is Verdict.UNDECIDED and rest and undeclared):
             judged = _beside_frequencies(rest, solution, judge) if rest else None
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
             others = _if_readable(answer, judge)
-            is_about = others is not None and not all(e.diagnosis.startswith(_NO_STATEMENT) for e in others.each)
-            return others if others is not None and is_about else _only(frequencies, solution)
+            return (
+                others if others is not None and _is_about(others, stated, reference) else _only(frequencies, solution)
+            )
     return _with_positions(answer, solution, judge)
+
+
+def _is_about(judged: Judgement, stated: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether lines that look like frequencies are about something else: right as such, or in names of the problem."""
+    if judged.verdict is Verdict.EQUIVALENT:
+        return True
+    if all(e.diagnosis.startswith(_NO_STATEMENT) for e in judged.each):
+        return False
+    return all(name_of_frequency(f) in reference.declared for f in stated)
 
 
 def _linearized(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:

@@ -449,6 +449,8 @@ def quantity_of(integral: Integral, configuration: Configuration) -> ConservedQu
     turned = [q for q in displaced if _turns(q, configuration)]
     others = [q for q in displaced if q not in turned]
     is_angular = bool(turned) and not _advances(others, turned, configuration)
+    if is_angular and len(displaced) == 1:
+        is_angular = _turns_rigidly(turned[0], configuration)
     return ConservedQuantity.ANGULAR_MOMENTUM if is_angular else integral.quantity
 
 
@@ -465,6 +467,24 @@ def _advances(others: Sequence[sp.Symbol], turned: Sequence[sp.Symbol], configur
     )
 
 
+def _turns_rigidly(q: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether what q moves is turned about axes of one direction, all bodies through the same angle.
+
+    The coordinate of a screw, or of gears, has a momentum that is not that of a rotation. A point by itself is turned
+    if the curve r(q) on which q leads it has no torsion: dr/dq, d²r/dq² and d³r/dq³ lie in a plane.
+    """
+    places = [sp.Matrix(p.position.fixed().components) for p in configuration.points if p.mass != 0]
+    rates = [sp.Matrix([c.diff(prime(q)) for c in _turning(r)]) for r in configuration.rotations if r.has_inertia]
+    axes = [a for a in rates if not a.is_zero_matrix]
+    around = [r.diff(q) for r in places]
+    zero = configuration.states.is_zero
+    if any(zero(x) is not True for a in axes for x in a - axes[0]):
+        return False
+    if any(zero(b.dot(a)) is not True for b in around for a in axes[:1]):
+        return False
+    return all(zero(b.dot(b.diff(q).cross(b.diff(q, 2)))) is True for b in around)
+
+
 def _is_zero(e: sp.Expr) -> bool:
     return bool(sp.expand(e) == 0)
 
@@ -478,4 +498,4 @@ def _turns(q: sp.Symbol, configuration: Configuration) -> bool:
 
 
 def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:
-    return rotation.angular_velocity.components
+    return rotation.angular_velocity.fixed().components

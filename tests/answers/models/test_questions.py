@@ -43,5 +43,9 @@ def test_differences_of_values() -> None:
     assert explained_value(m * g, right, set()) == "this is the answer without l, as if l = 0"
     assert explained_value(mu * m * l - m * g, right, set()) == "the sign of the term m*g is wrong"
     assert explained_value(right * l, right, set()) == "there is a factor l too many"
+    assert explained_value(-right * l, right, set()) == "its sign is wrong and there is a factor l too many"
+    assert explained_value(-m * g * 2 / 3, m * g, set()) == (
+        "its sign is wrong, and a number: it has to be 3/2 times as large"
+    )
     assert explained_value(right * 35 / 36, right, set()) == ""
     assert explained_value(right + sp.Symbol("q"), right, set()) == "the right answer does not depend on q"

@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from lagrange.answers.examiner import Examiner
 from lagrange.answers.models.search import changed_rows, explained, inverted
 from lagrange.answers.readings import read_answer
-from lagrange.core.diagnostics import Fragment
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.problem.loader import read_problem
 from tests.answers.models.slips import examiner
 from tests.support.shared import reference_of
 
@@ -90,3 +92,22 @@ def test_one_length_for_another_in_one_equation() -> None:
     first, second = examiner("ex18-double-pendulum").check(tuple(map(Fragment.of, equations))).each
     assert first.diagnosis == "This is the equation of phi1 with l1 in place of l2 throughout."
     assert second.verdict.value == "equivalent"
+
+
+WEDGE = """
+title: A bead on a wavy wedge
+parameters: [m, M, g, h]
+coordinates: [X, x]
+particles:
+  wedge: {mass: M, position: X*i}
+  P: {mass: m, position: (X + x)*i + h*sin(x/h)*j}
+gravity: -g*j
+"""
+
+
+def test_an_equation_between_accelerations_is_not_explained_by_a_problem_in_which_they_vanish() -> None:
+    wedge = Examiner.of(read_problem(Source("problem.yaml", WEDGE)))
+    [any_numbers] = wedge.check((Fragment.of("2*(M + m)*X'' = 5*m*x'' + M*X''/3"),)).each
+    assert any_numbers.diagnosis == "Something is wrong in its terms with accelerations."
+    [own] = wedge.check((Fragment.of("m*X'' + m*x'' = 0"),)).each
+    assert own.model == "mass left out"

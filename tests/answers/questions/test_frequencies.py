@@ -121,6 +121,18 @@ def test_the_reason_is_given(text: str, stated: str, said: str) -> None:
     assert verdict_on(text, stated).diagnosis == said
 
 
+def test_what_grows_explains_no_frequency() -> None:
+    turning = """
+parameters: [m, p, g, Omega]
+coordinates: [r]
+particles: {P: {mass: m, position: r*cos(Omega*t)*i + r*sin(Omega*t)*j + (r^4/p^3)*k}}
+gravity: -g*k
+"""  # ω² = −Ω² at r = 0, and 2 Ω²/(1 + p³ Ω⁶/(4 g³)) beside it
+    assert verdict_on(turning, "[sqrt(2)*Omega]").diagnosis == (
+        "in omega^2, this is the answer in the limit of a very large g"
+    )
+
+
 def test_an_imaginary_frequency_cannot_be_stated() -> None:
     with pytest.raises(ProblemError, match="state the real frequencies only") as caught:
         solved(PASS, 'find: linearization\nanswers: {frequencies: [sqrt(c/m), "sqrt(-f/m)"]}')

@@ -5,8 +5,20 @@ from __future__ import annotations
 import pytest
 
 from lagrange.answers.examiner import Examiner
-from lagrange.core.diagnostics import Fragment
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.problem.loader import read_problem
 from tests.support.shared import loaded, solved
+
+WITH_A_TORSION_SPRING = """
+title: Pendulum with a torsion spring
+parameters: [m, l, g, c]
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}
+forces: {spring: {potential: c*theta^2/2}}
+gravity: -g*j
+find: [motion, equilibrium, linearization]
+"""
+"""It may be at rest elsewhere than at θ = 0, where no closed form is known."""
 
 
 @pytest.mark.parametrize(
@@ -20,3 +32,20 @@ from tests.support.shared import loaded, solved
 def test_verdicts_on_a_text(name: str, lines: list[str], verdict: str) -> None:
     examiner = Examiner(loaded(name), solved(name))
     assert examiner.check(tuple(map(Fragment.of, lines))).verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    ("lines", "verdict"),
+    [
+        (["omega = sqrt(g/l + c/(m*l^2))"], "equivalent"),
+        (["omega = sqrt(g/l)"], "undecided"),
+        (["sin(theta) = -c*theta/(m*g*l)", "omega = sqrt(g/l*cos(theta) + c/(m*l^2))"], "equivalent"),
+        (["theta = 0: omega = sqrt(g/l)"], "wrong"),
+        (["theta = 2*pi: omega = sqrt(g/l)"], "wrong"),  # not a position of equilibrium
+    ],
+)
+def test_a_frequency_at_a_position_that_is_not_known_is_undecided(lines: list[str], verdict: str) -> None:
+    examiner = Examiner.of(read_problem(Source("problem.yaml", WITH_A_TORSION_SPRING)))
+    judged = examiner.check(tuple(map(Fragment.of, lines)))
+    assert judged.verdict.value == verdict
+    assert "the conditions of equilibrium do not require it" not in str(judged)

@@ -341,3 +341,27 @@ def test_the_momentum_of_a_screw_is_no_angular_momentum(along: str, quantity: st
     assert conserved is not None
     called = [quantity_of(i, motion.configuration) for i in conserved.integrals]
     assert called == [ConservedQuantity[quantity], ConservedQuantity.ENERGY]
+
+
+@pytest.mark.parametrize(
+    ("what", "quantity"),
+    [
+        ("particles: {P: {mass: m, position: h*(cos(phi)*i + sin(phi)*j + phi*k)}}", "MOMENTUM"),
+        ("particles: {P: {mass: m, position: h*(cos(phi)*i + sin(phi)*(3*j + 4*k)/5)}}", "ANGULAR_MOMENTUM"),
+        (
+            "bodies: {B: {mass: m, inertia: [J, J, J], position: h*phi*k, orientation: {axes: 313, angles: [phi, 0, 0]}}}",
+            "MOMENTUM",
+        ),
+        (
+            "bodies: {A: {inertia: J, position: 0*i, angle: phi}, B: {inertia: J, position: h*i, angle: -2*phi}}",
+            "MOMENTUM",
+        ),
+        ("bodies: {wheel: {mass: m, inertia: J, position: h*phi*i, angle: -phi}}", "ANGULAR_MOMENTUM"),
+    ],
+)
+def test_one_coordinate_that_moves_like_a_screw_or_like_gears_has_no_angular_momentum(what: str, quantity: str) -> None:
+    text = f"title: T\nparameters: [m, h, J]\ncoordinates: [phi]\n{what}\n"
+    motion = solve(read_problem(Source("p.yaml", text))).own
+    assert motion.conserved is not None
+    called = [quantity_of(i, motion.configuration) for i in motion.conserved.integrals]
+    assert called == [ConservedQuantity[quantity], ConservedQuantity.ENERGY]

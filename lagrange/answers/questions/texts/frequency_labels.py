@@ -22,7 +22,7 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
     frequencies = []
     for f in answer:
         match = LABELLED.match(f.text)
-        name = match[0].strip(" $=") if match else ""
+        name = _label(f)
         others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
         if is_natural and any(_ACCELERATION.search(text) for text in others):
@@ -30,6 +30,16 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
         if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
+
+
+def name_of_frequency(fragment: Fragment) -> str:
+    """The name before the first sign of equality of a line that states a frequency, without its square."""
+    return _label(fragment).split("^")[0].rstrip("²& ").removeprefix("\\")
+
+
+def _label(fragment: Fragment) -> str:
+    match = LABELLED.match(fragment.text)
+    return match[0].strip(" $=") if match else ""
 
 
 _ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
