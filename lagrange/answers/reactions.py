@@ -271,7 +271,7 @@ class StatedReactionsAtRest:
             configuration = reactions.configuration
             meant = configuration.rewritten(as_written(zero).xreplace(dict(self.newton.single_forces)))
             known = {*configuration.slots.coordinates, *self.reference.parameters.values(), *self.reference.unknowns}
-            for r in reactions.at:
+            for r in self._possible(reactions):
                 if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:
                     continue
                 value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
@@ -357,7 +357,7 @@ class StatedReactionsAtRest:
         try:
             if all(is_zero(e) for e in meant):
                 return Verdict.TRIVIAL
-            at = [_AtBranch.of(r, meant, places, configuration, values) for r in reactions.at]
+            at = [_AtBranch.of(r, meant, places, configuration, values) for r in self._possible(reactions)]
             beside = any(x is not None and True in x.beside for x in at)
             for x in at:
                 by_branch += [[None]] if x is None else x.chosen(beside=beside)
@@ -371,12 +371,18 @@ class StatedReactionsAtRest:
             return Verdict.EQUIVALENT
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT
 
+    def _possible(self, reactions: StaticReactions) -> list[ReactionsAtRest | None]:
+        """The reactions where none of them would have to act backwards, as books mean the equilibria."""
+        from lagrange.mechanics.equilibrium.static_reactions import possible
+
+        return [reactions.at[n] for n in possible(reactions.at, self.newton, self.reference.values)]
+
     def _round(
         self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions
     ) -> bool:
         """Whether claims hold at every equilibrium with numbers that round to their decimals."""
         values = dict(self.reference.values)
-        for r in reactions.at:
+        for r in self._possible(reactions):
             if r is None or r.verified is not True:
                 return False
             meant = [reactions.configuration.rewritten(e.xreplace(dict(meaning))).xreplace(r.rule) for e in claims]

@@ -25,7 +25,7 @@ from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Posit
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.equilibrium.static_reactions import would_act_backwards
+from lagrange.mechanics.equilibrium.static_reactions import possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
@@ -40,13 +40,11 @@ def result_at_rest(
     held  whether the constraints leave no degree of freedom: then the forces are what is sought
     """
     forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
-    excluded = {n for n, there in enumerate(forces) if newton is not None and would_act_backwards(there, newton)}
-    if len(excluded) == len(forces):
-        excluded = set()  # the page says of each why it is none
+    kept = range(len(forces)) if newton is None else possible(forces, newton, values)  # of all, the page says why not
+    excluded = {*range(len(forces))} - {*kept}
     yield Rule.EQUILIBRIUM, [*_equilibria(view, excluded)]
-    possible = [there for n, there in enumerate(forces) if n not in excluded]
-    if newton is not None and excluded and len(possible) == 1 and possible[0] is not None:
-        lines = reaction_lines(possible[0].reactions, newton, "")
+    if newton is not None and excluded and len(kept) == 1 and (only := forces[kept[0]]) is not None:
+        lines = reaction_lines(only.reactions, newton, "")
         named = {r.given for r in newton.reactions}
         yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
     conditions = [*_friction(view, values)]

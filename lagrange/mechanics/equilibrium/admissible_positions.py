@@ -105,11 +105,20 @@ def is_outside(
 
 
 def _is_outside(q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> bool:
-    tested, complement = distances(q, limits, q in solution.letters.angles)
+    tested, complement = distances(*_measured(q, limits, solution), q in solution.letters.angles)
     signs = [_sign(e, point, solution, positive) for e in tested]
     if complement:
         return bool(signs) and all(s == 1 for s in signs)
     return -1 in signs
+
+
+def _measured(q: sp.Symbol, limits: Range, solution: SolutionSet) -> tuple[sp.Expr, Range]:
+    """A coordinate with its range, an angle as its letters measure it: with θ/2, θ = π and θ = −π are two positions."""
+    angle = solution.letters.angles.get(q)
+    if angle is None or angle.measure == q:
+        return q, limits
+    times = q / angle.measure
+    return angle.measure, Range(limits.low / times, limits.high / times)
 
 
 def _sign(e: sp.Expr, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> int | None:
