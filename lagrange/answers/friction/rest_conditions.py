@@ -381,7 +381,12 @@ def _dependent(constraints: Sequence[sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
         own = f.xreplace(rule)
         for s in sorted(own.free_symbols, key=str):
             rate = own.diff(s)
-            if s.is_positive is None and rate != 0 and rate.free_symbols.isdisjoint(rule) and s not in rate.free_symbols:
+            if (
+                s.is_positive is None
+                and rate != 0
+                and rate.free_symbols.isdisjoint(rule)
+                and s not in rate.free_symbols
+            ):
                 value = {s: sp.expand(s - own / rate)}
                 if not any(x.is_positive is None for x in rate.free_symbols):
                     rule = {q: e.xreplace(value) for q, e in rule.items()} | value

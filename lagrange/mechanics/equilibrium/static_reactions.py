@@ -41,6 +41,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import is_called_string
 from lagrange.mechanics.dynamics.reactions import (
     Reactions,
     ReactionSystem,
@@ -48,7 +49,6 @@ from lagrange.mechanics.dynamics.reactions import (
     over_one_denominator,
     reactions_at,
 )
-from lagrange.mechanics.dynamics.reaction_signs import is_called_string
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
 from lagrange.problem.keys import Keeper
