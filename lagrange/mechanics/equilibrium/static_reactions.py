@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -52,6 +53,9 @@ from lagrange.mechanics.dynamics.reactions import (
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
 from lagrange.problem.keys import Keeper
+
+if TYPE_CHECKING:
+    from lagrange.values.quantities import Values as ValuesGiven
 
 
 @record
@@ -171,6 +175,12 @@ def possible(
     """The branches, by index, at which no reaction would act backwards; all of them where none is left."""
     kept = [n for n, there in enumerate(at) if not would_act_backwards(there, newton, values)]
     return kept or [*range(len(at))]
+
+
+def slack_branches(static: StaticReactions, newton: Newton, values: ValuesGiven | None) -> tuple[Branch, ...]:
+    """The branches at which a contact would have to pull, or a string to push; none where these are all."""
+    kept = possible(static.at, newton, values.numbers if values is not None else {})
+    return tuple(b for n, b in enumerate(static.equilibrium.branches) if static.at and n not in kept)
 
 
 def static_reactions(
