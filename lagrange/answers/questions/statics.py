@@ -8,7 +8,7 @@ among these, and the answer is complete if every position is stated. Angles coun
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -28,6 +28,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.nearby.one_state import RestInNumbers
 from lagrange.mechanics.results import Solution
+from lagrange.problem.values import values_of
 
 
 def check_statics_answers(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
@@ -110,7 +111,23 @@ def reactions_at_rest(solution: Solution) -> StatedReactionsAtRest | None:
     if solution.law is None or solution.own.reactions_at_rest is None:
         return None
     reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
-    return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution))
+    found = [*_forces_in_numbers(solution)]
+    return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution), found)
+
+
+def _forces_in_numbers(solution: Solution) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
+    """The named forces at each equilibrium in the file's coordinates, where these are all found in numbers."""
+    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
+
+    own, values = solution.own, values_of(solution.problem)
+    if own.in_numbers is None or own.in_numbers.numerical is None or own.equilibrium is None or values is None:
+        return
+    positions = own.in_numbers.positions
+    if solution.law is None or not own.in_numbers.numerical.complete or any(p.branch is not None for p in positions):
+        return
+    for p in positions:
+        forces = reactions_found(p.coordinates, own.equilibrium, solution.law.newton, values)
+        yield {name: x.formula for name, x in forces.items()}
 
 
 # Positions in numbers
