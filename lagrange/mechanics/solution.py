@@ -551,7 +551,8 @@ def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     problem = solution.problem
     resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
     newton = solution.law.newton if solution.law else None
-    asked = answers_at_rest(problem, resting, newton)
+    second = solution.own.stability if resting is solution.own.equilibrium else None
+    asked = answers_at_rest(problem, resting, newton, second)
     checks = check_answers_at_rest(asked, problem, resting, newton)
     return replace(solution, asked=asked, checks=(*solution.checks, *checks))
 
