@@ -487,22 +487,22 @@ def _judged(
                     for v, remark in zip(literal.equations, remarks, strict=True)
                 ),
             )
-    wider = [[tuple(_widened(e) for e in es) for es in a] for a in systems]
-    if literal.verdict is Verdict.EQUIVALENT or wider == systems:
+    if literal.verdict is Verdict.EQUIVALENT:
         return literal
-    read_wider = EquilibriumComparison(equilibrium, values, wider).verdict(readings, wider)
-    if WORST_TO_BEST.index(read_wider.verdict) <= WORST_TO_BEST.index(literal.verdict):
-        return literal
-    equations = tuple(
-        replace(v, remarks=(*v.remarks, _ALL_ANGLES)) if old != new else v
-        for v, old, new in zip(
-            read_wider.equations,
-            [es for a in systems for es in a],
-            [es for a in wider for es in a],
-            strict=True,
-        )
-    )
-    return replace(read_wider, equations=equations)
+    waves = (None, *((sp.tan, sp.cos, sp.sin) if literal.verdict is Verdict.INCOMPLETE else ()))
+    for wave in waves:
+        wider = [[tuple(_widened(e, wave) for e in es) for es in a] for a in systems]
+        if wider == systems:
+            continue
+        read_wider = EquilibriumComparison(equilibrium, values, wider).verdict(readings, wider)
+        if WORST_TO_BEST.index(read_wider.verdict) > WORST_TO_BEST.index(literal.verdict):
+            changed = [old != new for a, w in zip(systems, wider, strict=True) for old, new in zip(a, w, strict=True)]
+            equations = tuple(
+                replace(v, remarks=(*v.remarks, _ALL_ANGLES)) if is_changed else v
+                for v, is_changed in zip(read_wider.equations, changed, strict=True)
+            )
+            return replace(read_wider, equations=equations)
+    return literal
 
 
 def _with_roots_named(e: sp.Expr, configuration: Configuration) -> sp.Expr:
@@ -585,15 +585,26 @@ def _at_equilibrium(
     return [] if value.free_symbols or value.has(sp.zoo, sp.nan, sp.oo) else [value]
 
 
-def _widened(e: sp.Expr) -> sp.Expr:
-    """θ − atan(u) as tan θ − u."""
+def _widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
+    """θ − atan(u) as tan θ − u; with the function f given, θ − 0.93 as f(θ) − f(0.93), where 0.93 is a principal value.
+
+    Not so θ = 0, where sin θ = 0: the opposite position is known to be another one.
+    """
     terms = sp.Add.make_args(e)
     if len(terms) != 2:
         return e
     for angle, other in (terms, terms[::-1]):
         c, inverse = other.as_coeff_Mul()
         d, theta = angle.as_coeff_Mul()
+        if wave is not None and theta.is_Symbol and other.is_number:
+            value = -other / d
+            principal = next(inverse(wave(value)) for inverse, of in _INVERSE.items() if of is wave)
+            is_meant = abs(sp.N(principal - value)) < _SAME_ANGLE and not (2 * value / sp.pi).is_integer
+            return wave(theta) - wave(value) if is_meant else e
         function = _INVERSE.get(type(inverse))
         if theta.is_Symbol and function is not None and abs(c) == abs(d):
             return function(theta) - function(-c / d * inverse)
     return e
+
+
+_SAME_ANGLE = 1e-9

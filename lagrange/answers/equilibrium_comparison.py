@@ -87,7 +87,7 @@ class EquilibriumComparison:
     """An answer against the equilibria of one configuration.
 
     points    the equilibria in closed form, each with the number of its branch
-    demanded  those of them that may lie in the ranges of the coordinates, or all if none do
+    demanded  those of them that may lie in the ranges of the coordinates, with taut strings, or all if none do
     branches  those that exist for all parameters, or all if there are none
     special   the others, which exist for particular parameters only
     left      branches not known in closed form
@@ -144,7 +144,12 @@ class EquilibriumComparison:
         rule = dict(self.values)
         declared = self.equilibrium.configuration.ranges.items()
         ranges = {q: replace(r, low=r.low.xreplace(rule), high=r.high.xreplace(rule)) for q, r in declared}
-        return [(n, p) for n, p in self.points if not is_outside(p, ranges, self.solution)]
+        slack = [p for b in self.equilibrium.slack for p in b.points]
+        return [
+            (n, p)
+            for n, p in self.points
+            if not is_outside(p, ranges, self.solution) and not any(self._is_at(p, q) for q in slack)
+        ]
 
     def _is_pole(self, b: Branch) -> bool:
         """Whether all points of a branch are among those that were omitted as poles."""
@@ -500,7 +505,8 @@ class EquilibriumComparison:
         if own.solved:
             if not own.branches:
                 return False, False, "it cannot hold together with the other equations and the constraints"
-            return self._solutions_right(own, given)
+            named = {s for e in equations for s in e.free_symbols} | {*angles}
+            return self._solutions_right(own, given, [u for u in self.unknowns if u in named])
         if self._same_factors(equations):
             return True, False, ""
         if len(equations) + len(angles) < len(self.conditions) - len(self.rows):
@@ -516,28 +522,48 @@ class EquilibriumComparison:
         own = {x for e in equations for x in self._canonical(e)}
         return bool(own) and own == {x for e in self.conditions for x in self._canonical(e)}
 
-    def _solutions_right(self, own: SolutionSet, values: Values) -> tuple[bool | None, bool, str]:
-        """As `_right`, for an alternative that is solved in closed form.
+    def _solutions_right(
+        self, own: SolutionSet, values: Values, named: Sequence[sp.Symbol]
+    ) -> tuple[bool | None, bool, str]:
+        """As `_right`, for an alternative that is solved in closed form and names some unknowns.
 
         A solution that is no equilibrium but leaves more unknowns open than an equilibrium does may contain equilibria:
-        then equations are missing rather than wrong.
+        then equations are missing rather than wrong. One that differs from an equilibrium in a coordinate only that is
+        not named, because the constraints admit two positions, is not meant.
         """
         verdict: bool | None = own.verified
         loose = False
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
+        balanced: list[Values] = []
+        others: list[tuple[Branch, Values, bool | None]] = []
         for b in own.branches:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
-            for p in b.points:
-                holds = self._is_balanced(own, {**p, **related}, values)
-                if holds or self._is_conditional(own, {**p, **related}, values):
-                    continue
-                if holds is None:
-                    verdict = None
-                elif self._open(p, own) > least:
-                    loose = True
+            for p in ({**p, **related} for p in b.points):
+                holds = self._is_balanced(own, p, values)
+                if holds or self._is_conditional(own, p, values):
+                    balanced.append(p)
                 else:
-                    return False, False, _also_holds(b)
+                    others.append((b, p, holds))
+        for b, p, holds in others:
+            if any(self._agree(own, p, q, named) for q in balanced):
+                continue
+            if holds is None:
+                verdict = None
+            elif self._open(p, own) > least:
+                loose = True
+            else:
+                return False, False, _also_holds(b)
         return (False if loose else verdict), loose, ""
+
+    def _agree(self, own: SolutionSet, p: Values, q: Values, named: Sequence[sp.Symbol]) -> bool:
+        """Whether two solutions have the same values of the named unknowns, where there are others."""
+        if not named or len(named) == len(self.unknowns):
+            return False
+        functions = [f for u in named for f in ((sp.cos(u), sp.sin(u)) if u in self.angles else (u,))]
+        try:
+            return all(is_zero(own.at(p, f) - own.at(q, f)) for f in functions)
+        except (NotAlgebraicError, DivisionByZeroError):
+            return False
 
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
         """Whether a solution of the answer is an equilibrium under the condition of a branch: 5 H ≥ g.

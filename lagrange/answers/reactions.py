@@ -190,6 +190,7 @@ def _verdict(claim: sp.Expr, candidate: ReferenceCandidate, reference: Reference
     return Verdict.WRONG if bad & set(result.standings) else Verdict.EQUIVALENT
 
 
+_SAME_NUMBER = sp.Float(10) ** -20
 _AT_SOME = "it holds at some positions of equilibrium only: say at which, or give it as a function of the position"
 
 
@@ -235,13 +236,21 @@ class _AtBranch:
 class StatedReactionsAtRest:
     """The reactions of a system at rest, with which stated ones are compared.
 
-    reactions  those in the file's coordinates and in each choice
+    reactions   those in the file's coordinates and in each choice
+    in_numbers  the named forces at each equilibrium that was found in numbers, if all were found so
     """
 
-    def __init__(self, newton: Newton, reactions: Sequence[StaticReactions], reference: Reference) -> None:
+    def __init__(
+        self,
+        newton: Newton,
+        reactions: Sequence[StaticReactions],
+        reference: Reference,
+        in_numbers: Sequence[Mapping[sp.Symbol, sp.Expr]] = (),
+    ) -> None:
         self.newton = newton
         self.reactions = reactions
         self.reference = reference
+        self.in_numbers = in_numbers
         self.names = {*newton.multipliers_by_name.values(), *newton.single_forces}
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
@@ -249,11 +258,32 @@ class StatedReactionsAtRest:
         stated = _stated(
             fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1])
         )
+        if stated is not None and stated.verdict is Verdict.UNDECIDED and self.in_numbers:
+            return self._compared_in_numbers(stated, fragment, reaction)
         if stated is None or stated.verdict is not Verdict.WRONG:
             return stated
         claims = _claims(fragment, reaction, self.reference)
         why = self._why([zero for zero, _ in claims])
         return replace(stated, diagnosis=why, cause=why) if why else stated
+
+    def _compared_in_numbers(self, stated: EquationVerdict, fragment: Fragment, reaction: Reaction) -> EquationVerdict:
+        """The verdict on a number for a force, of either sign, from its values at positions found in numbers."""
+        if reaction.single is None or not all(reaction.force in forces for forces in self.in_numbers):
+            return stated
+        in_force = {reaction.multiplier: reaction.force / reaction.single.factor}
+        sizes = [forces[reaction.force] for forces in self.in_numbers]
+        for zero, remarks in _claims(fragment, reaction, self.reference):
+            e = zero.xreplace(in_force).xreplace(dict(self.reference.values))
+            decimals = decimals_in([e])
+            if e.free_symbols - {reaction.force, *decimals}:
+                return stated
+            leeway = sp.Add(*(abs(e.diff(d)) * d.half_width for d in decimals))
+            off = [abs(as_written(e).xreplace({reaction.force: size})) for size in sizes]
+            if all(
+                x <= as_written(leeway) + _SAME_NUMBER * (1 + abs(size)) for x, size in zip(off, sizes, strict=True)
+            ):
+                return replace(stated, verdict=Verdict.EQUIVALENT, diagnosis="", remarks=remarks)
+        return replace(stated, verdict=Verdict.WRONG)
 
     def _why(self, zeros: Sequence[sp.Expr]) -> str:
         """The first explanation of wrong values; empty if there is none."""
@@ -271,7 +301,7 @@ class StatedReactionsAtRest:
             configuration = reactions.configuration
             meant = configuration.rewritten(as_written(zero).xreplace(dict(self.newton.single_forces)))
             known = {*configuration.slots.coordinates, *self.reference.parameters.values(), *self.reference.unknowns}
-            for r in reactions.at:
+            for r in self._possible(reactions):
                 if r is None or r.verified is not True or not meant.free_symbols - {*r.rule} <= known:
                     continue
                 value = -meant.xreplace(dict.fromkeys(r.rule, sp.S.Zero))
@@ -357,7 +387,7 @@ class StatedReactionsAtRest:
         try:
             if all(is_zero(e) for e in meant):
                 return Verdict.TRIVIAL
-            at = [_AtBranch.of(r, meant, places, configuration, values) for r in reactions.at]
+            at = [_AtBranch.of(r, meant, places, configuration, values) for r in self._possible(reactions)]
             beside = any(x is not None and True in x.beside for x in at)
             for x in at:
                 by_branch += [[None]] if x is None else x.chosen(beside=beside)
@@ -371,12 +401,18 @@ class StatedReactionsAtRest:
             return Verdict.EQUIVALENT
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT
 
+    def _possible(self, reactions: StaticReactions) -> list[ReactionsAtRest | None]:
+        """The reactions where none of them would have to act backwards, as books mean the equilibria."""
+        from lagrange.mechanics.equilibrium.static_reactions import possible
+
+        return [reactions.at[n] for n in possible(reactions.at, self.newton, self.reference.values)]
+
     def _round(
         self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions
     ) -> bool:
         """Whether claims hold at every equilibrium with numbers that round to their decimals."""
         values = dict(self.reference.values)
-        for r in reactions.at:
+        for r in self._possible(reactions):
             if r is None or r.verified is not True:
                 return False
             meant = [reactions.configuration.rewritten(e.xreplace(dict(meaning))).xreplace(r.rule) for e in claims]

@@ -191,4 +191,5 @@ def si_unit(unit: Unit) -> str:
 
 @cache
 def _named_dimensions() -> dict[Dimension, str]:
-    return {u.dimension: name for name in ("W", "N m", "N s/m", "N/m", "N") if (u := unit_of(name)) is not None}
+    names = ("C", "V", "W", "N m", "N s/m", "N/m", "N")
+    return {u.dimension: name for name in names if (u := unit_of(name)) is not None}

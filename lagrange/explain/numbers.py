@@ -30,8 +30,12 @@ from lagrange.document.derivation import (
 from lagrange.explain.limits import MOST_SHAPES
 from lagrange.explain.questions import angle_of, answer_label, in_degrees
 from lagrange.explain.words import plural, suffix_of, title_in
-from lagrange.mechanics.equilibrium.admissible_positions import only_angle
-from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position, critical_values
+from lagrange.mechanics.equilibrium.in_numbers import (
+    EquilibriaInNumbers,
+    Position,
+    angles_of_branch,
+    critical_values,
+)
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -55,8 +59,8 @@ RESULTS = (
 """The steps whose boxed equations are results."""
 _BOUNDS = ("≤", "≥", "<", ">")
 Sides = tuple[object, ...]
-Angles = Mapping[Sides, Math]
-"""The angle in degrees for an answer by its sides, sin θ = 2/3 sin α."""
+Angles = Mapping[Sides, tuple[Part, ...]]
+"""The angle in degrees for an answer by its sides, sin θ = 2/3 sin α; two of them where both may be meant."""
 
 
 def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digits: int) -> Iterator[Step]:
@@ -64,7 +68,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
     bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
-    angles: dict[Sides, Math] = {(b.lhs, b.rhs): angle for a in solution.asked for b in a.branches
+    angles: dict[Sides, tuple[Part, ...]] = {(b.lhs, b.rhs): (angle,) for a in solution.asked for b in a.branches
               if b.rhs.free_symbols and (angle := angle_of(a, b, values, digits)) is not None}  # fmt: skip
     angles = {**angles, **{sides: angle for view in solution.views for sides, angle in _at_rest(view, values, digits)}}
     for step in steps:
@@ -87,18 +91,17 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
             yield replace(step, body=(*_blocks(step, values, digits, excluded, bare, angles), *there))
 
 
-def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple[Sides, Math]]:
-    """The angles of equilibria that a sine, cosine or tangent and the range of the coordinate determine."""
-    for b in view.equilibrium.branches if view.equilibrium is not None else ():
-        stated: set[object] = set()
-        for r in b.relations:
-            q = r.lhs.args[0] if isinstance(r.lhs, sp.sin | sp.cos | sp.tan) else None
-            if q in stated or q not in view.configuration.ranges:
-                continue
-            angle = only_angle(r.lhs, values.put_in(r.rhs), view.configuration.ranges[q])
-            if angle is not None and (shown := in_degrees(q, angle, digits)) is not None:
-                stated.add(q)
-                yield (r.lhs, r.rhs), shown
+def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple[Sides, tuple[Part, ...]]]:
+    """The angles of equilibria that a sine, cosine or tangent determines: one or two, as far as the range admits."""
+    branches = view.equilibrium.branches if view.equilibrium is not None else ()
+    verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
+    for b, verdict in zip(branches, verdicts, strict=True):
+        conditions = verdict.conditions if verdict is not None else ()
+        for r, angles, stable in angles_of_branch(b, conditions, view.configuration.ranges, values):
+            shown = [m for a in angles if (m := in_degrees(r.lhs.args[0], a, digits)) is not None]
+            if shown and len(shown) == len(angles):
+                word = " (stable)" if stable == 1 < len(angles) else ""
+                yield (r.lhs, r.rhs), (shown[0], word, *(p for m in shown[1:] for p in (" or ", m)))
 
 
 def _given(values: Values, digits: int) -> Iterator[Block]:
@@ -223,7 +226,7 @@ def _blocks(
                 yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)
                 if measured_ := [angles[e.sides] for e in possible if e.sides in angles]:
-                    yield prose("That is ", *listed(measured_), ".", detail=Detail.BRIEF)
+                    yield prose("That is ", *series(measured_), ".", detail=Detail.BRIEF)
 
 
 def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Block:
@@ -258,7 +261,7 @@ def _with_value(equation: Equation, values: Values, digits: int, bare: Collectio
     number: tuple[Part, ...] = (math(*measured.sides, relation=measured.relation),)
     if index_of(Purpose.GIVEN_VALUES, equation.condition) is None:
         number = ("that is ", *number)
-    number = (*number, ", ", angles[equation.sides]) if equation.sides in angles else number
+    number = (*number, ", ", *angles[equation.sides]) if equation.sides in angles else number
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 

@@ -365,6 +365,8 @@ def _how(asked: Asked) -> tuple[Part, ...]:
         return ("Therefore",)
     if asked.route is Route.STATE:
         return ("In this state",)
+    if asked.route is Route.STABILITY:
+        return ("There the forces balance for every value. By the second variation it is the limit of stability:",)
     if asked.route is Route.REST:
         return ("The balance of the generalized forces, the constraints and this condition together give"
                 if asked.question.when else "The balance of the forces and the constraints give",)  # fmt: skip

@@ -168,6 +168,8 @@ def help_for_symbol(name: str, scope: Scope) -> str:
     if force := scope.reactions.get(name):
         named = "" if force.startswith("lambda") else " force"
         return f"`{name}` is a constraint; its reaction{named} is `{force}`".replace("reaction force", "force")
+    if name == "O":
+        return "the origin is `0*i`; `O` is known as an end of a spring and in figures"
     if name in DEGREES:
         return "degrees follow a number, `30 deg`; symbols and functions have radians"
     if (split := _split(name, scope)) and name not in GREEK.values():

@@ -452,7 +452,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.linear_stability import stability_at_rest
     from lagrange.mechanics.equilibrium.searched.places import with_search
     from lagrange.mechanics.equilibrium.searched.valleys_in_numbers import check_minima
-    from lagrange.mechanics.equilibrium.static_reactions import static_reactions, with_spring_forces
+    from lagrange.mechanics.equilibrium.static_reactions import slack_branches, static_reactions, with_spring_forces
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
@@ -469,6 +469,8 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
             resting = with_spring_forces(with_search(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
+        if reactions is not None and law is not None:
+            resting = replace(resting, slack=slack_branches(reactions, law.newton, values_of(problem)))
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]
         if view is own and solution.law is None:
             checks += check_workless(works, own.configuration)
@@ -549,7 +551,8 @@ def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     problem = solution.problem
     resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
     newton = solution.law.newton if solution.law else None
-    asked = answers_at_rest(problem, resting, newton)
+    second = solution.own.stability if resting is solution.own.equilibrium else None
+    asked = answers_at_rest(problem, resting, newton, second)
     checks = check_answers_at_rest(asked, problem, resting, newton)
     return replace(solution, asked=asked, checks=(*solution.checks, *checks))
 

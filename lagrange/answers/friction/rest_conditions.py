@@ -334,7 +334,12 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
             return Verdict.EQUIVALENT
     weaker = stronger = False
     seen = set()
-    for point in _points([c for case in (*cases, given) for c in case]):
+    conditions = [c for case in (*cases, given) for c in case]
+    constraints = _constraints(conditions, rest, values)
+    for drawn in _points(conditions, constraints):
+        point = _on_constraints(drawn, constraints)
+        if point is None:
+            continue
         derived = _any_case(cases, point)
         claimed = _all_hold(given, point)
         if derived is None or claimed is None:
@@ -348,9 +353,64 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         known = cases[0] if len(cases) == 1 else []
         partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
-    needed = [c for case in cases for c in case]
-    exact = all(any(_are_same(s, c) or _has_limit(s, c) or _rounds_to(s, c) for c in needed) for s in given)
+    rule = _dependent(constraints)
+    needed, stated_ones = ([*_put_in(cs, rule)] for cs in ([c for case in cases for c in case], given))
+
+    def is_exact(s: _Stated) -> bool:
+        return any(_are_same(s, c) or _has_limit(s, c) or _has_limit(c, s) or _rounds_to(s, c) for c in needed)
+
+    exact = all(map(is_exact, stated_ones))
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def _constraints(
+    conditions: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]
+) -> list[sp.Expr]:
+    """What relates the coordinates in conditions, each zero: a height and a distance on a parabola."""
+    coordinates = {*rest.configuration.slots.coordinates}
+    used = {s for c in conditions for s in c.slack.free_symbols} & coordinates
+    if len(used) < 2:
+        return []
+    return [f.xreplace(dict(values)) for f in rest.configuration.finite_constraints if f.free_symbols & used]
+
+
+def _dependent(constraints: Sequence[sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
+    """The symbols without a known sign, coordinates, that constraints give in terms of others: y = x²/(4a)."""
+    rule: dict[sp.Symbol, sp.Expr] = {}
+    for f in constraints:
+        own = f.xreplace(rule)
+        for s in sorted(own.free_symbols, key=str):
+            rate = own.diff(s)
+            if (
+                s.is_positive is None
+                and rate != 0
+                and rate.free_symbols.isdisjoint(rule)
+                and s not in rate.free_symbols
+            ):
+                value = {s: sp.expand(s - own / rate)}
+                if not any(x.is_positive is None for x in rate.free_symbols):
+                    rule = {q: e.xreplace(value) for q, e in rule.items()} | value
+                    break
+    return rule
+
+
+def _put_in(conditions: Sequence[_Stated], rule: Mapping[sp.Symbol, sp.Expr]) -> Iterator[_Stated]:
+    for c in conditions:
+        rounded = c.rounded.xreplace(dict(rule)) if c.rounded is not None else None
+        yield replace(c, slack=c.slack.xreplace(dict(rule)), rounded=rounded)
+
+
+def _on_constraints(point: dict[sp.Symbol, float], constraints: Sequence[sp.Expr]) -> dict[sp.Symbol, float] | None:
+    """The point with as many of its coordinates moved as there are constraints; None if that finds no position."""
+    rule = _dependent(constraints)
+    if len(rule) == len(constraints):
+        return {**point, **{q: approximate(e, point) for q, e in rule.items()}}
+    if len(constraints) > 1:
+        return None
+    [f] = constraints
+    q = max((s for s in _symbols(f) if s.is_positive is None), key=str)
+    root = root_near(lambda v: approximate(f, {**point, q: v}), point[q])
+    return None if root is None else {**point, q: root}
 
 
 def without_implied_conditions(case: Sequence[_Stated]) -> list[_Stated]:
@@ -494,9 +554,9 @@ def _has_limit(a: _Stated, b: _Stated) -> bool:
     return False
 
 
-def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
-    """Random numbers: acute angles, positive parameters, other symbols of either sign."""
-    symbols = sorted({s for c in conditions for s in c.slack.free_symbols}, key=str)
+def _points(conditions: Sequence[_Stated], related: Sequence[sp.Expr] = ()) -> Iterator[dict[sp.Symbol, float]]:
+    """Random numbers: acute angles, positive parameters, other symbols of either sign; also those in relations."""
+    symbols = sorted({s for e in (*(c.slack for c in conditions), *related) for s in e.free_symbols}, key=str)
     angles = {
         s for c in conditions for f in c.slack.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in f.args[0].free_symbols
     }

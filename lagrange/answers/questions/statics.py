@@ -8,7 +8,7 @@ among these, and the answer is complete if every position is stated. Angles coun
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -24,9 +24,11 @@ from lagrange.answers.written.reading import read_as_written
 from lagrange.answers.written.values import with_value_in_si
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import Decimal
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.nearby.one_state import RestInNumbers
 from lagrange.mechanics.results import Solution
+from lagrange.problem.values import values_of
 
 
 def check_statics_answers(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
@@ -109,13 +111,29 @@ def reactions_at_rest(solution: Solution) -> StatedReactionsAtRest | None:
     if solution.law is None or solution.own.reactions_at_rest is None:
         return None
     reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
-    return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution))
+    found = [*_forces_in_numbers(solution)]
+    return StatedReactionsAtRest(solution.law.newton, reactions, reference_of_solution(solution), found)
+
+
+def _forces_in_numbers(solution: Solution) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
+    """The named forces at each equilibrium in the file's coordinates, where these are all found in numbers."""
+    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
+
+    own, values = solution.own, values_of(solution.problem)
+    if own.in_numbers is None or own.in_numbers.numerical is None or own.equilibrium is None or values is None:
+        return
+    positions = own.in_numbers.positions
+    if solution.law is None or not own.in_numbers.numerical.complete or any(p.branch is not None for p in positions):
+        return
+    for p in positions:
+        forces = reactions_found(p.coordinates, own.equilibrium, solution.law.newton, values)
+        yield {name: x.formula for name, x in forces.items()}
 
 
 # Positions in numbers
 
 
-StatedNumbers = Mapping[sp.Symbol, tuple[float, float]]
+StatedNumbers = Mapping[sp.Symbol, tuple[float, float, sp.Expr]]
 
 
 def compared_in_numbers(
@@ -133,7 +151,11 @@ def compared_in_numbers(
         stated = [_stated(a, in_numbers.unknowns, dict(reference.values)) for a in readings]
         if any(s is None for s in stated):
             continue
-        matches = [{n for n, p in enumerate(in_numbers.positions) if s and _is_at(s, p, in_numbers)} for s in stated]
+        exact = [_is_exact(s or {}, view.equilibrium, dict(reference.values)) for s in stated]
+        matches = [
+            {n for n, p in enumerate(in_numbers.positions) if s and _is_at(s, p, in_numbers, exact=is_exact)}
+            for s, is_exact in zip(stated, exact, strict=True)
+        ]
         if not all(matches):
             return verdict
         covered = set[int]().union(*matches)
@@ -156,7 +178,7 @@ def compared_with_rest(
     stated = _stated(readings, tuple(rest.position), dict(reference.values)) if len(alternatives) == 1 else None
     holds = stated is not None and all(
         abs(number - float(rest.position[u])) <= width + EXACT_POSITION * (1 + abs(number))
-        for u, (number, width) in stated.items()
+        for u, (number, width, _) in stated.items()
     )
     verdict = Verdict.EQUIVALENT if holds else Verdict.UNDECIDED
     equations = tuple(EquationVerdict(r.text, verdict) for r in readings)
@@ -167,8 +189,11 @@ def compared_with_rest(
 def _stated(
     readings: Sequence[Reading], unknowns: Sequence[sp.Symbol], values: Mapping[sp.Symbol, sp.Expr]
 ) -> StatedNumbers | None:
-    """The unknowns with their numbers and half a unit of the last place; None if the equations are not of this form."""
-    stated: dict[sp.Symbol, tuple[float, float]] = {}
+    """The unknowns with their numbers, half a unit of the last place, and the numbers as written, exactly.
+
+    None if the equations are not of this form.
+    """
+    stated: dict[sp.Symbol, tuple[float, float, sp.Expr]] = {}
     for r in readings:
         components = r.with_decimals or r.components
         unknown = {s for e in components for s in e.free_symbols} & {*unknowns}
@@ -183,13 +208,23 @@ def _stated(
         number = as_written(value).evalf()
         if not number.is_Float and not number.is_Rational:
             return None
-        stated[u] = (float(number), float(width))
+        stated[u] = (float(number), float(width), as_written(value))
     return stated
 
 
-def _is_at(stated: StatedNumbers, position: Position, in_numbers: EquilibriaInNumbers) -> bool:
-    for u, (number, width) in stated.items():
-        if u not in position.coordinates or (position.branch is None and width == 0):
+def _is_exact(stated: StatedNumbers, e: Equilibrium | None, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Whether the conditions of equilibrium hold exactly at the numbers as written: x = 4/3, y = -1."""
+    if e is None or e.given:
+        return False
+    place = {**values, **{u: exact for u, (_, _, exact) in stated.items()}}
+    known = {*e.configuration.slots.coordinates, *e.forces} <= place.keys()
+    return known and is_balanced(e, lambda x: x.xreplace(place)) is True
+
+
+def _is_at(stated: StatedNumbers, position: Position, in_numbers: EquilibriaInNumbers, *, exact: bool) -> bool:
+    """Whether numbers are those of a position; of one found in numbers only if they are rounded, or hold exactly."""
+    for u, (number, width, _) in stated.items():
+        if u not in position.coordinates or (position.branch is None and width == 0 and not exact):
             return False
         off = number - position.coordinates[u].number
         if u in in_numbers.angles:

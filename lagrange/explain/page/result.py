@@ -55,6 +55,7 @@ from lagrange.mechanics.rewriting.held_coordinates import (
 )
 from lagrange.mechanics.rewriting.quasi_velocities import StatedEquations, by_one_velocity
 from lagrange.mechanics.rewriting.readable_forms import are_same_equations, are_same_formulas
+from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -100,10 +101,11 @@ def explain_result(
     if Rule.LINEARIZATION in kept and _has_long_roots(kept.get(Rule.EQUATIONS_OF_MOTION, ())):
         kept.pop(Rule.EQUATIONS_OF_MOTION)
     _shorten(solution, kept)
+    freedom = solution.classification.degrees_of_freedom
     while kept and not _is_short(kept.values()):
         longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST_RESULTS, sum(e.operations for e in kept[rule])))
-        kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
-    freedom = solution.classification.degrees_of_freedom
+        held = freedom == 0 and Rule.EQUILIBRIUM in kept  # then the reactions are what is sought
+        kept.pop(Rule.EQUILIBRIUM if held else Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
     if any(v.cannot_rest for v in solution.views):
         words.append("; the system cannot be at rest")
@@ -297,7 +299,7 @@ def _from_steps(
         if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
             continue  # with a denominator that has a letter of its own
         if rule is Rule.SOLVED_REACTIONS and solution.law is not None:
-            unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named}
+            unnamed = {r.multiplier for r in solution.law.newton.reactions if not r.named and r.given is None}
             lines = [e for e in lines if e.sides[0] not in unnamed or e.sides[1] != 0]
             lines = [e for e in lines if e.sides[0] not in unnamed] or lines
         if rule is Rule.EQUATIONS_OF_MOTION and stated and _is_better(stated, lines):
@@ -361,12 +363,15 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
             lines.append(Equation((letters.routhian, view.hamiltonian.routhian)))
         yield Rule.HAMILTON, lines
     if view.is_about_rest:
-        from lagrange.explain.page.result_at_rest import result_at_rest
+        from lagrange.explain.page.result_at_rest import reactions_of_only_root, result_at_rest
 
         values = {p.symbol: p.value for p in solution.problem.parameters if p.value is not None}
         newton = None if solution.law is None else solution.law.newton
         held = solution.classification.degrees_of_freedom == 0
         yield from result_at_rest(view, values, newton, held=held)
+        known = values_of(solution.problem) if newton is not None and view.is_own else None
+        if newton is not None and known is not None and (found := reactions_of_only_root(view, newton, known)):
+            yield Rule.SOLVED_REACTIONS, found
     if view.response is not None:
         pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
         w, coordinates = view.response.drive.frequency, view.configuration.slots.coordinates

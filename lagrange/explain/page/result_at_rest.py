@@ -25,11 +25,12 @@ from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Posit
 from lagrange.mechanics.equilibrium.linear_stability import Ground, StabilityJudgement
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.equilibrium.static_reactions import would_act_backwards
+from lagrange.mechanics.equilibrium.static_reactions import possible
 from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_forms import divisors
+from lagrange.values.quantities import Quantity, Values, rounded, with_unit
 
 
 def result_at_rest(
@@ -40,13 +41,11 @@ def result_at_rest(
     held  whether the constraints leave no degree of freedom: then the forces are what is sought
     """
     forces = () if view.reactions_at_rest is None else view.reactions_at_rest.at
-    excluded = {n for n, there in enumerate(forces) if newton is not None and would_act_backwards(there, newton)}
-    if len(excluded) == len(forces):
-        excluded = set()  # the page says of each why it is none
+    kept = range(len(forces)) if newton is None else possible(forces, newton, values)  # of all, the page says why not
+    excluded = {*range(len(forces))} - {*kept}
     yield Rule.EQUILIBRIUM, [*_equilibria(view, excluded)]
-    possible = [there for n, there in enumerate(forces) if n not in excluded]
-    if newton is not None and excluded and len(possible) == 1 and possible[0] is not None:
-        lines = reaction_lines(possible[0].reactions, newton, "")
+    if newton is not None and excluded and len(kept) == 1 and (only := forces[kept[0]]) is not None:
+        lines = reaction_lines(only.reactions, newton, "")
         named = {r.given for r in newton.reactions}
         yield Rule.SOLVED_REACTIONS, [e for e in lines if e.sides[0] in named]
     conditions = [*_friction(view, values)]
@@ -75,7 +74,7 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
         if n in excluded:
             continue
         places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
-        if places and len(branches) == 1:
+        if places and sum(bool(other.left) for other in branches) == 1:
             groups += [_found(p) for p in places]
             continue
         words: tuple[Part, ...] = ()
@@ -97,9 +96,30 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
 
 def _found(p: Position) -> list[Equation]:
     """An equilibrium that was found numerically, with its stability."""
-    lines = [Equation((q, x.shown(RESULT_DIGITS)), relation="≈") for q, x in p.coordinates.items()]
+    lines = [
+        Equation((q, x.shown(RESULT_DIGITS), *_degrees(x)) if x.formula != 0 else (q, sp.S.Zero),
+                 relation="≈" if x.formula != 0 else "=")
+        for q, x in p.coordinates.items()
+    ]  # fmt: skip
     words = (p.stability.value,) if p.stability in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE) else ()
     return [*lines[:-1], replace(lines[-1], condition=words)]
+
+
+def _degrees(x: Quantity) -> tuple[sp.Expr, ...]:
+    """An angle in degrees, beside radians."""
+    return (with_unit(rounded(x.formula * 180 / sp.pi, RESULT_DIGITS), "°"),) if x.unit == "rad" else ()
+
+
+def reactions_of_only_root(view: InCoordinates, newton: Newton, values: Values) -> list[Equation]:
+    """The named reactions at the only equilibrium, where that was found in numbers and they are not."""
+    from lagrange.mechanics.equilibrium.searched.reactions_found import reactions_found
+
+    numbers, rest = view.in_numbers, view.equilibrium
+    stated = view.reactions_at_rest is not None and any(there is not None for there in view.reactions_at_rest.at)
+    if numbers is None or rest is None or stated or [p.branch for p in numbers.positions] != [None]:
+        return []
+    forces = reactions_found(numbers.positions[0].coordinates, rest, newton, values)
+    return [Equation((name, x.shown(RESULT_DIGITS)), relation="≈") for name, x in forces.items()]
 
 
 def _with_values(numbers: EquilibriaInNumbers | None, branch: int) -> tuple[Part, ...]:

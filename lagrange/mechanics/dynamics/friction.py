@@ -345,7 +345,8 @@ def rough_reaction(friction: Friction, newton: Newton, original: Configuration) 
     if direction is None:
         message = f"the constraint `{friction.constraint}` does not act on `{friction.on}`"
         listed = " or ".join(f"`{name}`" for name in reaction.directions)
-        help_ = f"it holds {listed}" if listed else "it holds no particle"
+        free = f"the coordinates must place `{friction.on}` freely: give it coordinates along the reaction and across"
+        help_ = f"it holds {listed}" if listed else f"it holds no particle; {free}"
         raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
     if not _is_placed_freely(_point(original, friction.on)):
         message = (

@@ -120,7 +120,7 @@ def single_force(
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
         is_cord = rooted is row and (leads or by is Keeper.STRING)
         tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_cord)
-        if tension is None and leads and rooted is not row:
+        if tension is None and (rooted is not row or by is Keeper.STRING or is_called_string(row.name)):
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
@@ -315,7 +315,7 @@ def _tension(
             x if x is None or x.shown else _carried(k, e, configuration)
             for x, (k, e) in zip(lengths, terms, strict=True)
         ]
-    is_cord = by in (Keeper.STRING, Keeper.ROD) or _is_called_string(row.name)
+    is_cord = by in (Keeper.STRING, Keeper.ROD) or is_called_string(row.name)
     if whole and None in lengths and (is_cord or len(terms) == len(roots) == 1):
         return _of_whole_length(constant if written is None else written)
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
@@ -326,7 +326,7 @@ def _tension(
         return bar
     ends = [x for x, (_, e) in zip(known, terms, strict=True) if x.on or not _moves_nothing(e, configuration)]
     seen = _is_seen(constant, ends) and (len(ends) == len(known) or (ends and constant != 0))
-    if by not in (Keeper.STRING, Keeper.ROD) and not seen and not _is_called_string(row.name):
+    if by not in (Keeper.STRING, Keeper.ROD) and not seen and not is_called_string(row.name):
         return None
     return _pulling(constant, known)
 
@@ -393,7 +393,7 @@ def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
     return constant != 0 and len({x.share for x in lengths}) == 1
 
 
-def _is_called_string(name: str) -> bool:
+def is_called_string(name: str) -> bool:
     """Whether a constraint is called a string, `rope_1` or `cords`; z − x = L does not show that x is no length.
 
     One `thread` may be that of a screw.

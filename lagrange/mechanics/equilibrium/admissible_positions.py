@@ -52,6 +52,7 @@ from lagrange.mechanics.equilibrium.limits import LONGEST_RANGE_CONDITION
 from lagrange.problem.model import Range
 
 QUARTER = Range(-sp.pi / 2, sp.pi / 2)
+CIRCLE = Range(-sp.pi, sp.pi)
 
 
 def within(b: Branch, ranges: Mapping[sp.Symbol, Range], solution: SolutionSet) -> Branch | None:
@@ -85,16 +86,21 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
 
 def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
     """The only θ in a range with cos θ, sin θ or tan θ = value, all of them numbers; None if there is not just one."""
-    if not (value.is_number and limits.low.is_number and limits.high.is_number):
+    if not (limits.low.is_number and limits.high.is_number):
         return None
+    inside = angles_with(wave, value, limits)
+    return inside[0] if len(inside) == 1 else None
+
+
+def angles_with(wave: sp.Expr, value: sp.Expr, limits: Range) -> list[sp.Expr]:
+    """All θ in a range of numbers with cos θ, sin θ or tan θ = value; none where that is no number."""
     inverse, period = {sp.cos: (sp.acos, 2 * sp.pi), sp.sin: (sp.asin, 2 * sp.pi), sp.tan: (sp.atan, sp.pi)}[wave.func]
     first = inverse(value)
-    if not first.is_real:
-        return None
+    if not value.is_number or not first.is_real:
+        return []
     others = {sp.cos: (-first,), sp.sin: (sp.pi - first,), sp.tan: ()}[wave.func]
-    turned = {sp.expand(a + n * period) for a in (first, *others) for n in range(-2, 3)}
-    inside = [a for a in turned if limits.low <= a <= limits.high]
-    return inside[0] if len(inside) == 1 else None
+    turned = [sp.expand(a + n * period) for a in (first, *others) for n in range(-2, 3)]
+    return [a for a in dict.fromkeys(turned) if limits.low <= a <= limits.high]
 
 
 def is_outside(
@@ -105,11 +111,20 @@ def is_outside(
 
 
 def _is_outside(q: sp.Symbol, limits: Range, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> bool:
-    tested, complement = distances(q, limits, q in solution.letters.angles)
+    tested, complement = distances(*as_measured(q, limits, solution), q in solution.letters.angles)
     signs = [_sign(e, point, solution, positive) for e in tested]
     if complement:
         return bool(signs) and all(s == 1 for s in signs)
     return -1 in signs
+
+
+def as_measured(q: sp.Symbol, limits: Range, solution: SolutionSet) -> tuple[sp.Expr, Range]:
+    """A coordinate with its range, an angle as its letters measure it: with θ/2, θ = π and θ = −π are two positions."""
+    angle = solution.letters.angles.get(q)
+    if angle is None or angle.measure == q:
+        return q, limits
+    times = q / angle.measure
+    return angle.measure, Range(limits.low / times, limits.high / times)
 
 
 def _sign(e: sp.Expr, point: Values, solution: SolutionSet, positive: Sequence[sp.Expr]) -> int | None:

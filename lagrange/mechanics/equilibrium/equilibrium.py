@@ -112,6 +112,7 @@ class Equilibrium:
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     poles        such branches of a choice at which the forces do not balance in the file's coordinates, omitted above
     outside      branches that lie outside of the ranges of the coordinates, omitted above
+    slack        branches among them at which a contact would have to pull, or a string to push (`static_reactions`)
     pulls        for each branch the forces of the springs there, by name (`spring_forces`)
     laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
     all_found    whether the places of rest that a search in numbers finds are in the list (`searched`); None: not tried
@@ -132,6 +133,7 @@ class Equilibrium:
     idle: tuple[tuple[sp.Symbol, ...], ...] = ()
     poles: tuple[Branch, ...] = ()
     outside: tuple[Branch, ...] = ()
+    slack: tuple[Branch, ...] = ()
     pulls: tuple[Mapping[str, sp.Expr], ...] = ()
     laws: tuple[sp.Expr, ...] = ()
     all_found: bool | None = None

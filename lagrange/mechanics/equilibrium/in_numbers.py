@@ -20,20 +20,22 @@ import mpmath
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.single_equation import Values as Letters
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.core.records import record
 from lagrange.core.units import unit_called
-from lagrange.mechanics.equilibrium.admissible_positions import distances
+from lagrange.mechanics.equilibrium.admissible_positions import CIRCLE, angles_with, as_measured, distances
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import MOST_OSCILLATING_IN_NUMBERS
+from lagrange.mechanics.equilibrium.limits import MOST_ANGLES, MOST_OSCILLATING_IN_NUMBERS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria, numerical_equilibria
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
+from lagrange.problem.model import Range
 from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
@@ -223,12 +225,51 @@ def _is_outside(q: sp.Symbol, measured: Mapping[sp.Symbol, Quantity], e: Equilib
     """Whether a coordinate is outside of its range."""
     if q not in measured:
         return False
-    tested, complement = distances(q, e.configuration.ranges[q], q in e.solution.letters.angles)
+    tested, complement = distances(
+        *as_measured(q, e.configuration.ranges[q], e.solution), q in e.solution.letters.angles
+    )
     numbers = [values.put_in(x).xreplace({q: measured[q].formula}) for x in tested]
     if any(not x.is_number for x in numbers):
         return False
     signs = [real_value(x) for x in numbers]
     return all(x > CERTAIN for x in signs) if complement and signs else any(x < -CERTAIN for x in signs)
+
+
+def angles_of_branch(
+    b: Branch, conditions: Sequence[SignCondition], ranges: Mapping[sp.Symbol, Range], values: Values
+) -> Iterator[tuple[Relation, list[sp.Expr], int]]:
+    """Relations such as tan θ = 3/4 with the angles, at most two, and how many of them fulfil conditions; these first.
+
+    Of several relations for one angle the first has it, so that the others agree.
+    """
+    waves = [r for r in b.relations if isinstance(r.lhs, sp.sin | sp.cos | sp.tan) and r.lhs.args[0].is_Symbol]
+    done: set[sp.Expr] = set()
+    for r in waves:
+        q = r.lhs.args[0]
+        limits = ranges.get(q, CIRCLE)
+        ends = Range(values.put_in(limits.low), values.put_in(limits.high))
+        if q in done or not (ends.low.is_number and ends.high.is_number):
+            continue
+        others = [o for o in waves if o.lhs.args[0] == q]
+        found = [a for a in angles_with(r.lhs, values.put_in(r.rhs), ends) if limits != CIRCLE or a != ends.low]
+        found = [a for a in found if all(_agrees(o.lhs - o.rhs, q, a, values) for o in others)]
+        kept = [a for a in found if conditions and all(_admits(c, q, a, values) for c in conditions)]
+        if 0 < len(found) <= MOST_ANGLES:
+            done.add(q)
+            yield r, [*kept, *(a for a in found if a not in kept)], len(kept)
+
+
+def _agrees(e: sp.Expr, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
+    """Whether an expression vanishes at an angle, as far as it is a number there."""
+    value = values.put_in(e.xreplace({q: angle}))
+    return not value.is_number or abs(real_value(value)) < CERTAIN
+
+
+def _admits(c: SignCondition, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
+    """Whether a condition does not exclude an angle, as far as it is about this angle and numbers."""
+    apart = c.lhs - c.rhs if c.relation in (">", "≥") else c.rhs - c.lhs
+    value = values.put_in(apart.xreplace({q: angle}))
+    return c.relation == "≠" or q not in apart.free_symbols or not value.is_number or real_value(value) > 0
 
 
 def _unit(u: sp.Symbol, b: Branch, values: Values) -> str:
@@ -289,7 +330,7 @@ def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | No
 
 def _is_negative(minor: sp.Expr, at: Evaluate) -> bool:
     value = at(minor)
-    return bool(value.is_number and real_value(value) < -CERTAIN)
+    return real_value(value) < -CERTAIN if value.is_number else sign_of(value) == -1  # without a value for W, say
 
 
 def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[Oscillation, ...]:

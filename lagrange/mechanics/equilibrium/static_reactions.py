@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -41,6 +42,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reaction_signs import is_called_string
 from lagrange.mechanics.dynamics.reactions import (
     Reactions,
     ReactionSystem,
@@ -51,6 +53,9 @@ from lagrange.mechanics.dynamics.reactions import (
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
 from lagrange.problem.keys import Keeper
+
+if TYPE_CHECKING:
+    from lagrange.values.quantities import Values as ValuesGiven
 
 
 @record
@@ -143,15 +148,39 @@ class StaticReactions:
         return self.equilibrium.configuration
 
 
-def would_act_backwards(there: ReactionsAtRest | None, newton: Newton) -> list[Reaction]:
-    """The one-sided constraints that would have to pull, and the strings that would have to push: no equilibrium."""
+def would_act_backwards(
+    there: ReactionsAtRest | None, newton: Newton, values: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> list[Reaction]:
+    """The one-sided constraints that would have to pull, and the strings that would have to push: no equilibrium.
+
+    values  those of the parameters, as far as they are given
+    """
     if there is None:
         return []
     found = there.reactions
-    strings = {r.name for r in newton.reactions if r.constraint.by is Keeper.STRING} & found.tensions.keys()
-    signs = {name: sign_of(found.tensions[name]) for name in strings}
-    signs |= {name: found.sign_of_contact(name) for name in found.contacts}
+    strings = {r.name for r in newton.reactions if _is_string(r)} & found.tensions.keys()
+    forces = {name: found.tensions[name] for name in strings} | dict(found.contacts)
+    signs = {name: sign_of(force.xreplace(dict(values or {}))) for name, force in forces.items()}
     return [r for r in newton.reactions if signs.get(r.name) == -1]
+
+
+def _is_string(r: Reaction) -> bool:
+    by = r.constraint.by
+    return by is Keeper.STRING or (by is None and is_called_string(r.name))
+
+
+def possible(
+    at: Sequence[ReactionsAtRest | None], newton: Newton, values: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> list[int]:
+    """The branches, by index, at which no reaction would act backwards; all of them where none is left."""
+    kept = [n for n, there in enumerate(at) if not would_act_backwards(there, newton, values)]
+    return kept or [*range(len(at))]
+
+
+def slack_branches(static: StaticReactions, newton: Newton, values: ValuesGiven | None) -> tuple[Branch, ...]:
+    """The branches at which a contact would have to pull, or a string to push; none where these are all."""
+    kept = possible(static.at, newton, values.numbers if values is not None else {})
+    return tuple(b for n, b in enumerate(static.equilibrium.branches) if static.at and n not in kept)
 
 
 def static_reactions(

@@ -25,6 +25,8 @@ from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.stability import SecondVariation
+from lagrange.mechanics.questions.critical import critical_value
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.ranges import in_ranges
@@ -64,11 +66,14 @@ def position_of_rest(
     raise ProblemError(Diagnostic("not-determined", message, first.span, help=help_))
 
 
-def answers_at_rest(problem: Problem, resting: Equilibrium, newton: Newton | None) -> tuple[Asked, ...]:
+def answers_at_rest(
+    problem: Problem, resting: Equilibrium, newton: Newton | None, second: SecondVariation | None = None
+) -> tuple[Asked, ...]:
     """The answers to all questions.
 
     resting  the equilibrium in the file's coordinates
     newton   the reactions; None without constraints
+    second   the stability of its branches
 
     Raises ProblemError where nothing determines the quantity, or the conditions hold in no position of equilibrium.
     """
@@ -76,11 +81,16 @@ def answers_at_rest(problem: Problem, resting: Equilibrium, newton: Newton | Non
     balance = [
         sp.Add(q, *(r.multiplier * r.row.coefficients[k] for r in reactions)) for k, q in enumerate(resting.work.forces)
     ]
-    return tuple(_answer(q, problem, resting, reactions, balance) for q in problem.questions)
+    return tuple(_answer(q, problem, resting, reactions, balance, second) for q in problem.questions)
 
 
 def _answer(
-    question: Question, problem: Problem, resting: Equilibrium, reactions: Sequence[Reaction], balance: list[sp.Expr]
+    question: Question,
+    problem: Problem,
+    resting: Equilibrium,
+    reactions: Sequence[Reaction],
+    balance: list[sp.Expr],
+    second: SecondVariation | None,
 ) -> Asked:
     configuration = resting.configuration
     sizes = {r.force: r.single.factor * r.multiplier for r in reactions if r.single is not None and r.named}
@@ -109,7 +119,19 @@ def _answer(
     if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
     if elimination.solved and elimination.free:
-        raise ProblemError(_not_determined(question, elimination))
+        limit = critical_value(wanted[0], conditions, resting, second) if wanted == [question.quantity] else None
+        if limit is None:
+            raise ProblemError(_not_determined(question, elimination))
+        return Asked(
+            question,
+            configuration.name,
+            How.EXACT,
+            Route.STABILITY,
+            conditions=conditions,
+            quantity=quantity,
+            branches=(limit,),
+            verified=True,
+        )
     used = [
         s
         for s in sizes
@@ -139,6 +161,8 @@ def _not_determined(question: Question, elimination: Eliminated) -> Diagnostic:
     listed = ", ".join(f"`{s}`" for s in sorted(elimination.free, key=str))
     message = f"the quantity of the question `{question.name}` is not determined: it depends on {listed}"
     help_ = "say in which position it is wanted, with `when`"
+    if question.when and elimination.free == {question.quantity}:
+        help_ = "there the forces balance for every value; what is stable is said with the equilibria, so leave it out"
     return Diagnostic("not-determined", message, question.written.whole, help=help_)
 
 

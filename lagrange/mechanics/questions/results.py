@@ -39,6 +39,7 @@ class Route(StrEnum):
     SOLUTION = "solution"  # the solution of the equations of motion as functions of time
     QUADRATURE = "quadrature"  # t = ∫ dq/q', with q' from the integrals
     NUMBERS = "numbers"  # numerical integration
+    STABILITY = "stability"  # where an equilibrium that exists for every value of a parameter becomes unstable
     REST = "rest"  # the balance of forces and the constraints, in a position of equilibrium
 
 

@@ -89,3 +89,24 @@ def test_limits_of_a_force_in_numbers_with_units(problem: Read, stated: str, ver
     [answer] = compared_answers(solved(problem, f"{CRATE}answers: {{rest: [{stated}]}}\n"))
     assert answer.verdict.value == verdict
     assert reason in answer.diagnosis
+
+
+PARABOLA = """title: Rough parabola
+parameters: [m, g, a, mu]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {wire: {equation: x^2 = 4*a*y, reaction: N}}
+gravity: -g*j
+forces: {rub: {friction: mu, static: mu, constraint: wire, on: P}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [("y <= a*mu^2", "equivalent"), ("abs(x) <= 2*a*mu", "equivalent"), ("y <= 2*a*mu^2", "wrong")],
+)
+def test_conditions_hold_where_the_constraints_do(problem: Read, answer: str, verdict: str) -> None:
+    """The derived condition is about x, which the height determines on the wire."""
+    judged = check_answer(problem(PARABOLA), (Fragment.of(answer),))
+    assert judged.verdict.value == verdict
