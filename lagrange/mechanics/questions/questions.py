@@ -125,7 +125,8 @@ class _Search:
         self.configuration = setting.place.configuration
         self.slots = self.configuration.slots
         self.known = self._meanings()
-        self.quantity = self._applied(question.quantity)
+        quantity = self._applied(question.quantity)
+        self.quantity = quantity.xreplace({t: sp.S.Zero}) if self._is_at_start else quantity
         self.conditions = tuple((self._applied(c.lhs), self._applied(c.rhs)) for c in question.when)
         self.when = [a - b for a, b in self.conditions]
         self.used = tuple(self._used())
@@ -394,16 +395,35 @@ class _Search:
             and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
         )
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
-        initial = self.setting.initial
-        values = self.setting.values
-        ranges = bounds(self.setting.problem)
-        return InitialMotion(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
+        return InitialMotion(
+            self.setting.initial,
+            known.accelerations,
+            self.slots,
+            free,
+            radii,
+            self._turning,
+            own,
+            self.setting.values,
+            bounds(self.setting.problem),
+            None if free == 1 else self._along(own),
+        )
+
+    def _along(self, own: Sequence[sp.Symbol]) -> sp.Symbol | None:
+        """The one coordinate that the conditions are about, where its velocity is a function of it alone."""
+        moving = {*self.place.moving}
+        asked = {base(s) for e in self.when for s in e.xreplace(self.rule).free_symbols & moving}
+        if len(asked) != 1 or not asked <= {*own}:
+            return None
+        [q] = asked
+        is_given = {q, prime(q)} <= {*self.setting.initial}
+        return q if is_given and self.setting.square_of(q) is not None else None
 
     def _turning(self) -> Sequence[sp.Expr] | None:
-        """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
+        """The coordinate at all states of rest, for one that moves by itself; None where they are not known."""
         accelerations, initial = self.setting.known.accelerations, self.setting.initial
         own = [q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed]
-        moving = [q for q in own if accelerations.get(prime(q, 2), 0) != 0]
+        along = self._along(own) if len(self.slots.coordinates) - len(self.configuration.rows) > 1 else None
+        moving = [q for q in own if accelerations.get(prime(q, 2), 0) != 0] if along is None else [along]
         if len(moving) != 1 or moving[0] not in initial:
             return None
         [q] = moving
