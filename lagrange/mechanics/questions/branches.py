@@ -96,7 +96,8 @@ class InitialMotion:
         if a is None:
             return None
         value = a.xreplace(dict(self.initial))
-        if value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
+        undefined = value.has(sp.zoo, sp.nan, sp.oo)  # at the cusp of a cycloid
+        if undefined or value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
             return None
         return self.sign(value)
 
