@@ -127,6 +127,15 @@ particles: {P: {mass: m - k*t, position: y*j, leaves: {relative: -c*j}}}
 gravity: -g*j
 initial: {y: 0, y': 0}
 """
+CYCLOID = """
+title: Bead let go at the cusp of a cycloid
+axes: {i: right, j: up}
+parameters: [m, a, g]
+coordinates: [phi]
+particles: {P: {mass: m, position: a*(phi - sin(phi))*i - a*(1 - cos(phi))*j}}
+gravity: -g*j
+initial: {phi: 0, phi': 0}
+"""
 SKATE = """
 title: Skate
 parameters: [m, I, w]
@@ -155,6 +164,7 @@ CASES = [
     (ORBIT, "", "{quantity: phi, when: r = v^2*a^2/k}", "pi/2", Route.ORBIT),
     (CONICAL, "", "{quantity: l*cos(theta), when: \"theta' = 0\"}", "(sqrt(16*g**2*l**2 + v**4) - v**2)/(4*g)",
      Route.INTEGRALS),
+    (CYCLOID, "", "{quantity: t, when: phi = pi}", "pi*sqrt(a/g)", Route.QUADRATURE),
     (ROCKET, "", "{quantity: \"y''\", when: t = 0}", "c*k/m - g", Route.STATE),
     (WIRE, "", "{quantity: \"r'\", when: r = L}", "w*sqrt(L**2 - b**2)", Route.INTEGRALS),
     (WIRE, "", "{quantity: M, by: r}", "2*m*w**2*sqrt(r**2 - b**2)", Route.INTEGRALS),
