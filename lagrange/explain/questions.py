@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import t
+from lagrange.core.symbols import prime, t
 from lagrange.document.derivation import (
     Block,
     Detail,
@@ -34,6 +34,7 @@ from lagrange.mechanics.questions.results import (
     Asked,
     How,
     IntegralKind,
+    InverseRadius,
     Reason,
     Route,
     UsedIntegral,
@@ -98,7 +99,7 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
         yield prose("The motion comes to rest at ", at, ", and goes back from there.")
     if asked.senses and asked.route in (Route.INTEGRALS, Route.QUADRATURE, Route.SOLUTION):
         yield _senses(asked)
-    if asked.route in (Route.INTEGRALS, Route.QUADRATURE) and asked.integrals:
+    if asked.route in (Route.INTEGRALS, Route.QUADRATURE, Route.ORBIT) and asked.integrals:
         labels = [seen.get((asked.choice, i.expression)) for i in asked.integrals]
         if None in labels:
             yield from _integrals(asked, conserved_shown)
@@ -112,6 +113,8 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
         yield from _quadrature(asked.integrand, asked.question.quantity)
     if asked.solutions:
         yield from _solutions(asked)
+    if asked.orbit is not None:
+        yield from _orbit(asked, asked.orbit)
     yield from _condition(asked)
     if not asked.answered:
         yield prose(*_unanswered(asked), detail=Detail.BRIEF)
@@ -273,6 +276,19 @@ def _solutions(asked: Asked) -> Iterator[Block]:
             for n, (q, e) in enumerate(asked.solutions.items(), start=1)
         )
     )
+
+
+def _orbit(asked: Asked, orbit: InverseRadius) -> Iterator[Block]:
+    """Binet's equation and its solution."""
+    inverse, angle = math(1 / orbit.radius), math(orbit.angle)
+    second = orbit.constant - orbit.stiffness / orbit.radius
+    radius, start = math(orbit.radius), (", where ", *_initial(asked)) if asked.initial else ()
+    speed, rate = math(prime(orbit.radius)), math(prime(orbit.angle))
+    yield prose("Along the orbit ", speed, " is ", rate, " times the derivative of ", radius, " by ", angle, ". So the "
+                "equation of motion for ", radius, " becomes a linear one for ", inverse, " as a function of ", angle,
+                ", whose second derivative is ", math(second), " (Binet). The solution that begins at ",
+                math(t, sp.S.Zero), *start, ", is, as substitution shows,")  # fmt: skip
+    yield display(Equation((1 / orbit.radius, orbit.value), label=_label(asked, "orbit", 1)))
 
 
 def _condition(asked: Asked) -> Iterator[Block]:

@@ -21,6 +21,7 @@ from lagrange.document.derivation import Math, Part, math
 from lagrange.explain.limits import MOST_FORMULAS
 from lagrange.expressions.reader import Scope, formulas_in, read_equation, read_value
 from lagrange.problem.model import Problem
+from lagrange.problem.values import known_dimensions
 
 _MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")
 _SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])")
@@ -60,7 +61,7 @@ def _unmarked(text: str, problem: Problem) -> Iterator[Part]:
 def _chain(text: str, problem: Problem) -> Math | None:
     """An expression, an equation, or several equal sides; None if it cannot be read."""
     *sides, last = text.split("=")
-    quantity = _with_unit(last, problem)
+    quantity = _with_unit(last, problem, sides[-1] if sides else "")
     try:
         values = [_value(s, problem.scope) for s in (sides if quantity is not None else [*sides, last])]
     except ProblemError:
@@ -71,7 +72,7 @@ def _chain(text: str, problem: Problem) -> Math | None:
 def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
     """A formula, which may have letters that only the description uses; the text as it is if it cannot be read."""
     name, equals, right = text.rpartition("=")
-    quantity = _with_unit(right, problem)
+    quantity = _with_unit(right, problem, name)
     if quantity is not None:
         [left] = _formula(name, problem) if equals else (math(quantity),)
         return (math(*left.sides, quantity) if equals and isinstance(left, Math) else math(quantity),)
@@ -86,13 +87,19 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
         return (text,)
 
 
-def _with_unit(text: str, problem: Problem) -> sp.Expr | None:
-    """`60 N` as a number with its unit; None where there is none, or all its letters are declared."""
+def _with_unit(text: str, problem: Problem, equals: str) -> sp.Expr | None:
+    """`60 N` as a number with its unit; None where there is none, or all its letters are declared.
+
+    equals  what it is the value of: with a mass m in the file, `a = 0.3 m` is a length where a is one
+    """
     parts = split_number(text)
-    if parts is None or not re.fullmatch(r"\s*\d+(?:\.\d+)?\s*", parts[0]) or unit_of(parts[1]) is None:
+    unit = None if parts is None else unit_of(parts[1])
+    if parts is None or unit is None or not re.fullmatch(r"\s*\d+(?:\.\d+)?\s*", parts[0]):
         return None
     if {*problem.scope.names()} >= {*re.findall(r"[^\W\d]+", parts[1])}:
-        return None
+        symbol = problem.scope.scalars.get(equals.strip())
+        if not isinstance(symbol, sp.Symbol) or known_dimensions(problem).get(symbol) != unit.dimension:
+            return None
     digits = parts[0].strip()
     number = (
         sp.Float(digits, dps=len(digits.replace(".", "").lstrip("0")) or 1) if "." in digits else sp.Integer(digits)

@@ -6,7 +6,8 @@
     a coordinate reaches a value q_1 ≠ q_0 for the first time moving towards it: q' has the sign of q_1 − q_0, or is 0
     as a function of a coordinate, the branch is meant that begins with the initial state
     with one degree of freedom q starts with the sign of q'_0, or of q''_0 where it starts at rest, and keeps its
-    direction up to the first turning point: of the turning points in that direction the nearest comes first
+    direction up to the first turning point: of the turning points in that direction the nearest comes first; so does
+    one of several coordinates, if the question is about it alone and q'^2 is a function of it
 
 The second of these is about a value that the conditions give, or about one degree of freedom. All are signs of
 expressions in the parameters; where one is not known, the branch stays. That a turning point lies in the direction of
@@ -54,6 +55,8 @@ class InitialMotion:
     own            the coordinates that are not expressed by the others
     values         numbers for the parameters, which decide what letters leave open
     ranges         what the ranges of coordinates make not negative: q, q − low and q, high − q
+    along          of several degrees of freedom the coordinate that the conditions are about, if its velocity is a
+                   function of it alone, as the distance from a centre and the depth of a spherical pendulum
     """
 
     initial: State
@@ -65,6 +68,14 @@ class InitialMotion:
     own: tuple[sp.Symbol, ...] = ()
     values: State = field(default_factory=dict)
     ranges: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
+    along: sp.Symbol | None = None
+
+    @property
+    def by_themselves(self) -> tuple[sp.Symbol, ...]:
+        """The coordinates that go on in their direction up to a turning point."""
+        if self.free == 1:
+            return tuple(self.slots.coordinates)
+        return () if self.along is None else (self.along,)
 
     def sign(self, e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
         """The sign of a value; where letters leave it open, that with the values of the parameters."""
@@ -85,7 +96,8 @@ class InitialMotion:
         if a is None:
             return None
         value = a.xreplace(dict(self.initial))
-        if value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
+        undefined = value.has(sp.zoo, sp.nan, sp.oo)  # at the cusp of a cycloid
+        if undefined or value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
             return None
         return self.sign(value)
 
@@ -123,8 +135,8 @@ def first_branches(
         left, gone = _beginning_right(left, beginning, by, quantity)
         either = _are_mirrored(left) and beginning.direction(by) not in (1, -1)
         return Chosen(tuple(left), tuple((b, Reason.START) for b in gone), either)
-    one = beginning.free == 1
-    arriving = beginning.slots.coordinates if one else tuple(reached)
+    one = bool(beginning.by_themselves)
+    arriving = beginning.slots.coordinates if beginning.free == 1 else tuple(reached)
     for reason in (Reason.INITIAL, Reason.ARRIVAL, Reason.TURNING):
         parted = [_parted(b, reason, beginning, arriving, one) for b in left]
         kept = [b for b, _ in parted if b is not None]
@@ -239,7 +251,7 @@ def _is_ruled_out(
         return beginning.is_initial(state)
     if reason is Reason.ARRIVAL:
         return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
-    return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.slots.coordinates)
+    return one and any(_is_behind(state, q, beginning, conditions) for q in beginning.by_themselves)
 
 
 def _comes_from_beyond(
@@ -372,7 +384,7 @@ def _beside_logarithm(e: sp.Expr) -> int | None:
 def _with_direction(b: AnswerBranch, beginning: InitialMotion) -> AnswerBranch:
     """A turning point, with the condition that it lies in the direction of the start, where that is not certain."""
     conditions: list[SignCondition] = []
-    for q in beginning.slots.coordinates:
+    for q in beginning.by_themselves:
         start = beginning.direction(q)
         if start not in (1, -1) or len(b.states) != 1 or b.states[0].get(prime(q)) != 0:
             continue
@@ -390,7 +402,7 @@ def _nearest(
     branches = list(branches)
     if len(branches) < 2 or not all(len(b.states) == 1 for b in branches):
         return branches, []
-    for q in beginning.slots.coordinates:
+    for q in beginning.by_themselves:
         start = beginning.direction(q)
         states = [b.states[0] for b in branches]
         if start not in (1, -1) or not all(s.get(prime(q)) == 0 for s in states):
@@ -411,10 +423,11 @@ def _reached_first(
     One coordinate goes on in the direction of the start up to the first turning point; the other side comes later.
     """
     branches = list(branches)
-    moving = [q for q in beginning.own if any(q in s for b in branches for s in b.states)]
+    own = beginning.own if beginning.along is None else (beginning.along,)
+    moving = [q for q in own if any(q in s for b in branches for s in b.states)]
     if len(moving) == 1 and beginning.direction(moving[0]) == 0:
         return _nearest_on_each_side(branches, moving[0], beginning)
-    coordinates = [q for q in beginning.own if beginning.direction(q) in (1, -1)]
+    coordinates = [q for q in own if beginning.direction(q) in (1, -1)]
     pairs = [(b, s) for b in branches for s in b.states]
     if len(coordinates) != 1 or len(pairs) < 2:
         return branches, []
@@ -459,7 +472,7 @@ def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: InitialMotion) -
     for p in turning:
         past_start = beginning.sign(p - beginning.initial[q])
         before_end = beginning.sign(place - p)
-        if past_start not in (0, -way) and before_end != -way:
+        if past_start not in (0, -way) and before_end not in (0, -way):
             return False
     return True
 

@@ -79,7 +79,8 @@ def first_value(
         return event((*state, time))[0]
 
     try:
-        for horizon in HORIZONS:
+        slowness = _slowness(start, rates((*start, 0.0)))
+        for horizon in (slowness * h for h in HORIZONS):
             step = horizon / 50
             run = solve_ivp(
                 rate, (0.0, horizon), start, "DOP853", events=crossing, rtol=1e-10, atol=1e-12, max_step=step
@@ -93,6 +94,20 @@ def first_value(
     except (_TooLongError, ValueError, ZeroDivisionError, OverflowError):
         return None
     return None
+
+
+def _slowness(start: Sequence[float], accelerations: Sequence[float]) -> float:
+    """A power of ten by which a motion is slower than one in the units of the file, as an orbit is; 1 for others.
+
+    A coordinate q is taken to change in the time |q/q'|, or √|q/q''| from rest; an angle, by 1 where it is 0.
+    """
+    n = len(accelerations)
+    spans = []
+    for q, v, a in zip(start[:n], start[n:], accelerations, strict=True):
+        size = abs(q) or 1.0
+        spans += [size / abs(v)] if v else [math.sqrt(size / abs(a))] if a else []
+    shortest = min(spans, default=1.0)
+    return 10.0 ** math.floor(math.log10(shortest)) if shortest > 1 else 1.0
 
 
 def _first(run: Any, horizon: float) -> tuple[float, Sequence[float]] | None:

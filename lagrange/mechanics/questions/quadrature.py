@@ -56,18 +56,18 @@ def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way
     return time
 
 
-def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, start: sp.Expr, way: int | None) -> sp.Expr | None:
-    """The first of several velocities, functions of q, that leads away from the start in the direction `way`; None
-    where there is none, or no way.
+def toward(speeds: Iterable[sp.Expr], q: sp.Symbol, ends: tuple[sp.Expr, sp.Expr], way: int | None) -> sp.Expr | None:
+    """The first of several velocities, functions of q, that leads from the start in the direction `way`; None where
+    there is none, or no way.
 
-    Where its sign is not known everywhere, as of v/(L − a q), that at the start counts.
+    Where its sign is not known everywhere, as of v/(L − a q), that at the start counts; from rest, that half way.
     """
     for v in speeds if way in (1, -1) else ():
         sign = sign_of_value(v)
-        if sign is None:
-            at_start = v.xreplace({q: start})
-            sign = None if at_start.has(sp.zoo, sp.nan, sp.oo) else sign_of_value(at_start)
-            sign = sign or None  # from rest either may be
+        for place in (ends[0], (ends[0] + ends[1]) / 2):
+            if sign is None:
+                there = v.xreplace({q: place})
+                sign = None if there.has(sp.zoo, sp.nan, sp.oo) else sign_of_value(there) or None
         if sign in (way, None):
             return v
     return None

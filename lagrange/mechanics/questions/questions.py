@@ -7,6 +7,7 @@ The routes are tried in this order, in each set of coordinates that has all that
     integrals       first integrals with their values at t = 0, the constraints and the conditions determine it
     solution        the equations of motion have a solution in closed form, and the conditions determine t
     quadrature      t = ∫ dq/q', where q' is known from an integral
+    orbit           round a centre, r is a known function of the angle
     numbers         with values for all parameters: the first time at which the conditions hold
 
 All but the last are exact; `rest` has questions about a system at rest.
@@ -27,11 +28,12 @@ from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import arrivals, numerical
-from lagrange.mechanics.questions.branches import InitialMotion, bounds, first_branches, outright, sign_of_value
+from lagrange.mechanics.questions.branches import InitialMotion, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import given_state, shown, under_one_root, without_weaker
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
+from lagrange.mechanics.questions.orbits import orbit
 from lagrange.mechanics.questions.quadrature import (
     not_elementary,
     speed_stated,
@@ -40,7 +42,7 @@ from lagrange.mechanics.questions.quadrature import (
     toward,
 )
 from lagrange.mechanics.questions.ranges import changes, in_ranges, never_holds, not_determined, slip_has_ended
-from lagrange.mechanics.questions.reach import Path, place_stated
+from lagrange.mechanics.questions.reach import initial_motion, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
 from lagrange.mechanics.questions.states import (
@@ -125,7 +127,8 @@ class _Search:
         self.configuration = setting.place.configuration
         self.slots = self.configuration.slots
         self.known = self._meanings()
-        self.quantity = self._applied(question.quantity)
+        quantity = self._applied(question.quantity)
+        self.quantity = quantity.xreplace({t: sp.S.Zero}) if self._is_at_start else quantity
         self.conditions = tuple((self._applied(c.lhs), self._applied(c.rhs)) for c in question.when)
         self.when = [a - b for a, b in self.conditions]
         self.used = tuple(self._used())
@@ -190,7 +193,7 @@ class _Search:
                 if elimination.branches and elimination.solved and not elimination.free:
                     return self._chosen(route, elimination, used)
                 free = elimination.free
-            asked = None if self._is_about_time else self._in_time() or self._by_speed()
+            asked = None if self._is_about_time else self._in_time() or self._by_speed() or self._on_orbit()
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
@@ -383,32 +386,7 @@ class _Search:
 
     @property
     def _beginning(self) -> InitialMotion:
-        known = self.setting.known
-        free = len(self.slots.coordinates) - len(self.configuration.rows)
-        frame = self.setting.problem.frame
-        first = frame.names[0] if frame is not None and frame.turning else ""
-        radii = tuple(
-            q
-            for q in self.slots.coordinates
-            if sign_of_value(self.setting.initial.get(q, sp.S.Zero)) == 1
-            and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
-        )
-        own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
-        initial = self.setting.initial
-        values = self.setting.values
-        ranges = bounds(self.setting.problem)
-        return InitialMotion(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
-
-    def _turning(self) -> Sequence[sp.Expr] | None:
-        """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
-        accelerations, initial = self.setting.known.accelerations, self.setting.initial
-        own = [q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed]
-        moving = [q for q in own if accelerations.get(prime(q, 2), 0) != 0]
-        if len(moving) != 1 or moving[0] not in initial:
-            return None
-        [q] = moving
-        square = self.setting.square_of(q)
-        return None if square is None else Path(q, square, initial[q], None).turning_places()
+        return initial_motion(self.setting, self.rule, self.when)
 
     def _asked(
         self,
@@ -430,6 +408,31 @@ class _Search:
             open=tuple(sorted(free, key=str)),
             initial=given_state(self.setting.problem),
             senses=self.setting.known.senses,
+        )
+
+    def _on_orbit(self) -> Asked | None:
+        """The answer from the orbit round a centre, at an angle or as a function of it; None where there is none."""
+        sign = self._beginning.sign
+        accelerations = {a: e.xreplace(self.rule) for a, e in self.known.accelerations.items()}
+        found = orbit(accelerations, self.setting.initial, self._beginning.own, sign)
+        if found is None:
+            return None
+        quantity, when = (e.xreplace(self.rule) for e in (self.quantity, self.when[0] if self.when else sp.S.Zero))
+        by, moving = self.question.by, {*self.place.moving} - {self.question.by}
+        if by not in (None, found.angle) or len(self.when) != (by is None):
+            return None
+        branches = [
+            AnswerBranch(self.question.quantity, value, (value,), (state,), conditions)
+            for value, state, conditions in found.values(quantity, when, by is not None, sign)
+        ]
+        if not branches or any(not v.free_symbols.isdisjoint(moving) for b in branches for v in b.values):
+            return None
+        radial = prime(found.inverse.radius)
+        constant = [i for i in self.setting.integrals if radial not in i.expression.free_symbols]
+        return replace(
+            self._asked(Route.ORBIT, How.EXACT, constant),
+            branches=tuple(map(shown, branches)),
+            orbit=found.inverse,
         )
 
     # -- in time -------------------------------------------------------------------------------------------------------
@@ -552,21 +555,23 @@ class _Search:
 
     def _by_quadrature(self) -> Asked | None:
         """t = ∫ dq/q' from q_0 to q_1, where one coordinate moves and an integral gives q'; None if it is not found."""
-        if self.question.quantity != t or len(self.when) != 1 or self._beginning.free != 1:
+        beginning = self._beginning
+        one = beginning.free == 1
+        if self.question.quantity != t or len(self.when) != 1 or not (one or beginning.along):
             return None
-        place = place_stated(self.when[0], self.setting, self._beginning)
+        place = place_stated(self.when[0], self.setting, beginning)
         if place is None:
             return self._by_speed()
         (q, end), initial = place, self.setting.initial
         if q not in initial or end.free_symbols & {*self.place.moving}:
             return None
-        used = [i for i in self.setting.integrals if prime(q) in i.expression.free_symbols]
+        used = [i for i in self.setting.integrals if not one or prime(q) in i.expression.free_symbols]
         rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
         equations = [*(i.expression - i.value for i in used), *self.configuration.finite_constraints, *rates]
         unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
         elimination = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
         way = sign_of_value(end - initial[q])
-        speed = toward((v for b in elimination.branches for v in b.values), q, initial[q], way)
+        speed = toward((v for b in elimination.branches for v in b.values), q, (initial[q], end), way)
         if speed is None or way is None:
             return None
         integrand = (q, under_one_root(speed), initial[q], end)
@@ -575,7 +580,7 @@ class _Search:
             number, whole = not_elementary((q, speed, initial[q], end), way, self.setting.values)
             branches, how = ((), None) if number is None else ((AnswerBranch(t, number, (number,)),), How.NUMERICAL)
             return replace(asked, branches=branches, how=how, verified=None, integral=whole)
-        conditions = tuple(c for c in elimination.branches[0].conditions if q not in c.lhs.free_symbols)
+        conditions = tuple(c for c in elimination.branches[0].conditions if q not in (c.lhs - c.rhs).free_symbols)
         branch = AnswerBranch(t, taken, (taken,), (), conditions)
         return replace(asked, branches=(shown(branch),), how=How.EXACT)
 

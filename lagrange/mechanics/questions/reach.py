@@ -13,7 +13,7 @@ If this is undecided, the answer holds provided that the motion gets there.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import field, replace
 from enum import Enum
 from functools import lru_cache
@@ -24,8 +24,8 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import prime
-from lagrange.mechanics.questions.branches import InitialMotion, outright, sign_of_value
+from lagrange.core.symbols import base, prime
+from lagrange.mechanics.questions.branches import InitialMotion, bounds, outright, sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
 from lagrange.mechanics.questions.setting import Setting
@@ -275,3 +275,54 @@ def place_stated(when: sp.Expr, setting: Setting, beginning: InitialMotion) -> t
         ahead = [p for p in path.turning_places() or () if path.direction and path.lies_ahead(p)]
         return (q, ahead[0]) if len(ahead) == 1 else None
     return None
+
+
+def initial_motion(setting: Setting, rule: Mapping[sp.Symbol, sp.Expr], when: Sequence[sp.Expr]) -> InitialMotion:
+    """The initial state, with what is known of the motion from it.
+
+    rule  the coordinates and velocities that the constraints express by the others
+    when  the conditions of a question
+    """
+    configuration, initial = setting.place.configuration, setting.initial
+    coordinates = configuration.slots.coordinates
+    frame = setting.problem.frame
+    first = frame.names[0] if frame is not None and frame.turning else ""
+    radii = tuple(
+        q
+        for q in coordinates
+        if sign_of_value(initial.get(q, sp.S.Zero)) == 1 and (first == f"e_{q}" or setting.is_kept_from_zero(q))
+    )
+    own = tuple(q for q in coordinates if q not in rule and q not in setting.fixed)
+    free = len(coordinates) - len(configuration.rows)
+    along = None if free == 1 else _along(setting, own, [e.xreplace(dict(rule)) for e in when])
+    return InitialMotion(
+        initial,
+        setting.known.accelerations,
+        configuration.slots,
+        free,
+        radii,
+        lambda: _turning(setting, own if along is None else (along,)),
+        own,
+        setting.values,
+        bounds(setting.problem),
+        along,
+    )
+
+
+def _along(setting: Setting, own: Collection[sp.Symbol], when: Sequence[sp.Expr]) -> sp.Symbol | None:
+    """The one coordinate that the conditions are about, where its velocity is a function of it alone."""
+    asked = {base(s) for e in when for s in e.free_symbols & {*setting.place.moving}}
+    if len(asked) != 1 or not asked <= {*own}:
+        return None
+    [q] = asked
+    return q if {q, prime(q)} <= {*setting.initial} and setting.square_of(q) is not None else None
+
+
+def _turning(setting: Setting, own: Collection[sp.Symbol]) -> Sequence[sp.Expr] | None:
+    """The coordinate at all states of rest, for one that moves by itself; None where they are not known."""
+    moving = [q for q in own if setting.known.accelerations.get(prime(q, 2), 0) != 0]
+    if len(moving) != 1 or moving[0] not in setting.initial:
+        return None
+    [q] = moving
+    square = setting.square_of(q)
+    return None if square is None else Path(q, square, setting.initial[q], None).turning_places()

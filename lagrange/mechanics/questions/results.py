@@ -38,6 +38,7 @@ class Route(StrEnum):
     INTEGRALS = "integrals"  # first integrals with their values at t = 0
     SOLUTION = "solution"  # the solution of the equations of motion as functions of time
     QUADRATURE = "quadrature"  # t = ∫ dq/q', with q' from the integrals
+    ORBIT = "orbit"  # r as a function of the angle, round a centre
     NUMBERS = "numbers"  # numerical integration
     STABILITY = "stability"  # where an equilibrium that exists for every value of a parameter becomes unstable
     REST = "rest"  # the balance of forces and the constraints, in a position of equilibrium
@@ -135,6 +136,17 @@ class Substituted:
 
 
 @record
+class InverseRadius:
+    """1/r as a function of the angle φ, which satisfies d²(1/r)/dφ² = α − k/r."""
+
+    radius: sp.Symbol
+    angle: sp.Symbol
+    constant: sp.Expr
+    stiffness: sp.Expr
+    value: sp.Expr
+
+
+@record
 class Asked:
     """The answer to a question.
 
@@ -150,6 +162,7 @@ class Asked:
     mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open
     solutions   coordinates as functions of time
     missing     initial values that are not given and would be needed
+    orbit       1/r as a function of the angle
     integrand   q, q' as a function of it, q_0 and q_1, where the time is an integral over q
     integral    the time as this integral, where it is no elementary function and letters are left
     open        coordinates and velocities on which the quantity depends, and which nothing determines
@@ -171,6 +184,7 @@ class Asked:
     dropped: tuple[tuple[AnswerBranch, Reason], ...] = ()
     mirrored: bool = False
     solutions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    orbit: InverseRadius | None = None
     missing: tuple[sp.Symbol, ...] = ()
     integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
     integral: sp.Integral | None = None

@@ -37,6 +37,8 @@ def written(text: str) -> str:
         ("beta is not declared", "beta is not declared"),
         ("$F = 60 N$ and $k = 400 N/m$ at $0.5 s$", "‹F=60 N› and ‹k=400 N/m› at ‹0.5 s›"),
         ("a rod of $2 m$", "a rod of ‹2m›"),  # m is a mass here
+        ("with l1 = 0.3 m", "with ‹l₁=3m/10›"),  # nothing says what l1 is
+        ("released at x = 0.4 m with $x = 2 m$", "released at ‹x=0.4 m› with ‹x=2 m›"),  # x is a length
         ("shaken as $u = a \\cos \\Omega t$", "shaken as ‹u=a cos Ωt›"),  # letters of the description alone
         ("`sin(` cannot be read, $5 neither", "sin( cannot be read, $5 neither"),
         ("on x = l (r_1^2 + 1/2), smooth", "on ‹x=l (r₁² + 1/2)›, smooth"),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 import sympy as sp
 
@@ -45,3 +47,22 @@ def test_without_values_such_a_question_is_left_open(problem: Read) -> None:
     assert (answer.how, answer.branches, answer.needs) == (None, (), "")
     assert answer.integrand is not None
     assert answer.integrals
+
+
+SATELLITE = """
+title: Ellipse with its far end after hours
+parameters: {m: kg, K: {value: 4e14 m^3/s^2}, a: {value: 7000 km}, e: {value: 0.5}}
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+forces: {f: {potential: -m*K/r}}
+initial: {r: a, r': 0, phi: 0, phi': sqrt(K*(1 + e)/a^3)}
+ask: {it: {quantity: t, when: phi = pi}}
+"""
+
+
+def test_a_slow_motion_is_followed_for_longer(problem: Read) -> None:
+    """Half a period of an ellipse is π √((a/(1 − e))³/K)."""
+    answer = asked(problem, SATELLITE)
+    assert answer.how is How.NUMERICAL
+    assert float(answer.branches[0].rhs) == pytest.approx(math.pi * (1.4e7**3 / 4e14) ** 0.5, rel=1e-5)

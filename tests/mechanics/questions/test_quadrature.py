@@ -81,6 +81,11 @@ def test_the_velocity_taken_leads_to_the_end() -> None:
     """A string that winds up on a drum: θ' = v/(L − a θ), which has a pole where the string ends (Greenwood)."""
     length, speed = sp.symbols("L v_0", positive=True)
     winding = speed / (length - a * theta)
-    assert toward([-winding, winding], theta, sp.S.Zero, 1) == winding
-    assert toward([winding, -winding], theta, sp.S.Zero, -1) == -winding
-    assert toward([winding], theta, sp.S.Zero, None) is None
+    assert toward([-winding, winding], theta, (sp.S.Zero, sp.S.One), 1) == winding
+    assert toward([winding, -winding], theta, (sp.S.Zero, -sp.S.One), -1) == -winding
+    assert toward([winding], theta, (sp.S.Zero, sp.S.One), None) is None
+
+
+def test_from_rest_the_velocity_has_the_sense_of_the_way() -> None:
+    inward = -sp.sqrt(l**2 - theta**2) / theta  # towards a centre, from θ = l
+    assert toward([-inward, inward], theta, (l, sp.S.Zero), -1) == inward

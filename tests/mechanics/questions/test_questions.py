@@ -108,6 +108,34 @@ def value(text: str) -> sp.Expr:
     )
 
 
+CONICAL = """
+title: Spherical pendulum struck while its thread is horizontal
+axes: {k: down}
+parameters: [m, l, g, v]
+coordinates: [r, theta, phi]
+frame: {type: spherical, coordinates: [r, theta, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+constraints: {thread: {equation: r <= l, reaction: T}}
+gravity: g*k
+initial: {theta: pi/2, theta': 0, phi: 0, phi': v/l}
+"""
+ROCKET = """
+title: Rocket
+parameters: [m, k, c, g]
+coordinates: [y]
+particles: {P: {mass: m - k*t, position: y*j, leaves: {relative: -c*j}}}
+gravity: -g*j
+initial: {y: 0, y': 0}
+"""
+CYCLOID = """
+title: Bead let go at the cusp of a cycloid
+axes: {i: right, j: up}
+parameters: [m, a, g]
+coordinates: [phi]
+particles: {P: {mass: m, position: a*(phi - sin(phi))*i - a*(1 - cos(phi))*j}}
+gravity: -g*j
+initial: {phi: 0, phi': 0}
+"""
 SKATE = """
 title: Skate
 parameters: [m, I, w]
@@ -131,6 +159,13 @@ CASES = [
     (ORBIT, "", "{quantity: r, when: \"r' = 0\"}", "a**2*v**2/(2*k - a*v**2)", Route.INTEGRALS),
     (ORBIT, "", "{quantity: v, when: [r = a, \"r'' = 0\"]}", "sqrt(k/a)", Route.INTEGRALS),
     (ORBIT, "", "{quantity: \"r*phi'\", by: r}", "a*v/r", Route.INTEGRALS),
+    (ORBIT, "", "{quantity: r, by: phi}", "a**2*v**2/(k + (a*v**2 - k)*cos(phi))", Route.ORBIT),
+    (ORBIT, "", "{quantity: \"r*phi'\", when: phi = pi}", "2*k/(a*v) - v", Route.ORBIT),
+    (ORBIT, "", "{quantity: phi, when: r = v^2*a^2/k}", "pi/2", Route.ORBIT),
+    (CONICAL, "", "{quantity: l*cos(theta), when: \"theta' = 0\"}", "(sqrt(16*g**2*l**2 + v**4) - v**2)/(4*g)",
+     Route.INTEGRALS),
+    (CYCLOID, "", "{quantity: t, when: phi = pi}", "pi*sqrt(a/g)", Route.QUADRATURE),
+    (ROCKET, "", "{quantity: \"y''\", when: t = 0}", "c*k/m - g", Route.STATE),
     (WIRE, "", "{quantity: \"r'\", when: r = L}", "w*sqrt(L**2 - b**2)", Route.INTEGRALS),
     (WIRE, "", "{quantity: M, by: r}", "2*m*w**2*sqrt(r**2 - b**2)", Route.INTEGRALS),
     (WIRE, "", "{quantity: r, by: t}", "b*cosh(w*t)", Route.SOLUTION),
