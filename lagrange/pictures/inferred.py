@@ -65,8 +65,10 @@ class Inferred:
         bodies = {r.name for r in self.system.configuration.rotations}
         kept = (r for r in self.system.newton.reactions if r.rod is None and r.constraint.by is not Keeper.STRING)
         bound = {name for r in kept for name in (r.directions or {})}
+        points = self.system.configuration.points
+        weightless = all(p.mass == 0 for p in points)  # at rest: the points of rods, at which loads act
         yield from (
-            p for p in self.system.configuration.points if p.mass != 0 and p.name not in bodies and p.name not in bound
+            p for p in points if (p.mass != 0 or weightless) and p.name not in bodies and p.name not in bound
         )
 
     def at(self, position: Vector) -> PagePoint:
@@ -191,8 +193,10 @@ class Inferred:
         level = beyond(tops[1], up, 3 * PULLEY)
         near, far = beyond(ends[1], side, PULLEY), beyond(ends[1], side, -PULLEY)
         wheel = beyond(ends[1], up, 2 * PULLEY)
-        radius = (abs(apart_by) - PULLEY) / 2
-        middle = beyond(tops[1], side, PULLEY + radius)
+        gap = abs(apart_by) - PULLEY  # between the rope that goes up and the rope that comes down
+        one = gap < 6 * PULLEY
+        radius = gap / 2 if one else PULLEY
+        middles = [beyond(tops[1], side, PULLEY + x) for x in ((radius,) if one else (radius, gap - radius))]
         rise = 2 * PULLEY
         for at, top in ((near, tops[1]), (far, level)):
             on = beyond(at, up, rise)
@@ -204,13 +208,17 @@ class Inferred:
         self.busy.append((tops[0], ends[0]))
         self.sketch.circle(wheel, PULLEY, 1)
         self.sketch.line([wheel, ends[1]], StrokeKind.LINK)
-        self.sketch.circle(middle, radius, 1)
-        hook = beyond(middle, up, inner((level[0] - middle[0], level[1] - middle[1]), up))
-        hook = hook if apart(hook, middle) > radius else beyond(middle, up, radius + PULLEY)
-        self.sketch.line([middle, hook], StrokeKind.LINK)
-        for centre in (wheel, middle):
+        if not one:
+            self.sketch.line([beyond(m, up, radius) for m in middles], StrokeKind.STRING)
+        hooks = []
+        for middle in middles:
+            self.sketch.circle(middle, radius, 1)
+            hook = beyond(middle, up, inner((level[0] - middle[0], level[1] - middle[1]), up))
+            hooks.append(hook if apart(hook, middle) > radius else beyond(middle, up, radius + PULLEY))
+            self.sketch.line([middle, hooks[-1]], StrokeKind.LINK)
+        for centre in (wheel, *middles):
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
-        for held in (hook, beyond(level, side, -PULLEY)):
+        for held in (*hooks, beyond(level, side, -PULLEY)):
             self.sketch.wall(held, (-up[0], -up[1]), 0.45)
 
     def _over_pulleys(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:

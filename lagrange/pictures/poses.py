@@ -37,7 +37,7 @@ from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
-_SIZES = {"L": 4.0, "l": 2.0, "R": 2.0, "r": 0.8, "a": 1.1, "b": 0.9, "c": 0.7, "h": 1.2, "d": 0.6, "f": 0.8, "k": 0.4}
+_SIZES = {"L": 4.0, "H": 3.0, "l": 2.0, "R": 2.0, "r": 0.8, "a": 1.1, "b": 0.9, "c": 0.7, "h": 1.2, "d": 0.6, "f": 0.8, "k": 0.4}
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -217,9 +217,23 @@ def _expressions(configuration: Configuration, points: Sequence[Vector]) -> Iter
 
 
 def _in_order(pose: Pose) -> bool:
-    """Whether springs on one line lead away from their supports, if the file leaves open in which sense they lie."""
+    """Whether springs on one line lead away from their supports, if the file leaves open in which sense they lie.
+
+    From a support beyond the point at which the coordinate of its body begins, they lead back to that point.
+    """
     configuration = pose.configuration
     on_line = [s for s in configuration.springs if s.distance.has(sp.Abs)]
+    places = {p.name: p.position for p in configuration.points}
+    beyond = []
+    for s in on_line:
+        for held, name, way in ((*s.ends, s.apart), (*s.ends[::-1], -s.apart)):
+            if isinstance(held, Vector) and isinstance(name, str):
+                begins = pose.with_zero(pose.coordinates).at(places[name])
+                if sum(minus(pose.at(held), begins)) > SAME_PLACE:
+                    beyond.append(s)
+                    if sum(pose.at(way)) < 0:
+                        return False
+    on_line = [s for s in on_line if s not in beyond]
     held = [e for s in on_line for e in s.ends if isinstance(e, Vector)]
     depth: dict[str | Vector, int] = dict.fromkeys(held, 0)
     for _ in on_line:
@@ -236,8 +250,23 @@ def _in_order(pose: Pose) -> bool:
     return True
 
 
+def _is_clear(pose: Pose) -> bool:
+    """Whether a ball of radius r in a bowl of radius R is small: a difference R − r is seen as well as r."""
+    lengths = {*pose.values} - {*pose.coordinates}
+    for p in pose.configuration.points:
+        for c in p.position.fixed().components:
+            for difference in c.atoms(sp.Add):
+                match difference.args:
+                    case (a, b) if (less := -b if (-b).is_Symbol else -a) in lengths and difference + less in lengths:
+                        if pose.number(difference) < 1.2 * pose.values[less]:
+                            return False
+    return True
+
+
 def _has_room(pose: Pose, problem: Problem) -> bool:
     """Whether springs end outside the wheels that they hold, and what hangs on a spring is below its other end."""
+    if not _is_clear(pose):
+        return False
     inertia = {r.name: r.inertia.moments[2] for r in pose.configuration.rotations}
     masses = {p.name: p.mass for p in pose.configuration.points}
     places = {p.name: p.position for p in pose.configuration.points}

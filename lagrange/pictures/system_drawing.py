@@ -7,7 +7,7 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -97,11 +97,13 @@ class _Drawing:
             self.mounts.append(pivot)
         blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
         if with_inferred:
-            blocks.all()
-        self.bodies()
+            blocks.boxes()
+        self.bodies(drawn=blocks.half)
+        if with_inferred:
+            blocks.grounds()
         springs = SpringsDampers(self.system, self.sketch, self.busy)
         springs.draw(blocks.half)
-        self.mounts += [at for at, _ in springs.mounted]
+        self.mounts += list(dict.fromkeys(at for at, _ in springs.mounted))
         self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
             self.curves()
@@ -220,8 +222,11 @@ class _Drawing:
         down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
         return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
 
-    def bodies(self) -> None:
+    def bodies(self, drawn: Container[str]) -> None:
+        """The rigid bodies that are not drawn as blocks."""
         for p in self.system.configuration.points:
+            if p.name in drawn:
+                continue
             rotation = plane_rotation(self.system.configuration, p.name)
             shape = self.system.problem.figure.shapes.get(p.name)
             if shape is not None:
