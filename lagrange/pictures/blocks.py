@@ -39,9 +39,10 @@ _GROUND = re.compile(
     r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
     re.IGNORECASE,
 )
+_FLOOR = re.compile(r"\b(floor|ground|table)s?\b", re.IGNORECASE)
 _IN_PLANE = re.compile(r"\b(in|of) (a|the|its|one) (\w+ )?plane\b", re.IGNORECASE)
 _HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
-_WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
+WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
 WIDE, HIGH = 0.62, 0.42
 """Width and height of a block, in centimetres."""
 
@@ -101,7 +102,7 @@ class Blocks:
                 self.block(p, way)
             if way is not None and p.name not in self.on_wedge and self.is_carried(way):
                 self.carried.append((way, self.height(p) / 2 if p.name in self.half else 0.0))
-        self.carried += self.wheels()
+        self.carried += [*self.wheels(), *self.feet()]
 
     def wedges(self) -> None:
         """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
@@ -143,6 +144,20 @@ class Blocks:
             rolls = re.search(r"\brolls?|rolling", self.system.text) and not self.system.reactions_on(name)
             if way is not None and not way.is_upright and rolls:
                 yield way, abs(self.system.number(shape.lengths[0])) * self.system.page.scale
+
+    def feet(self) -> Iterator[tuple[Way, float]]:
+        """Where the lowest points of a weightless frame, which no constraint keeps there, move on a level floor."""
+        points, page = self.system.configuration.points, self.system.page
+        if any(p.mass != 0 for p in points) or not _FLOOR.search(self.system.text):
+            return
+        poses = (self.system.pose, *self.system.pose.others)
+        ways = {p.name: [page(x.at(p.position)) for x in poses] for p in points}
+        lowest = max(inner(way[0], self.down) for way in ways.values())
+        for name, way in ways.items():
+            levels = [inner(at, self.down) for at in way]
+            stays = max(levels) - min(levels) < SAME_ON_PAGE and lowest - levels[0] < SAME_ON_PAGE
+            if stays and max(apart(way[0], at) for at in way) > SAME_ON_PAGE and not self.system.reactions_on(name):
+                yield Way(way[0], left_of(self.down), scaled(self.down, -1.0)), 0.0
 
     def _particles(self) -> Iterator[MassPoint]:
         """The particles, and the bodies that do not turn: a cart may be either."""
@@ -199,7 +214,7 @@ class Blocks:
     def is_carried(self, way: Way) -> bool:
         """Whether the text says that something carries what moves on a line."""
         if way.is_upright:
-            return bool(_WALL.search(self.system.text))
+            return bool(WALL.search(self.system.text))
         return bool(_GROUND.search(_IN_PLANE.sub("", self.system.text)))
 
     def height(self, p: MassPoint) -> float:
@@ -226,6 +241,7 @@ class Blocks:
         """One piece of ground for all that move on one line, with gaps for the rods that are drawn."""
         carried = self.carried
         done: list[Way] = []
+        mounted = []
         for way, _ in carried:
             if any(self.same(way, other) for other in done):
                 continue
@@ -246,7 +262,7 @@ class Blocks:
                         (start + back, end, stop + back) if back > 0 else (start, end + back, stop + back)
                     )
                     self.sketch.line([centre, beyond(foot, way.along, stop - here)], StrokeKind.LINK)
-                    self.corners.remove((at, centre))
+                    mounted.append(centre)
             middle, half = (start + end) / 2 - here, (end - start) / 2
             if way.is_upright:
                 self.wall(way, beyond(way.at, way.along, middle), half)
@@ -254,6 +270,8 @@ class Blocks:
                 through = [line for line in self.busy if apart(*line) > 2 * HIGH]
                 rail(self.sketch, beyond(foot, way.along, middle), down, half, through)
         for at, centre in self.corners:
+            if centre in mounted:
+                continue
             inward = toward(at, centre)
             held = beyond(centre, inward, 3 * CORNER)
             self.sketch.line([centre, held], StrokeKind.LINK)
@@ -266,7 +284,7 @@ class Blocks:
         places = [
             self.system.page(self.system.pose.at(e)) for e in ends if not e.fixed().as_sum().free_symbols & moving
         ]
-        if _WALL.search(self.system.text):
+        if WALL.search(self.system.text):
             places.append((0.0, 0.0))
         found: list[tuple[PagePoint, PagePoint | None]] = [(e, None) for e in places if self.is_on(way, e)]
         return [*found, *((at, centre) for at, centre in self.corners if self.is_on(way, at))]

@@ -27,7 +27,7 @@ from lagrange.pictures.poses import (
     relative_angle_mark,
 )
 from lagrange.pictures.shapes import plane_rotation
-from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, overlapping, same_ends, touches, toward
+from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, overlapping, same_ends, toward
 from lagrange.pictures.systems import PaperMap, SystemPicture
 from lagrange.problem.model import Drawn
 
@@ -243,7 +243,7 @@ class CoordinateDrawings:
                 centre = self.flat(self.places[p.name])
                 known = self.system.shapes[p.name]
                 shape = self.system.problem.figure.shapes.get(p.name)
-                ways = self.along_rod(centre, [toward((0, 0), self.page.way(a)) for a in mark.arc])
+                ways = self.along_rod(p.name, centre, [toward((0, 0), self.page.way(a)) for a in mark.arc])
                 radius = min(ARC, 0.6 * known.radius * self.page.scale) if known.radius else ARC + 0.2
                 if shape is not None and shape.lengths:
                     radius = min(ARC, 0.6 * abs(self.system.number(shape.lengths[0])) * self.page.scale)
@@ -253,20 +253,21 @@ class CoordinateDrawings:
                 return True
         return False
 
-    def along_rod(self, centre: PagePoint, ways: list[PagePoint]) -> list[PagePoint]:
-        """The same angle between the position of a rod where it is 0 and the rod, of which `centre` is the middle."""
+    def along_rod(self, name: str, centre: PagePoint, ways: list[PagePoint]) -> list[PagePoint]:
+        """The same angle from where a rod lies when it is 0 to the rod, if its first axis is not along it."""
+        groups = (self.system.joints, self.system.marked, self.system.fastened)
+        held = [self.flat(place) for places in groups for place in places.get(name, ())]
         first, last = ways[0], ways[-1]
+        if not held or not in_line(centre, held):
+            return ways
+        along = toward(centre, max(held, key=lambda at: apart(centre, at)))
+        if abs(along[0] * last[1] - along[1] * last[0]) < 1e-6:
+            return ways
         cosine, sine = inner(first, last), first[0] * last[1] - first[1] * last[0]
-        for a, b in self.busy:
-            along = toward(a, b)
-            inside = apart(a, centre) + apart(centre, b) - apart(a, b) < 1e-6 and not touches(centre, a, b)
-            if not inside or abs(along[0] * last[1] - along[1] * last[0]) < 1e-6:
-                continue
-            start = (cosine * along[0] + sine * along[1], cosine * along[1] - sine * along[0])
-            sense = 1.0 if start[1] < -1e-6 or (abs(start[1]) < 1e-6 and start[0] > 0) else -1.0
-            turned = [(inner(first, w), first[0] * w[1] - first[1] * w[0]) for w in ways]
-            return [(sense * (c * start[0] - s * start[1]), sense * (s * start[0] + c * start[1])) for c, s in turned]
-        return ways
+        start = (cosine * along[0] + sine * along[1], cosine * along[1] - sine * along[0])
+        sense = 1.0 if start[1] < -1e-6 or (abs(start[1]) < 1e-6 and start[0] > 0) else -1.0
+        turned = [(inner(first, w), first[0] * w[1] - first[1] * w[0]) for w in ways]
+        return [(sense * (c * start[0] - s * start[1]), sense * (s * start[0] + c * start[1])) for c, s in turned]
 
     def stiff(self) -> None:
         """Thin lines between points whose distance is constant by the choice of coordinates."""

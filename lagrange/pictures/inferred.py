@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
-from lagrange.pictures.floats import NoValueError, inner
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
@@ -67,9 +67,7 @@ class Inferred:
         bound = {name for r in kept for name in (r.directions or {})}
         points = self.system.configuration.points
         weightless = all(p.mass == 0 for p in points)  # at rest: the points of rods, at which loads act
-        yield from (
-            p for p in points if (p.mass != 0 or weightless) and p.name not in bodies and p.name not in bound
-        )
+        yield from (p for p in points if (p.mass != 0 or weightless) and p.name not in bodies and p.name not in bound)
 
     def at(self, position: Vector) -> PagePoint:
         """A place on the page."""
@@ -82,6 +80,8 @@ class Inferred:
             with suppress(NoValueError):
                 mark = angle_mark(self.pose, q, p.position)
                 if mark is None:
+                    continue
+                if p.mass == 0 and self._is_braced(p, mark.centre):
                     continue
                 fixed = self._is_fixed(q, p.position)
                 moving = [o for o in origins if math.dist(self.pose.at(o), mark.centre) < SAME_ON_PAGE]
@@ -99,6 +99,14 @@ class Inferred:
                         self.pivots.append(centre)
                 return kind is not None
         return False
+
+    def _is_braced(self, p: MassPoint, centre: FloatVector) -> bool:
+        """Whether a point of a frame is at a constant distance from others, not in line with the centre."""
+        places = {o.name: self.pose.at(o.position) for o in self.system.configuration.points}
+        ends = [places[a if b == p.name else b] for a, b, _ in self.system.kept_distances if p.name in (a, b)]
+        arm = minus(places[p.name], centre)
+        ways = [minus(end, centre) for end in ends]
+        return any(math.hypot(*outer(arm, way)) > SAME_ON_PAGE for way in ways)
 
     def _is_fixed(self, q: sp.Symbol, position: Vector) -> bool:
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
