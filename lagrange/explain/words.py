@@ -31,20 +31,9 @@ WITH_VALUES = Phrase("with the given values ", Purpose.GIVEN_VALUES)
 _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 
 
-_ORDINALS = ("first", "second", "third")
-
-
 def spoken(name: str) -> str:
-    """A name of the file in running text: `upper_rod` is upper rod, `no_slip.2` is second no slip."""
-    whole, ordinal = _component(name)
-    return f"{ordinal} {whole}".strip().replace("_", " ").replace(".", " ").strip()
-
-
-def _component(name: str) -> tuple[str, str]:
-    """The name of a vector constraint and the ordinal of one of its components; a plain name and nothing."""
-    whole, _, number = name.partition(".")
-    is_component = number.isdigit() and 0 < int(number) <= len(_ORDINALS)
-    return (whole, _ORDINALS[int(number) - 1]) if is_component else (name, "")
+    """A name of the file in a label: `upper_rod` is upper rod, `no_slip.2` is no slip 2."""
+    return name.replace("_", " ").replace(".", " ").strip()
 
 
 def the(name: str) -> str:
@@ -94,6 +83,16 @@ def load_called(name: str, kind: str = "force") -> str:
 def friction_called(name: str, among: Collection[str]) -> str:
     """A friction force with its article: `the friction` where there is no other, or else `the friction below`."""
     return "the friction" if len(among) == 1 else f"the friction {spoken(name)}"
+
+
+_ORDINALS = ("first", "second", "third")
+
+
+def _component(name: str) -> tuple[str, str]:
+    """The name of a vector constraint and the ordinal of one of its components; a plain name and nothing."""
+    whole, _, number = name.partition(".")
+    is_component = number.isdigit() and 0 < int(number) <= len(_ORDINALS)
+    return (whole, _ORDINALS[int(number) - 1]) if is_component else (name, "")
 
 
 def constraints_called(names: Iterable[str]) -> str:

@@ -19,7 +19,7 @@ def test_numbers_and_names_in_words() -> None:
         "no relation", "one relation", "two relations", "13 relations",
     ]  # fmt: skip
     assert spoken("upper_rod") == "upper rod"
-    assert spoken("no_slip.2") == "second no slip"
+    assert spoken("no_slip.2") == "no slip 2"
     both = constraints_called(["no_slip.1", "no_slip.2", "upper_rod"])
     assert both == "the first and second no-slip and upper-rod constraints"
 
