@@ -109,9 +109,10 @@ def nature(reaction: Reaction) -> list[Prose]:
     """What maintains a constraint, where the file says so, and the kind of force."""
     by = reaction.constraint.by
     is_said = by in SURFACES if _is_on_surface(reaction) else by in _LIKE and reaction.rod is not None
-    if by is None or is_said or _is_tension(reaction):
+    called = constraints_called([reaction.name])
+    if by is None or is_said or _is_tension(reaction) or by.value in called:
         return _force(reaction)
-    return [prose(f"{capital(constraints_called([reaction.name]))} is maintained by {KEEPERS[by]}."), *_force(reaction)]
+    return [prose(f"{capital(called)} is maintained by {KEEPERS[by]}."), *_force(reaction)]
 
 
 def natures(reactions: Iterable[Reaction]) -> list[Prose]:
@@ -121,12 +122,16 @@ def natures(reactions: Iterable[Reaction]) -> list[Prose]:
     for r in reactions:
         by_form = _is_of_form(r) and r.constraint.by is None and r.row.nonlinear is None
         key: tuple[object, ...] = (r.acts_on, str(_why_no_force(r)), r.is_partial) if by_form else (r.name,)
+        if _is_along_unit_vector(r):
+            key = (r.acts_on, ForceKind.ALONG)
         if r.constraint.by is Keeper.WIRE and r.is_normal and r.single is not None and r.given is not None:
             key = (r.acts_on, Keeper.WIRE)
         alike.setdefault(key, []).append(r)
     for key, group in alike.items():
         first, *others = group
-        together = _on_a_wire if Keeper.WIRE in key else _by_their_forms
+        together = (
+            _on_a_wire if Keeper.WIRE in key else _along_unit_vectors if ForceKind.ALONG in key else _by_their_forms
+        )
         said += together(group) if others else nature(first)
     return said
 
@@ -141,6 +146,30 @@ def _on_a_wire(reactions: Sequence[Reaction]) -> list[Prose]:
         if r.single is not None and r.single.direction is not None
     )
     return [prose(words, "their reactions are normal to it: forces ", *forces, ".")]
+
+
+def _is_along_unit_vector(reaction: Reaction) -> bool:
+    """Whether all that is said is: a named force on one body, along a unit vector."""
+    single = reaction.single
+    if single is None or single.direction is None or reaction.given is None or reaction.rod is not None:
+        return False
+    plain = not (reaction.is_normal or reaction.is_partial or single.opposite or _is_tension(reaction))
+    short = sum(count_operations(c) for c in single.direction.components) <= LONGEST_IN_TEXT
+    stated = reaction.constraint.side is not None or any(e.is_Add for e in single.presumed)
+    by = reaction.constraint.by
+    is_said = by is None or by.value in constraints_called([reaction.name])
+    return plain and short and not stated and is_said
+
+
+def _along_unit_vectors(reactions: Sequence[Reaction]) -> list[Prose]:
+    """`The reactions of the downward and sideways constraints on the ball are forces F₁ along e₁ and F₂ along e₂.`"""
+    words = f"The reactions of {constraints_called(r.name for r in reactions)} on "
+    forces = series(
+        (math(r.force), " along ", math(r.single.direction))
+        for r in reactions
+        if r.single is not None and r.single.direction is not None
+    )
+    return [prose(f"{words}{the(reactions[0].acts_on[0])} are the forces ", *forces, ".")]
 
 
 def _is_of_form(reaction: Reaction) -> bool:

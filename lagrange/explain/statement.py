@@ -95,7 +95,11 @@ def _symbols(problem: Problem) -> list[Block]:
     groups: list[Sequence[Coordinate | Parameter]] = [problem.coordinates, problem.parameters]
     explained = [any(x.meaning or x.unit for x in group) for group in groups]
     blocks: list[Block] = [*_listed("coordinate", problem.coordinates)] if not explained[0] else []
-    blocks += _listed("parameter", problem.parameters) if not explained[1] else []
+    assumed = _assumptions(problem)
+    if not explained[1] and any(p.range is None for p in problem.parameters):
+        blocks, assumed = [*blocks, *_listed_with_assumptions(problem)], []
+    elif not explained[1]:
+        blocks += _listed("parameter", problem.parameters)
     rows = [x for group, has_meanings in zip(groups, explained, strict=True) if has_meanings for x in group]
     if rows:
         with_units = any(x.unit for x in rows)
@@ -106,7 +110,7 @@ def _symbols(problem: Problem) -> list[Block]:
             row: tuple[Part, ...] = (math(x.symbol), x.meaning or kind)
             cells.append((*row, raised(x.unit)) if with_units else row)
         blocks.append(Table(header, tuple(cells)))
-    return [*blocks, *_assumptions(problem)]
+    return [*blocks, *assumed]
 
 
 def _listed(what: str, members: Sequence[Coordinate | Parameter]) -> list[Block]:
@@ -115,6 +119,14 @@ def _listed(what: str, members: Sequence[Coordinate | Parameter]) -> list[Block]
         return []
     words = plural(len(members), f"The {what} is ", f"The {what}s are ")
     return [prose(words, *listed(math(x.symbol) for x in members), ".")]
+
+
+def _listed_with_assumptions(problem: Problem) -> list[Block]:
+    """`The parameters m and g are positive; α is acute.`"""
+    free = [p for p in problem.parameters if p.range is None]
+    words = plural(len(free), "The parameter ", "The parameters ")
+    ranges = _ranges(problem)
+    return [prose(words, *_by_kind(free), "; " if ranges else "", *ranges, ".")]
 
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -156,6 +168,11 @@ def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption
             return [] if len(problem.parameters) == 1 else [math(free[0].symbol), " is positive"]
         every = "All parameters are" if len(free) == len(problem.parameters) else "All other parameters are"
         return [f"{every} positive"]
+    return _by_kind(free)
+
+
+def _by_kind(free: Sequence[Parameter]) -> list[Part]:
+    """`m and g are positive; α is acute`"""
     clauses: list[Part] = []
     for kind in Assumption:
         members = [p.symbol for p in free if p.assume is kind]
@@ -166,7 +183,7 @@ def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption
 
 def _functions(problem: Problem) -> list[Block]:
     """The prescribed motions; the undefined functions, those of the same arguments together."""
-    blocks: list[Block] = []
+    blocks: list[Prose] = []
     prescribed = problem.slots.prescribed
     if prescribed:
         words = plural(len(prescribed), " is a prescribed function of time.", " are prescribed functions of time.")
@@ -175,7 +192,7 @@ def _functions(problem: Problem) -> list[Block]:
         members = [f.name for f in problem.functions if f.arguments == arguments]
         words = plural(len(members), " is an unspecified function of ", " are unspecified functions of ")
         blocks.append(prose(*_names(members), words, *_names(arguments), "."))
-    return blocks
+    return [paragraph(*blocks)] if blocks else []
 
 
 def _names(names: Iterable[str]) -> tuple[Part, ...]:

@@ -32,7 +32,7 @@ _ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "
 
 
 def spoken(name: str) -> str:
-    """A name of the file in running text: `upper_rod` is upper rod, `no_slip.2` is no slip 2."""
+    """A name of the file in a label: `upper_rod` is upper rod, `no_slip.2` is no slip 2."""
     return name.replace("_", " ").replace(".", " ").strip()
 
 
@@ -85,10 +85,26 @@ def friction_called(name: str, among: Collection[str]) -> str:
     return "the friction" if len(among) == 1 else f"the friction {spoken(name)}"
 
 
+_ORDINALS = ("first", "second", "third")
+
+
+def _component(name: str) -> tuple[str, str]:
+    """The name of a vector constraint and the ordinal of one of its components; a plain name and nothing."""
+    whole, _, number = name.partition(".")
+    is_component = number.isdigit() and 0 < int(number) <= len(_ORDINALS)
+    return (whole, _ORDINALS[int(number) - 1]) if is_component else (name, "")
+
+
 def constraints_called(names: Iterable[str]) -> str:
-    """`the rod constraint`, `the upper-rod and no-slip 1 constraints`."""
-    called = [re.sub(r" (?=\D)", "-", spoken(n)) for n in names]
-    return f"the {joined(called)} {plural(len(called), 'constraint', 'constraints')}"
+    """`the rod constraint`, `the upper-rod and first no-slip constraints`."""
+    ordinals: dict[str, list[str]] = {}
+    for name in names:
+        whole, ordinal = _component(name)
+        one = ordinals.setdefault(re.sub(r" (?=\D)", "-", spoken(whole)), [])
+        one += [ordinal] if ordinal else []
+    called = [f"{joined(numbers)} {whole}".strip() for whole, numbers in ordinals.items()]
+    number = sum(len(numbers) or 1 for numbers in ordinals.values())
+    return f"the {joined(called)} {plural(number, 'constraint', 'constraints')}"
 
 
 def capital(words: str) -> str:

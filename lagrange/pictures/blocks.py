@@ -39,9 +39,10 @@ _GROUND = re.compile(
     r"\b(table|floor|ground|rail|track|guide|incline|slope|plane|ladder)s?\b|horizontal(ly)?\b.*\b(line|surface)",
     re.IGNORECASE,
 )
+_FLOOR = re.compile(r"\b(floor|ground|table)s?\b", re.IGNORECASE)
 _IN_PLANE = re.compile(r"\b(in|of) (a|the|its|one) (\w+ )?plane\b", re.IGNORECASE)
 _HANGING = re.compile(r"\bhang|suspended|pendulum", re.IGNORECASE)
-_WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
+WALL = re.compile(r"\bwalls?\b", re.IGNORECASE)
 WIDE, HIGH = 0.62, 0.42
 """Width and height of a block, in centimetres."""
 
@@ -86,22 +87,22 @@ class Blocks:
         self.down = down
         self.corners = corners
         self.half: dict[str, float] = {}
+        self.carried: list[tuple[Way, float]] = []
         self.on_wedge: dict[str, Way | None] = {}
 
-    def all(self) -> None:
-        """Draw them."""
+    def boxes(self) -> None:
+        """Draw wedges and blocks, and note what is carried by some ground."""
         if not (self.system.is_bare and self.system.view.planar):
             return
         self.wedges()
         ways = {p.name: way for p in self._particles() if (way := self.way(p)) is not None}
-        carried = []
         for p in self._particles():
             way = ways.get(p.name)
             if self.is_block(p):
                 self.block(p, way)
             if way is not None and p.name not in self.on_wedge and self.is_carried(way):
-                carried.append((way, HIGH / 2 if p.name in self.half else 0.0))
-        self.grounds([*carried, *self.wheels()])
+                self.carried.append((way, self.height(p) / 2 if p.name in self.half else 0.0))
+        self.carried += [*self.wheels(), *self.feet()]
 
     def wedges(self) -> None:
         """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
@@ -122,7 +123,9 @@ class Blocks:
                         along, top = scaled(along, -1.0), beyond(at, along, 0.9)
                     if not 0.1 < inner(along, self.down) < 0.95:
                         continue
-                    toe = beyond(top, along, apart(top, at) + 1.2)
+                    floor = inner(page(pose.at(wedge.position)), self.down) - inner(top, self.down)
+                    length, whole = apart(top, at), floor / inner(along, self.down)
+                    toe = beyond(top, along, whole if whole > length + 0.5 * WIDE else length + 1.2)
                     up = left_of(along)
                     up = up if inner(up, self.down) < 0 else scaled(up, -1.0)
                     heel = beyond(top, self.down, inner((toe[0] - top[0], toe[1] - top[1]), self.down))
@@ -142,10 +145,30 @@ class Blocks:
             if way is not None and not way.is_upright and rolls:
                 yield way, abs(self.system.number(shape.lengths[0])) * self.system.page.scale
 
+    def feet(self) -> Iterator[tuple[Way, float]]:
+        """Where the lowest points of a weightless frame, which no constraint keeps there, move on a level floor."""
+        points, page = self.system.configuration.points, self.system.page
+        if any(p.mass != 0 for p in points) or not _FLOOR.search(self.system.text):
+            return
+        poses = (self.system.pose, *self.system.pose.others)
+        ways = {p.name: [page(x.at(p.position)) for x in poses] for p in points}
+        lowest = max(inner(way[0], self.down) for way in ways.values())
+        for name, way in ways.items():
+            levels = [inner(at, self.down) for at in way]
+            stays = max(levels) - min(levels) < SAME_ON_PAGE and lowest - levels[0] < SAME_ON_PAGE
+            if stays and max(apart(way[0], at) for at in way) > SAME_ON_PAGE and not self.system.reactions_on(name):
+                yield Way(way[0], left_of(self.down), scaled(self.down, -1.0)), 0.0
+
     def _particles(self) -> Iterator[MassPoint]:
-        bodies = {r.name for r in self.system.configuration.rotations} | {*self.system.problem.figure.shapes}
-        hidden = self.system.hidden
-        yield from (p for p in self.system.configuration.points if p.name not in bodies and p.name not in hidden)
+        """The particles, and the bodies that do not turn: a cart may be either."""
+        moving = {*self.system.configuration.slots.coordinates}
+        turning = {
+            r.name
+            for r in self.system.configuration.rotations
+            if any(axis.fixed().as_sum().free_symbols & moving for axis in r.axes)
+        }
+        other = turning | {*self.system.problem.figure.shapes} | self.system.hidden
+        yield from (p for p in self.system.configuration.points if p.name not in other)
 
     def way(self, p: MassPoint) -> Way | None:
         """The line on which a particle moves, if one coordinate alone moves it and nothing that is drawn keeps it."""
@@ -191,8 +214,13 @@ class Blocks:
     def is_carried(self, way: Way) -> bool:
         """Whether the text says that something carries what moves on a line."""
         if way.is_upright:
-            return bool(_WALL.search(self.system.text))
+            return bool(WALL.search(self.system.text))
         return bool(_GROUND.search(_IN_PLANE.sub("", self.system.text)))
+
+    def height(self, p: MassPoint) -> float:
+        """The height of a block: more where a spring and a damper hold it side by side."""
+        pairs = [frozenset(link.ends) for link in self.system.configuration.links if p.name in link.ends]
+        return HIGH if len({*pairs}) == len(pairs) else 2 * HIGH
 
     def block(self, p: MassPoint, way: Way | None) -> None:
         """A box: on the ground, on a plane that is drawn, or around its particle."""
@@ -202,15 +230,18 @@ class Blocks:
         hangs = on is None or (kept is None and way is not None and way.is_upright)
         up = scaled(self.down, -1.0) if hangs or on is None else on.up
         side = left_of(up)
-        low, high = (0.0, HIGH) if kept is not None else (-HIGH / 2, HIGH / 2)
+        height = self.height(p)
+        low, high = (0.0, height) if kept is not None else (-height / 2, height / 2)
         corners = ((WIDE / 2, low), (-WIDE / 2, low), (-WIDE / 2, high), (WIDE / 2, high))
         self.sketch.face([beyond(beyond(at, side, x), up, y) for x, y in corners], 2, -1.0)
         if kept is None:
-            self.half[p.name] = HIGH / 2 if hangs else WIDE / 2
+            self.half[p.name] = height / 2 if hangs else WIDE / 2
 
-    def grounds(self, carried: Sequence[tuple[Way, float]]) -> None:
-        """One piece of ground for all that move on one line."""
+    def grounds(self) -> None:
+        """One piece of ground for all that move on one line, with gaps for the rods that are drawn."""
+        carried = self.carried
         done: list[Way] = []
+        mounted = []
         for way, _ in carried:
             if any(self.same(way, other) for other in done):
                 continue
@@ -231,7 +262,7 @@ class Blocks:
                         (start + back, end, stop + back) if back > 0 else (start, end + back, stop + back)
                     )
                     self.sketch.line([centre, beyond(foot, way.along, stop - here)], StrokeKind.LINK)
-                    self.corners.remove((at, centre))
+                    mounted.append(centre)
             middle, half = (start + end) / 2 - here, (end - start) / 2
             if way.is_upright:
                 self.wall(way, beyond(way.at, way.along, middle), half)
@@ -239,6 +270,8 @@ class Blocks:
                 through = [line for line in self.busy if apart(*line) > 2 * HIGH]
                 rail(self.sketch, beyond(foot, way.along, middle), down, half, through)
         for at, centre in self.corners:
+            if centre in mounted:
+                continue
             inward = toward(at, centre)
             held = beyond(centre, inward, 3 * CORNER)
             self.sketch.line([centre, held], StrokeKind.LINK)
@@ -251,7 +284,7 @@ class Blocks:
         places = [
             self.system.page(self.system.pose.at(e)) for e in ends if not e.fixed().as_sum().free_symbols & moving
         ]
-        if _WALL.search(self.system.text):
+        if WALL.search(self.system.text):
             places.append((0.0, 0.0))
         found: list[tuple[PagePoint, PagePoint | None]] = [(e, None) for e in places if self.is_on(way, e)]
         return [*found, *((at, centre) for at, centre in self.corners if self.is_on(way, at))]

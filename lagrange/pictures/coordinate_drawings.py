@@ -15,7 +15,7 @@ import sympy as sp
 
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
-from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus
 from lagrange.pictures.poses import (
     AngleMark,
     DistanceMark,
@@ -23,10 +23,11 @@ from lagrange.pictures.poses import (
     angle_mark,
     crosswise,
     distance_marks,
+    notable,
     relative_angle_mark,
 )
 from lagrange.pictures.shapes import plane_rotation
-from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, overlapping, same_ends, toward
+from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, overlapping, same_ends, toward
 from lagrange.pictures.systems import PaperMap, SystemPicture
 from lagrange.problem.model import Drawn
 
@@ -72,7 +73,13 @@ class CoordinateDrawings:
         """Mark the coordinates. Raises NoValueError if one that moves a particle cannot be marked."""
         figure = self.system.problem.figure
         rest = [q for q in self.pose.coordinates if not self.is_length(q) and q.name not in self.system.hidden]
-        known: list[FloatVector] = [(0.0, 0.0, 0.0), *self.places.values(), *self.system.figure_places.values()]
+        ends = (self.pose.at(v) for v in notable(self.system.configuration))
+        known: list[FloatVector] = [
+            (0.0, 0.0, 0.0),
+            *self.places.values(),
+            *ends,
+            *self.system.figure_places.values(),
+        ]
         for q in list(rest):
             if self.angle(q):
                 rest.remove(q)
@@ -236,7 +243,7 @@ class CoordinateDrawings:
                 centre = self.flat(self.places[p.name])
                 known = self.system.shapes[p.name]
                 shape = self.system.problem.figure.shapes.get(p.name)
-                ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
+                ways = self.along_rod(p.name, centre, [toward((0, 0), self.page.way(a)) for a in mark.arc])
                 radius = min(ARC, 0.6 * known.radius * self.page.scale) if known.radius else ARC + 0.2
                 if shape is not None and shape.lengths:
                     radius = min(ARC, 0.6 * abs(self.system.number(shape.lengths[0])) * self.page.scale)
@@ -245,6 +252,22 @@ class CoordinateDrawings:
                 self.arc(q, centre, ways, radius)
                 return True
         return False
+
+    def along_rod(self, name: str, centre: PagePoint, ways: list[PagePoint]) -> list[PagePoint]:
+        """The same angle from where a rod lies when it is 0 to the rod, if its first axis is not along it."""
+        groups = (self.system.joints, self.system.marked, self.system.fastened)
+        held = [self.flat(place) for places in groups for place in places.get(name, ())]
+        first, last = ways[0], ways[-1]
+        if not held or not in_line(centre, held):
+            return ways
+        along = toward(centre, max(held, key=lambda at: apart(centre, at)))
+        if abs(along[0] * last[1] - along[1] * last[0]) < 1e-6:
+            return ways
+        cosine, sine = inner(first, last), first[0] * last[1] - first[1] * last[0]
+        start = (cosine * along[0] + sine * along[1], cosine * along[1] - sine * along[0])
+        sense = 1.0 if start[1] < -1e-6 or (abs(start[1]) < 1e-6 and start[0] > 0) else -1.0
+        turned = [(inner(first, w), first[0] * w[1] - first[1] * w[0]) for w in ways]
+        return [(sense * (c * start[0] - s * start[1]), sense * (s * start[0] + c * start[1])) for c, s in turned]
 
     def stiff(self) -> None:
         """Thin lines between points whose distance is constant by the choice of coordinates."""

@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
-from lagrange.pictures.floats import NoValueError, inner
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer
 from lagrange.pictures.limits import SAME_ON_PAGE
 from lagrange.pictures.poses import angle_mark, relative_angle_mark
 from lagrange.pictures.sketch import HINGE, Sketch, apart, beyond, in_line, left_of, same_ends, toward
@@ -65,9 +65,9 @@ class Inferred:
         bodies = {r.name for r in self.system.configuration.rotations}
         kept = (r for r in self.system.newton.reactions if r.rod is None and r.constraint.by is not Keeper.STRING)
         bound = {name for r in kept for name in (r.directions or {})}
-        yield from (
-            p for p in self.system.configuration.points if p.mass != 0 and p.name not in bodies and p.name not in bound
-        )
+        points = self.system.configuration.points
+        weightless = all(p.mass == 0 for p in points)  # at rest: the points of rods, at which loads act
+        yield from (p for p in points if (p.mass != 0 or weightless) and p.name not in bodies and p.name not in bound)
 
     def at(self, position: Vector) -> PagePoint:
         """A place on the page."""
@@ -80,6 +80,8 @@ class Inferred:
             with suppress(NoValueError):
                 mark = angle_mark(self.pose, q, p.position)
                 if mark is None:
+                    continue
+                if p.mass == 0 and self._is_braced(p, mark.centre):
                     continue
                 fixed = self._is_fixed(q, p.position)
                 moving = [o for o in origins if math.dist(self.pose.at(o), mark.centre) < SAME_ON_PAGE]
@@ -97,6 +99,14 @@ class Inferred:
                         self.pivots.append(centre)
                 return kind is not None
         return False
+
+    def _is_braced(self, p: MassPoint, centre: FloatVector) -> bool:
+        """Whether a point of a frame is at a constant distance from others, not in line with the centre."""
+        places = {o.name: self.pose.at(o.position) for o in self.system.configuration.points}
+        ends = [places[a if b == p.name else b] for a, b, _ in self.system.kept_distances if p.name in (a, b)]
+        arm = minus(places[p.name], centre)
+        ways = [minus(end, centre) for end in ends]
+        return any(math.hypot(*outer(arm, way)) > SAME_ON_PAGE for way in ways)
 
     def _is_fixed(self, q: sp.Symbol, position: Vector) -> bool:
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
@@ -191,8 +201,10 @@ class Inferred:
         level = beyond(tops[1], up, 3 * PULLEY)
         near, far = beyond(ends[1], side, PULLEY), beyond(ends[1], side, -PULLEY)
         wheel = beyond(ends[1], up, 2 * PULLEY)
-        radius = (abs(apart_by) - PULLEY) / 2
-        middle = beyond(tops[1], side, PULLEY + radius)
+        gap = abs(apart_by) - PULLEY  # between the rope that goes up and the rope that comes down
+        one = gap < 6 * PULLEY
+        radius = gap / 2 if one else PULLEY
+        middles = [beyond(tops[1], side, PULLEY + x) for x in ((radius,) if one else (radius, gap - radius))]
         rise = 2 * PULLEY
         for at, top in ((near, tops[1]), (far, level)):
             on = beyond(at, up, rise)
@@ -204,13 +216,17 @@ class Inferred:
         self.busy.append((tops[0], ends[0]))
         self.sketch.circle(wheel, PULLEY, 1)
         self.sketch.line([wheel, ends[1]], StrokeKind.LINK)
-        self.sketch.circle(middle, radius, 1)
-        hook = beyond(middle, up, inner((level[0] - middle[0], level[1] - middle[1]), up))
-        hook = hook if apart(hook, middle) > radius else beyond(middle, up, radius + PULLEY)
-        self.sketch.line([middle, hook], StrokeKind.LINK)
-        for centre in (wheel, middle):
+        if not one:
+            self.sketch.line([beyond(m, up, radius) for m in middles], StrokeKind.STRING)
+        hooks = []
+        for middle in middles:
+            self.sketch.circle(middle, radius, 1)
+            hook = beyond(middle, up, inner((level[0] - middle[0], level[1] - middle[1]), up))
+            hooks.append(hook if apart(hook, middle) > radius else beyond(middle, up, radius + PULLEY))
+            self.sketch.line([middle, hooks[-1]], StrokeKind.LINK)
+        for centre in (wheel, *middles):
             self.sketch.dot(centre, 0.6 * HINGE, open_=True)
-        for held in (hook, beyond(level, side, -PULLEY)):
+        for held in (*hooks, beyond(level, side, -PULLEY)):
             self.sketch.wall(held, (-up[0], -up[1]), 0.45)
 
     def _over_pulleys(self, positions: Sequence[Vector], used: Sequence[sp.Symbol]) -> None:

@@ -32,12 +32,26 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.pictures.floats import FloatValues, FloatVector, NoValueError, inner, minus, place, plus, projected, value
 from lagrange.pictures.limits import LEAST_GAP, SAME_PLACE, TRIALS
 from lagrange.problem.model import Problem
 
 # What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
-_SIZES = {"L": 4.0, "l": 2.0, "R": 2.0, "r": 0.8, "a": 1.1, "b": 0.9, "c": 0.7, "h": 1.2, "d": 0.6, "f": 0.8, "k": 0.4}
+_SIZES = {
+    "L": 4.0,
+    "H": 3.0,
+    "l": 2.0,
+    "R": 2.0,
+    "r": 0.8,
+    "a": 1.1,
+    "b": 0.9,
+    "c": 0.7,
+    "h": 1.2,
+    "d": 0.6,
+    "f": 0.8,
+    "k": 0.4,
+}
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
@@ -98,7 +112,9 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
     points = [p.fixed() for p in dict.fromkeys((*notable(configuration), *centres))]
     slopes = _slopes(configuration)
     best: tuple[float, Pose] | None = None
-    for trial in range(TRIALS):
+    for trial in range(2 * TRIALS):
+        if trial == TRIALS and best is not None and best[0] > 0:
+            break  # the second half has smaller coordinates and other proportions
         try:
             start = _guess(problem, configuration, points, trial)
             values = _onto_constraints(problem, configuration, slopes, start)
@@ -152,16 +168,20 @@ def _guess(
     coordinates = configuration.slots.coordinates
     unknowns = set().union(*(e.free_symbols for e in _expressions(configuration, points))) if points else set()
     turns = iter(_ANGLES * (1 + len(coordinates)))
-    random, spread = Random(trial), 0.3 if trial else 0.0
+    random, spread, near = Random(trial), 0.3 if trial else 0.0, 1.0
+    radii = 1.0
+    if trial >= TRIALS:
+        spread, near, radii = 0.7, 0.5, 0.5
     for s in coordinates:
-        wobble = 1 + random.uniform(-spread, spread)
+        wobble = near * (1 + random.uniform(-spread, spread))
         values[s] = (math.radians(next(turns)) if s in angles else _place(s.name, falling=trial % 4 == 3)) * wobble
     for s in configuration.slots.prescribed:
         values[s] = 0.6 if s in angles else 0.5
     for s in sorted(parameters | unknowns, key=str):
         wobble = 1 + random.uniform(-spread, spread)
         if s not in values:
-            values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else _size(s) * wobble)
+            size = _size(s) * (radii if s.name[0] in "Rr" else 1.0)
+            values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else size * wobble)
     undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
     return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
 
@@ -217,9 +237,18 @@ def _expressions(configuration: Configuration, points: Sequence[Vector]) -> Iter
 
 
 def _in_order(pose: Pose) -> bool:
-    """Whether springs on one line lead away from their supports, if the file leaves open in which sense they lie."""
+    """Whether springs on one line lead away from their supports, if the file leaves open in which sense they lie.
+
+    From a support beyond the point at which the coordinate of its body begins, they lead back to that point.
+    """
     configuration = pose.configuration
     on_line = [s for s in configuration.springs if s.distance.has(sp.Abs)]
+    for s in list(on_line):
+        way = _from_beyond(pose, s)
+        if way is not None:
+            on_line.remove(s)
+            if way < 0:
+                return False
     held = [e for s in on_line for e in s.ends if isinstance(e, Vector)]
     depth: dict[str | Vector, int] = dict.fromkeys(held, 0)
     for _ in on_line:
@@ -236,12 +265,56 @@ def _in_order(pose: Pose) -> bool:
     return True
 
 
+def _from_beyond(pose: Pose, spring: StretchedSpring) -> float | None:
+    """How far the support of a spring is ahead of its body; None if the coordinate of that begins at or after it."""
+    places = {p.name: p.position for p in pose.configuration.points}
+    for end, name in (spring.ends, spring.ends[::-1]):
+        if isinstance(end, Vector) and isinstance(name, str) and _stays(pose, end):
+            begins = pose.with_zero(pose.coordinates).at(places[name])
+            if sum(minus(pose.at(end), begins)) > SAME_PLACE:
+                return float(sum(minus(pose.at(end), pose.at(places[name]))))
+    return None
+
+
+def _stays(pose: Pose, place: Vector) -> bool:
+    return not place.fixed().as_sum().free_symbols & {*pose.coordinates}
+
+
+def _is_clear(pose: Pose) -> bool:
+    """Whether a ball of radius r in a bowl of radius R is small: a difference R − r is seen as well as r."""
+    lengths = {*pose.values} - {*pose.coordinates}
+    for p in pose.configuration.points:
+        for c in p.position.fixed().components:
+            for difference in c.atoms(sp.Add):
+                match difference.args:
+                    case (a, b) if (less := -b if (-b).is_Symbol else -a) in lengths and difference + less in lengths:
+                        if pose.number(difference) < 1.2 * pose.values[less]:
+                            return False
+    return True
+
+
+def _is_between(pose: Pose) -> bool:
+    """Whether what springs hold from several fixed places is in the middle of these."""
+    places = {p.name: p.position for p in pose.configuration.points}
+    ways: dict[str | Vector, list[FloatVector]] = {}
+    for s in pose.configuration.springs:
+        for held, other in (s.ends, s.ends[::-1]):
+            if isinstance(held, Vector) and _stays(pose, held):
+                at = pose.at(places[other] if isinstance(other, str) else other)
+                ways.setdefault(other, []).append(minus(pose.at(held), at))
+    return all(len(w) < 2 or any(inner(a, b) < 0 for a, b in combinations(w, 2)) for w in ways.values())
+
+
 def _has_room(pose: Pose, problem: Problem) -> bool:
     """Whether springs end outside the wheels that they hold, and what hangs on a spring is below its other end."""
+    if not _is_clear(pose):
+        return False
     inertia = {r.name: r.inertia.moments[2] for r in pose.configuration.rotations}
     masses = {p.name: p.mass for p in pose.configuration.points}
     places = {p.name: p.position for p in pose.configuration.points}
     down = problem.gravity if re.search(r"\bhang", problem.description) else None
+    if not _is_between(pose):
+        return False
     for s in pose.configuration.links:
         first, second = (pose.at(places[e] if isinstance(e, str) else e) for e in s.ends)
         for e in s.ends:

@@ -196,6 +196,7 @@ _ROUND = {sp.Rational(1, 2): Outline.DISC, sp.Rational(2, 5): Outline.SPHERE, sp
 _HALF_LENGTH = {sp.Rational(1, 3): sp.Integer(1), sp.Rational(1, 12): sp.Rational(1, 2)}
 _RING = re.compile(r"hoop|\bring\b|\brim\b|wheel", re.IGNORECASE)
 _TOP = re.compile(r"\btops?\b|gyroscope|spinning", re.IGNORECASE)
+_ROTOR = re.compile(r"disc|disk|wheel|rotor", re.IGNORECASE)
 _PULLEY = re.compile(r"\b(pulley|drum|wheel|winch|capstan|cylinder|disc|disk)s?\b", re.IGNORECASE)
 _WIDE = sp.Rational(9, 20)
 """Radius of a top that is drawn as a cone, as a part of its height."""
@@ -306,8 +307,17 @@ def _space(system: SystemPicture, p: MassPoint, rotation: Rotation) -> BodyShape
     distance = _distance_on_axis(system, p, rotation, axis)
     if distance is None or not _TOP.search(system.text):
         return None
+    if _ROTOR.search(p.name):
+        return BodyShape(Outline.DISC, (sp.Float(_WIDE * distance),))
     height = sp.Rational(4, 3) * sp.Float(distance)
     return BodyShape(Outline.CONE, (_WIDE * height, height))
+
+
+def has_axle(system: SystemPicture, p: MassPoint, rotation: Rotation) -> bool:
+    """Whether a disc in space turns about O, from which its axis leads to its centre."""
+    if system.view.planar or not system.is_bare:
+        return False
+    return _distance_on_axis(system, p, rotation, rotation.inertia.symmetry_axis) is not None
 
 
 _FIFTHS = sp.Rational(2, 5)

@@ -78,6 +78,8 @@ class SpringsDampers:
                 draw_damper(self.sketch, a, b)
                 self.sketch.label_beside(link.coefficient, a, b, optional=True, clear=0.1)
             for named, at, other in zip(link.ends, ends[n], ends[n][::-1], strict=True):
+                if any(apart(at, place) <= 1e-3 for place, _ in self.mounted):
+                    self.mounted.append((at, other))
                 if isinstance(named, str) or any(apart(at, h) <= 1e-3 for h in self.sketch.hinges):
                     continue
                 if self.is_held(named, at, rods):
@@ -86,10 +88,16 @@ class SpringsDampers:
                     self.sketch.dot(at, 0.05)
 
     def is_held(self, place: Vector, at: PagePoint, rods: Sequence[tuple[PagePoint, PagePoint]]) -> bool:
-        """Whether a spring's end is fixed or driven, or slides on a fixed support: on no rod or body that moves."""
-        free = any(c.free_symbols & {*self.system.configuration.slots.coordinates} for c in place.fixed().components)
+        """Whether a spring's end is fixed or driven, or slides on a fixed support: on nothing that moves."""
+        moving = {*self.system.configuration.slots.coordinates}
+        if not place.fixed().as_sum().free_symbols & moving:
+            return True
+        carried = any(
+            p.mass != 0 and not (place.fixed() - p.position.fixed()).as_sum().free_symbols & moving
+            for p in self.system.configuration.points
+        )
         on_rod = any(apart(a, at) + apart(at, b) - apart(a, b) < 1e-3 for a, b in rods)
-        return not free or not (on_rod or self.system.is_on_body(place))
+        return not (carried or on_rod or self.system.is_on_body(place))
 
     def ends(self, link: StretchedSpring | DamperForce, half: Mapping[str, float]) -> tuple[PagePoint, PagePoint]:
         """The two ends on the page, at the sides of the blocks that they hold. Raises NoValueError."""

@@ -18,11 +18,13 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from itertools import permutations, product
 
 import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitVector, Unspecified, VectorSymbol, differential, t
+from lagrange.core.vectors import Vector
 from lagrange.document.names import Notation
 from lagrange.document.scene import PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
@@ -319,16 +321,31 @@ def _fields(system: SystemPicture, p: MassPoint) -> list[Field]:
 
 
 def _field(f: sp.Expr, own: Sequence[sp.Symbol], components: Sequence[sp.Expr], pose: Pose) -> Field:
-    """f as a function of the place; only for coordinates that are the components themselves."""
-    if tuple(own) != tuple(components) and {*own} != {*components}:
-        raise NoValueError("other coordinates than components")
-    order = [components.index(q) for q in own]
+    """f as a function of the place, for Cartesian, cylindrical and spherical coordinates."""
+    position = Vector(tuple(components))
+    for inverse, order in product((_as_they_are, _cylindrical, _spherical), permutations(own)):
+        places = [p.at(position) for p in (pose, *pose.others)]
+        if all(math.dist(_with(pose, order, inverse(at)).at(position), at) < SAME_PLACE for at in places):
+            return lambda place, o=order, i=inverse: _with(pose, o, i(place)).number(f)  # type: ignore[misc]
+    raise NoValueError("other coordinates than these")
 
-    def at(place: FloatVector) -> float:
-        moved = Pose(pose.configuration, {**pose.values, **{q: place[n] for q, n in zip(own, order, strict=True)}})
-        return moved.number(f)
 
-    return at
+def _with(pose: Pose, coordinates: Sequence[sp.Symbol], numbers: FloatVector) -> Pose:
+    return Pose(pose.configuration, {**pose.values, **dict(zip(coordinates, numbers, strict=True))})
+
+
+def _as_they_are(place: FloatVector) -> FloatVector:
+    return place
+
+
+def _cylindrical(place: FloatVector) -> FloatVector:
+    x, y, z = place
+    return math.hypot(x, y), math.atan2(y, x), z
+
+
+def _spherical(place: FloatVector) -> FloatVector:
+    x, y, z = place
+    return math.hypot(*place), math.atan2(math.hypot(x, y), z), math.atan2(y, x)
 
 
 def _slope(f: Field, at: FloatVector, size: float) -> FloatVector:

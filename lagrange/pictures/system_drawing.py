@@ -7,7 +7,7 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -22,7 +22,7 @@ from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.blocks import Blocks, mark_slopes
+from lagrange.pictures.blocks import WALL, Blocks, mark_slopes
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, inner, plus
@@ -44,10 +44,10 @@ from lagrange.pictures.sketch import (
     touches,
     toward,
 )
-from lagrange.pictures.solids import Solids, with_implied_shapes
+from lagrange.pictures.solids import Solids, has_axle, with_implied_shapes
 from lagrange.pictures.springs_dampers import SpringsDampers
 from lagrange.pictures.surfaces import InSpace, constraints_in_space
-from lagrange.pictures.systems import SystemPicture, is_string, rod_ends
+from lagrange.pictures.systems import ROD, SystemPicture, is_string, rod_ends
 from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 
 _FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
@@ -97,11 +97,13 @@ class _Drawing:
             self.mounts.append(pivot)
         blocks = Blocks(self.system, self.sketch, self.busy, self.downward, inferred.corners)
         if with_inferred:
-            blocks.all()
-        self.bodies()
+            blocks.boxes()
+        self.bodies(drawn=blocks.half)
+        if with_inferred:
+            blocks.grounds()
         springs = SpringsDampers(self.system, self.sketch, self.busy)
         springs.draw(blocks.half)
-        self.mounts += [at for at, _ in springs.mounted]
+        self.mounts += list(dict.fromkeys(at for at, _ in springs.mounted))
         self.supports_of_rods(springs.mounted)
         if "constraints" not in self.hidden:
             self.curves()
@@ -200,7 +202,8 @@ class _Drawing:
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
             x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
             pulled = [link for link in springs if apart(at, link[0]) < SAME_ON_PAGE]
-            if pulled and len(ways) == len(pulled) and abs(x) > 2 * abs(y):
+            sideways = 0.3 if WALL.search(self.system.text) else 2.0
+            if pulled and len(ways) == len(pulled) and abs(x) > sideways * abs(y):
                 inward = (math.copysign(1.0, x), 0.0)
             elif math.hypot(*down) > 1e-6:
                 along = toward((0.0, 0.0), down)
@@ -220,8 +223,11 @@ class _Drawing:
         down = (0.0, -1.0) if field is None else self.page.way(self.pose.at(field))
         return toward((0.0, 0.0), down) if math.hypot(*down) > 1e-6 else (0.0, -1.0)
 
-    def bodies(self) -> None:
+    def bodies(self, drawn: Container[str]) -> None:
+        """The rigid bodies that are not drawn as blocks."""
         for p in self.system.configuration.points:
+            if p.name in drawn:
+                continue
             rotation = plane_rotation(self.system.configuration, p.name)
             shape = self.system.problem.figure.shapes.get(p.name)
             if shape is not None:
@@ -243,10 +249,14 @@ class _Drawing:
         axes = _FIXED if turning is None else turning.axes
         centre = self.places[p.name]
         number = 2 if turning is None else turning.inertia.symmetry_axis
+        if turning is not None and shape.kind is Outline.DISC and has_axle(self.system, p, turning):
+            self.axle(p)
         Solids(self.system, self.sketch).shape(shape, centre, [self.pose.at(a) for a in axes], number)
         if shape.ends:
             first, second = (self.flat(self.system.at(end)) for end in shape.ends)
             self.busy.append((first, second))
+        elif ROD.search(self.system.text) and self.system.is_bare:
+            self.arms(p, abs(self.system.number(shape.lengths[0])))
         rotation = plane_rotation(self.system.configuration, p.name)
         round_ = shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE)
         if rotation is not None and self.system.view.planar and round_:
@@ -263,6 +273,22 @@ class _Drawing:
 
         if rotation is None and shape.kind is Outline.BOX and self.system.is_bare:
             self.rail(p, self.system.number(shape.lengths[0]), self.system.number(shape.lengths[1]))
+
+    def axle(self, p: MassPoint) -> None:
+        """The axle of a disc that turns about O at its other end."""
+        centre = self.flat(self.places[p.name])
+        self.sketch.line([self.origin, centre], StrokeKind.ROD)
+        self.busy.append((self.origin, centre))
+        self.sketch.hinge(self.origin)
+
+    def arms(self, p: MassPoint, radius: float) -> None:
+        """The rods from a disc or ball to the points outside it at which it is joined."""
+        for joint in self.system.joints.get(p.name, ()):
+            away = math.dist(joint, self.places[p.name])
+            if away > radius + SAME_ON_PAGE:
+                ends = self.flat(joint), self.flat(self.places[p.name])
+                self.sketch.line([*ends], StrokeKind.ROD)
+                self.busy.append(ends)
 
     def joints(self, p: MassPoint) -> None:
         """The hinges of a plane body; those that do not move are held by the ground."""

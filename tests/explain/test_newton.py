@@ -22,6 +22,11 @@ from tests.support.derivation_text import said_in
             Rule.REACTIONS,
             " times the coefficients of their forms. They have moments and are no single forces: ",
         ),
+        (
+            "ball-on-turntable",
+            Rule.REACTIONS,
+            "The reactions of the first and second rolling constraints on the ball are the forces ",
+        ),
         ("bead-on-any-wire", Rule.REACTIONS, ", in the direction in which the left side less the right side increases"),
         (
             "trolley-on-three-wheels",

@@ -29,7 +29,7 @@ from tests.support.shared import reported
         ("chapter6/ex07-constant-coefficients", "Time appears explicitly in the finite form of the rates constraint"),
         ("constraints/rocking-plane", "Time appears explicitly in the plane constraint"),
         ("constraints/steered-blade", "Time appears explicitly in the blade constraint"),
-        ("constraints/rolling-ball", "The no-slip 1 and no-slip 2 constraints"),
+        ("constraints/rolling-ball", "The first and second no-slip constraints"),
     ],
 )
 def test_how_time_enters(name: str, said: str) -> None:

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.document.derivation import Math
-from lagrange.explain.words import at_start, bare, in_decimals, in_words, introduced, spoken, the
+from lagrange.explain.words import at_start, bare, constraints_called, in_decimals, in_words, introduced, spoken, the
 from lagrange.mechanics.questions.forms import given_state
 from lagrange.problem.load_context import SpokenName
 from lagrange.problem.model import Problem
@@ -20,6 +20,8 @@ def test_numbers_and_names_in_words() -> None:
     ]  # fmt: skip
     assert spoken("upper_rod") == "upper rod"
     assert spoken("no_slip.2") == "no slip 2"
+    both = constraints_called(["no_slip.1", "no_slip.2", "upper_rod"])
+    assert both == "the first and second no-slip and upper-rod constraints"
 
 
 @pytest.mark.parametrize(

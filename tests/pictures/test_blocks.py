@@ -110,3 +110,63 @@ def test_a_cylinder_on_an_incline_has_the_angle_at_its_foot() -> None:
 def test_a_level_plane_has_none() -> None:
     scene = of_file(DOWN.replace("R*j,", "R*cos(alpha)^2*j + R*sin(alpha)^2*j,") + "gravity: -g*j\n")
     assert not any("alpha" in str(label.content) for label in scene.labels)
+
+
+# Carts as bodies, wedges, prisms, frames
+
+
+CART_BODY = (
+    "parameters: [M, m, k, c, a, l, g]\ncoordinates: [x, theta]\nbodies:\n"
+    "  cart: {mass: M, inertia: 0, position: x*i, angle: 0}\n"
+    "  rod: {mass: m, inertia: m*a^2/3, position: (x + a*sin(theta))*i + a*cos(theta)*j, angle: -theta}\n"
+    "forces:\n  spring: {spring: k, between: [O, cart], length: l}\n  damper: {damper: c, between: [O, cart]}\n"
+)
+WEDGE = (
+    "parameters: {M: positive, m: positive, k: positive, h: positive, l: positive, g: positive, alpha: acute}\n"
+    "coordinates: [X, s]\nlet: {down: cos(alpha)*i + sin(alpha)*j, top: X*i - h*j}\nparticles:\n"
+    "  wedge: {mass: M, position: X*i}\n  block: {mass: m, position: top + s*down}\n"
+    "forces: {spring: {spring: k, between: [top, block], length: l}}\n"
+)
+PRISM = (
+    "parameters: {m: positive, M: positive, L: positive, g: positive, alpha: acute, beta: acute}\ncoordinates: [x, y]\n"
+    "particles:\n  A: {mass: m, position: -x*cos(alpha)*i + x*sin(alpha)*j}\n"
+    "  B: {mass: M, position: y*cos(beta)*i + y*sin(beta)*j}\nconstraints: {string: {equation: x + y = L, by: string}}\n"
+)
+FRAME = (
+    "parameters: [a, P, g]\ncoordinates: [theta]\nparticles:\n  A: {position: -a*sin(theta)*i}\n"
+    "  B: {position: a*sin(theta)*i}\n  C: {position: -a*cos(theta)*j}\n"
+    "forces: {load: {on: C, vector: P*j}}\nfind: equilibrium\n"
+)
+
+
+def test_a_cart_given_as_a_body_is_a_box_with_its_spring_and_damper_at_one_wall() -> None:
+    scene = drawn("A rod on a cart on a rail", CART_BODY)
+    [(left, _)] = boxes(scene)
+    [wall, *ground] = sorted(
+        (line.points for line in scene.lines if line.kind is StrokeKind.GROUND), key=lambda p: abs(p[0][0] - p[1][0])
+    )
+    assert abs(wall[0][0] - wall[1][0]) < 1e-9
+    assert wall[0][0] < left
+    assert len(ground) == 2  # with a gap for the rod
+
+
+def test_a_wedge_reaches_down_to_its_floor_and_carries_the_end_of_its_spring() -> None:
+    scene = drawn("A block on a wedge", WEDGE)
+    [wedge] = [line.points for line in scene.lines if line.closed and len(line.points) == 3]
+    [ground] = [line.points for line in scene.lines if line.kind is StrokeKind.GROUND]
+    [name] = [label for label in scene.labels if label.content == "wedge"]
+    assert min(y for _, y in wedge) == pytest.approx(ground[0][1])
+    assert abs(name.at[1] - ground[0][1]) < 0.5
+
+
+def test_both_faces_of_a_prism_end_at_its_pulley() -> None:
+    scene = drawn("Two blocks on the slopes of a prism", PRISM)
+    grounds = [line.points for line in scene.lines if line.kind is StrokeKind.GROUND]
+    assert len(grounds) == 2
+    assert all(min(math.hypot(*p) for p in ground) < 0.6 for ground in grounds)
+
+
+def test_a_weightless_frame_stands_on_its_floor() -> None:
+    scene = drawn("A stepladder on a smooth floor", FRAME)
+    assert (lines(scene, StrokeKind.GROUND), lines(scene, StrokeKind.ROD)) == (1, 0)
+    assert lines(drawn("A stepladder", FRAME), StrokeKind.GROUND) == 0

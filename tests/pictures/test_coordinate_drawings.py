@@ -7,7 +7,13 @@ import math
 import pytest
 import sympy as sp
 
+import lagrange
+from lagrange.document.names import Notation
+from lagrange.document.scene import StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.poses import angle_mark, is_distance
+from lagrange.pictures.system_drawing import configuration_scene
+from lagrange.pictures.systems import system_in_file
 from tests.support.drawings import CLOSE, DRAWN, scenes, system_of
 from tests.support.shared import reported
 
@@ -38,3 +44,26 @@ def test_a_dumbbell_is_drawn_with_its_mass_centre_and_its_two_angles() -> None:
     at = {str(label.content): label.at for label in choice.labels}
     assert {"x_C", "y_C", "z_C", "theta", "phi", "C"} <= set(at)
     assert at["P2"][1] > at["theta"][1] > at["phi"][1] > at["z_C"][1]
+
+
+TRAMMEL = """
+title: A rod in two slots
+axes: {i: right, j: up}
+parameters: [m, l, g]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: m*l^2/12, position: x/2*i + y/2*j, angle: theta}}
+particles: {A: {position: y*j}, B: {position: x*i}}
+constraints: {across: x = l*sin(theta), along: y = l*cos(theta)}
+gravity: -g*j
+"""
+
+
+def test_the_angle_of_a_rod_ends_on_the_rod() -> None:
+    system = system_in_file(kinematics_and_law(lagrange.loads(TRAMMEL)))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    [arc] = [line.points for line in scene.lines if line.kind is StrokeKind.ANGLE and len(line.points) > 2]
+    places = {p.name: system.page(system.pose.at(p.position)) for p in system.configuration.points}
+    (a, b), end = (places["A"], places["B"]), arc[-1]
+    assert abs((b[0] - a[0]) * (end[1] - a[1]) - (b[1] - a[1]) * (end[0] - a[0])) < 1e-6

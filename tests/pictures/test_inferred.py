@@ -80,3 +80,15 @@ def test_the_rail_has_a_gap_for_the_rod() -> None:
 def test_a_path_is_drawn_where_one_coordinate_moves_a_bead() -> None:
     text = 'parameters: [m, a, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: "x*i - x^2/a*j"}}\n'
     assert lines(drawn("Slide", text), StrokeKind.CURVE) == 1
+
+
+def test_a_wide_tackle_has_two_fixed_pulleys() -> None:
+    text = STRING.replace("x + y = L", "2*x + y = L").replace("d*i", "5*d*i")
+    assert lines(drawn("Two weights", text), StrokeKind.STRING) == 4
+    assert sum(d.open for d in drawn("Two weights", text).dots) == 3
+
+
+def test_a_weightless_beam_is_a_rod_from_its_hinge() -> None:
+    beam = "parameters: [l, P, g]\ncoordinates: [q]\nparticles: {B: {position: l*cos(q)*i + l*sin(q)*j}}\n"
+    scene = drawn("A hinged beam", beam + "forces: {load: {on: B, vector: P*j}}\nfind: equilibrium\n")
+    assert lines(scene, StrokeKind.ROD) == 1

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+import lagrange
+from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.poses import Pose, general_pose
 from tests.support.drawings import DRAWN, evaluated, system_of
 
 
@@ -12,3 +15,38 @@ def test_a_pose_satisfies_the_constraints(name: str) -> None:
     system = system_of(name)
     for f in system.configuration.finite_constraints:
         assert abs(evaluated(f, system)) < 1e-8
+
+
+ONE = "parameters: [m, k, b, H, l, g]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\ngravity: g*j\n"
+
+
+def pose_of(text: str) -> Pose:
+    problem = lagrange.loads(f"title: T\n{text}")
+    pose = general_pose(problem, kinematics_and_law(problem).own.configuration)
+    assert pose is not None
+    return pose
+
+
+def test_a_support_beyond_a_body_stays_beyond() -> None:
+    floor = pose_of(ONE + "forces: {s: {spring: k, between: [P, H*i], length: l}}\n")
+    ceiling = pose_of(ONE + "forces: {s: {spring: k, between: [P, -H*i], length: l}}\n")
+    for pose, beyond in ((floor, True), (ceiling, False)):
+        [point] = pose.configuration.points
+        [spring] = pose.configuration.springs
+        assert (pose.at(spring.ends[1])[0] > pose.at(point.position)[0]) is beyond
+
+
+def test_what_two_springs_hold_is_between_their_walls() -> None:
+    left, right = "{spring: k, between: [-b*i, P], length: 0}", "{spring: k, between: [P, b*i], length: 0}"
+    pose = pose_of(ONE + f"forces:\n  left: {left}\n  right: {right}\n")
+    values = {str(s): v for s, v in pose.values.items()}
+    assert abs(values["x"]) < values["b"]
+
+
+def test_a_ball_is_small_in_its_bowl() -> None:
+    text = (
+        "parameters: [m, r, R, g]\ncoordinates: [q]\nparticles: {P: {mass: m, "
+        "position: (R - r)*sin(q)*i + (R - r)*cos(q)*j}}\n"
+    )
+    values = {str(s): v for s, v in pose_of(text).values.items()}
+    assert values["R"] - values["r"] >= 1.2 * values["r"]

@@ -11,10 +11,13 @@ from itertools import pairwise
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.core.symbols import UnitVector, VectorSymbol, differential, t
 from lagrange.document.scene import Scene, StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.pictures.floats import FloatVector
-from lagrange.pictures.surfaces import curve, surface
+from lagrange.pictures.surfaces import constraints_in_space, curve, surface
+from lagrange.pictures.systems import system_in_file
 from tests.support.drawings import figures, lines_of
 
 FIXED = ("ex02-fixed-surface", "ex08-displacements-on-a-surface", "ex12-smooth-surface", "ex15-rough-surface")
@@ -102,3 +105,15 @@ def test_two_surfaces_leave_a_closed_curve() -> None:
     assert points[0] == points[-1]
     assert max(abs(f(p)) for f in (bowl, ball) for p in points) < 1e-6
     assert max(math.dist(a, b) for a, b in pairwise(points)) < 0.1
+
+
+def test_a_cone_in_cylindrical_coordinates_is_drawn() -> None:
+    text = (
+        "title: Funnel\nparameters: {m: positive, g: positive, alpha: acute}\ngravity: -g*k\n"
+        "frame: {type: cylindrical, coordinates: [rho, phi, z]}\ncoordinates: [rho, phi, z]\n"
+        "particles: {P: {mass: m, position: rho*e_rho + z*k}}\nconstraints: {cone: rho = z*tan(alpha)}\n"
+    )
+    system = system_in_file(kinematics_and_law(lagrange.loads(text)))
+    assert system is not None
+    [grid] = constraints_in_space(system).grids
+    assert len(grid[0]) == 25  # all around the axis

@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
+import lagrange
+from lagrange.document.names import Notation
 from lagrange.document.scene import StrokeKind
+from lagrange.mechanics.solution import kinematics_and_law
+from lagrange.pictures.system_drawing import configuration_scene
+from lagrange.pictures.systems import system_in_file
 from lagrange.render import latex
 from tests.support.drawings import lines_of, scenes
 from tests.support.shared import reported
@@ -49,3 +56,30 @@ def test_a_one_sided_constraint_is_hatched_on_the_forbidden_side() -> None:
         assert len(on_it) > 20
         far = [sum(c * c for c in s.points[1]) ** 0.5 > radius for s in on_it]
         assert all(far) if outside else not any(far)
+
+
+GYROSCOPE = """
+title: Gyroscope
+parameters: [m, a, A, C, g]
+coordinates: [phi, theta, psi]
+bodies: {disc: {mass: m, inertia: [A, A, C], position: a*e3_disc, orientation: {axes: 313, angles: [phi, theta, psi]}}}
+gravity: -g*k
+"""
+ON_ROD = """
+title: A disc on a rod
+axes: {i: right, j: down}
+parameters: [m, r, l, g]
+coordinates: [theta]
+bodies: {disc: {mass: m, inertia: m*r^2/2, position: l*sin(theta)*i + l*cos(theta)*j, angle: -theta}}
+gravity: g*j
+"""
+
+
+@pytest.mark.parametrize("text", [GYROSCOPE, ON_ROD])
+def test_a_disc_hangs_together_with_its_pivot(text: str) -> None:
+    system = system_in_file(kinematics_and_law(lagrange.loads(text)))
+    assert system is not None
+    scene = configuration_scene(system, Notation(), with_loads=False)
+    assert scene is not None
+    [rod] = [line.points for line in scene.lines if line.kind is StrokeKind.ROD]
+    assert min(math.hypot(*end) for end in rod) < 1e-9

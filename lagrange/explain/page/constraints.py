@@ -183,14 +183,16 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
 
 def without_component(problem: Problem, step: Step) -> Step:
     """The constraints, with v·n = 0 for one that forbids a velocity along a unit vector that the file names."""
-    components = vanishing_components(problem)
+    components = [*vanishing_components(problem)]
     lines = [Equation((DotProduct(velocity, VectorSymbol(n)), sp.S.Zero)) for velocity, n in components]
     if not lines:
         return step
-    one, more = "a component of the velocity vanishes", "components of velocities vanish"
-    words = f"That is, {plural(len(lines), one, more)}:"
+    along = listed(math(n) for n in dict.fromkeys(VectorSymbol(n) for _, n in components))
+    words = plural(len(lines), "the velocity has no component along ", "velocities have no component along ")
     at = next(n for n, b in enumerate(step.body) if isinstance(b, Display)) + 1
-    return replace(step, body=(*step.body[:at], prose(words), display(*lines), *step.body[at:]))
+    return replace(
+        step, body=(*step.body[:at], prose(f"That is, {words}", *along, ":"), display(*lines), *step.body[at:])
+    )
 
 
 def explain_without(classification: Classification, built_in: bool) -> Step:
