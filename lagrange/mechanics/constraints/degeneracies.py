@@ -32,11 +32,13 @@ from lagrange.algebra.exact.zero_test import (
     UnsupportedError,
     has_real_point,
     kept_surface,
+    rank,
 )
 from lagrange.algebra.forms.antiderivatives import multiplied_out
 from lagrange.algebra.forms.first_integrals import is_variable
 from lagrange.algebra.forms.hidden_relations import combination, independent_columns
 from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.determinants import expanded_determinant
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
@@ -221,9 +223,9 @@ def rank_losses(independent: ConstrainedSystem) -> tuple[RankLoss, ...]:
         if any(loss.conditions in ((factor,), (-factor,)) for loss in losses):
             continue
         place = _place((factor,), independent)
-        rank = _rank(rows, place)
-        if rank is not None and rank < len(rows) and has_real_point(place):
-            losses.append(RankLoss((factor,), rank=rank))
+        there = _rank(rows, place)
+        if there is not None and there < len(rows) and has_real_point(place):
+            losses.append(RankLoss((factor,), rank=there))
     return tuple(losses)
 
 
@@ -267,12 +269,12 @@ def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | Non
             break
         conditions = list(left)
     moved = [q for q in slots.coordinates if any(c.has(q) for c in conditions)]
-    slopes = sp.Matrix([[c.diff(q) for q in moved] for c in conditions])
     at_zero = dict.fromkeys(moved, sp.S.Zero)
+    slopes = [[c.diff(q) for q in moved] for c in conditions]
     if (
-        all(e.is_number for e in slopes)
-        and slopes.rank() == len(moved)
-        and not any(c.xreplace(at_zero) for c in conditions)
+        not any(c.xreplace(at_zero) for c in conditions)
+        and all(e.is_number for row in slopes for e in row)
+        and rank(slopes) == len(moved)
     ):
         conditions = list(moved)
     return tuple(sorted(conditions, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
@@ -302,8 +304,8 @@ def _at(conditions: tuple[sp.Expr, ...], row: Row, independent: ConstrainedSyste
         if clash:
             names = tuple(independent.geometric[k].name for k in clash if k < len(independent.geometric))
             return RankLoss(conditions, row.name, names) if names else None
-        rank = _rank(independent.rows, place)
-        return RankLoss(conditions, row.name, rank=rank) if rank is not None and has_real_point(place) else None
+        there = _rank(independent.rows, place)
+        return RankLoss(conditions, row.name, rank=there) if there is not None and has_real_point(place) else None
     except (UnsupportedError, DivisionByZeroError):
         return None
 
@@ -353,10 +355,10 @@ def _factors(independent: ConstrainedSystem) -> Iterator[sp.Expr]:
     if not 2 <= len(rows) <= MOST_MINOR_ROWS:
         return
     columns = independent_columns([r.coefficients for r in rows], independent.surface)
-    matrix = sp.Matrix([[r.coefficients[k] for k in columns] for r in rows])
-    if not matrix.is_square or sum(count_operations(e) for e in matrix) > LONGEST_MINOR:
+    matrix = [[r.coefficients[k] for k in columns] for r in rows]
+    if len(columns) != len(rows) or sum(count_operations(e) for row in matrix for e in row) > LONGEST_MINOR:
         return
-    minor = textbook_form(matrix.det(method="berkowitz"))
+    minor = textbook_form(expanded_determinant(matrix))
     if minor.is_Add and len(minor.free_symbols) <= MOST_FACTORED_SYMBOLS:
         minor = sp.factor(minor)
     yield from dict.fromkeys(_varying(minor, independent.slots))

@@ -302,11 +302,12 @@ def stated_length(constraint: Constraint, row: Row, placed: Placed | None, slots
     side = constant_side(constraint, row, slots)
     if side is None or side == 0 or placed is None:
         return None
+    size = side if side.is_nonnegative else -side if side.is_nonpositive else abs(side)
     if without_root(row, slots) is not row:
-        return abs(side)
-    powers = [e for f in sp.Mul.make_args(abs(side)) if not f.is_number for e in [f.as_base_exp()[1]]]
+        return size
+    powers = [e for f in sp.Mul.make_args(size) if not f.is_number for e in [f.as_base_exp()[1]]]
     is_square = bool(powers) and all(e.is_even for e in powers)
-    return sp.sqrt(abs(side)) if is_square and all(len(f.basis) == 1 for f in placed if not f.turning) else None
+    return sp.sqrt(size) if is_square and all(len(f.basis) == 1 for f in placed if not f.turning) else None
 
 
 def constant_side(constraint: Constraint, row: Row, slots: Slots) -> sp.Expr | None:
