@@ -246,7 +246,14 @@ class Examiner:
                 verdict = kept_from_start(equations, verdict, self.problem.initial, reference)
             return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
-        return verdict_on(working, reference, check)
+        return verdict_on(working, reference, check, only_motion=self._asks_only_for_motion)
+
+    @property
+    def _asks_only_for_motion(self) -> bool:
+        """Whether nothing is asked for that a relation between coordinates may answer, as a path or a position."""
+        if self.solution is None or self.problem.initial or self.solution.asked:
+            return False
+        return not any(v.linearization or v.steady or v.equilibrium or v.response for v in self.solution.views)
 
     def _statics(self, working: Working, solution: Solution) -> Judgement:
         from lagrange.answers.questions.stability_in_text import with_stability

@@ -20,12 +20,13 @@ from lagrange.answers.questions.equilibrium_in_text import (
     with_rate_as_omega,
 )
 from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
+from lagrange.answers.questions.texts.frequency_labels import is_characteristic, stated_frequencies
 from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
-from lagrange.answers.written.reading import tried
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions.edits import cut
@@ -231,7 +232,6 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on equations of motion, and on the frequencies beside them."""
     from lagrange.answers.questions.frequencies import check_frequencies
-    from lagrange.answers.questions.texts.frequency_labels import stated_frequencies
     from lagrange.answers.written.working import understood
 
     reference = reference_of_solution(solution)
@@ -242,7 +242,7 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
         if frequencies.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and len(stated) > 1:
             by_place = check_frequencies([[f] for f in stated], solution)  # one for each equilibrium
             frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
-        rest = [f for f in answer if f not in stated]
+        rest = [f for f in answer if f not in stated and not _is_characteristic(f, reference)]
         if frequencies.verdict is Verdict.UNREADABLE and rest:
             working = understood(rest, reference)
             tried = check_frequencies([stated], solution, working.defined)
@@ -256,6 +256,9 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
                 return others
         if frequencies.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG):
             judged = _beside_frequencies(rest, solution, judge) if rest else None
+            if judged is not None and frequencies.verdict is Verdict.EQUIVALENT and _is_unread(judged):
+                named = tuple(d.as_note() for d in judged.messages)  # a line that cannot be read does not sink the rest
+                return _only(replace(frequencies, notes=(*frequencies.notes, *named)), solution)
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
             others = _if_readable(answer, judge)
@@ -292,6 +295,20 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
     return judged if judged.verdict in (Verdict.EQUIVALENT, Verdict.WRONG) else None
 
 
+def _is_characteristic(fragment: Fragment, reference: Reference) -> bool:
+    """Whether an equation between parameters and ω is the one from which the frequencies follow."""
+    if not is_characteristic(fragment):
+        return False
+    reading = read_as_written(fragment, reference.scope)
+    used = {s for e in reading.components for s in e.free_symbols}
+    return reading.error is None and used <= {*reference.parameters.values(), reference.scope.scalar("omega")}
+
+
+def _is_unread(judged: Judgement) -> bool:
+    """Whether nothing of what was judged could be read."""
+    return bool(judged.each) and all(e.verdict is Verdict.UNREADABLE for e in judged.each)
+
+
 def _is_energy(fragment: Fragment, reference: Reference) -> bool:
     """Whether `T = ...` is a kinetic energy, quadratic in the velocities, and no period."""
     if not _MAY_BE_ENERGY.match(fragment.text):
@@ -312,7 +329,7 @@ def _leaves_out(lines: Sequence[Fragment], judged: Judgement) -> bool:
 
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies, stated_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies
 
     alone = stated_frequencies([fragment]) and len(listed_frequencies(fragment)) == 1
     pairs = in_pairs(fragment) if alone else []

@@ -89,7 +89,7 @@ where with let set define eom finally which yields yield using since because fro
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
 die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
 est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
-otherwise else sonst sinon ansonsten got hi hello
+otherwise else sonst sinon ansonsten got hi hello but however instead rather aber sondern
 its your my follows follow it i.e e.g eq eqn or
  energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment

@@ -25,7 +25,7 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
     for f in answer:
         match = LABELLED.match(f.text)
         name = match[0].strip(" $=") if match else ""
-        others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
+        others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f and not is_characteristic(g)]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
         if is_natural and any(ACCELERATION.search(text) for text in others):
             continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
@@ -36,6 +36,18 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
 
 _WORD_LABEL = re.compile(rf"\s*(?:{'|'.join(FREQUENCY_WORDS)})\s*=(?!=)")
 ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
+
+
+def is_characteristic(fragment: Fragment) -> bool:
+    """Whether an equation is one for the squares of frequencies: `ω^4 - 4 (g/l) ω^2 + 2 (g/l)^2 = 0`."""
+    return (
+        not LABELLED.match(fragment.text)
+        and not ACCELERATION.search(fragment.text)
+        and bool(_SQUARED.search(fragment.text))
+    )
+
+
+_SQUARED = re.compile(r"(?:\\omega|[ωλ]|omega|\\lambda)(?:_\{?\w\}?)?\s*(?:\^\s*\{?\s*[24]|²|⁴|\*\*\s*[24])")
 
 
 def has_name(name: str, text: str) -> bool:
