@@ -21,7 +21,6 @@ from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import (
     MAX_ALTERNATIVES,
     MAX_EQUATIONS,
-    MAX_SIDE_FACTORS,
     MOST_NUMERICAL_ROOTS,
     UNITS_OF_EXPLAINING,
 )
@@ -37,6 +36,7 @@ from lagrange.answers.readings import (
     without_displacements,
 )
 from lagrange.answers.references import Reference
+from lagrange.answers.results.contradictions import with_contradictions
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,
     NOT_JUDGED,
@@ -50,7 +50,6 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.effort import GivenUpError, allowed_for_a_search
 from lagrange.core.symbols import Decimal, Sign
 from lagrange.core.symbols import variation as virtual_displacement
-from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
 from lagrange.expressions.edits import Draft
@@ -130,16 +129,24 @@ def check_equilibria(
     if errors:
         return _unreadable(readings, errors, notes)
     solved = [e for e in equilibria if e.branches] or equilibria
-    tried = [v for e in solved if (v := _tried(readings, e, reference)) is not None]
-    if not tried:
+    best = _best(readings, solved, reference)
+    if best is None:
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
-    best = max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict))
+    best = with_contradictions(best, readings, lambda systems: _best(systems, solved, reference))
     if best.verdict is Verdict.WRONG and [len(a) for a in readings] == [1]:
         from lagrange.answers.results.at_random import with_sign_of_root
 
         best = with_sign_of_root(best, readings[0][0], solved)
     return replace(best, notes=notes)
+
+
+def _best(
+    readings: Sequence[Sequence[Reading]], equilibria: Sequence[Equilibrium], reference: Reference
+) -> AnswerVerdict | None:
+    """The best of the verdicts in each set of coordinates; None if no set has all that the answer uses."""
+    tried = [v for e in equilibria if (v := _tried(readings, e, reference)) is not None]
+    return max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict), default=None)
 
 
 def check_steady_answers(
@@ -302,6 +309,7 @@ def _reasons(
     """What wrong alternatives are instead, the likeliest first."""
     from lagrange.answers.models.one_place import other_waves
     from lagrange.answers.results.at_random import AtRandom
+    from lagrange.answers.results.other_sides import INVERTED, other_sides
     from lagrange.answers.results.resting import WrongEquilibria, angles_and_lengths
 
     values = dict(reference.values)
@@ -328,8 +336,8 @@ def _reasons(
             return False
         return _right(_verdict_of(sides, e, reference, values))
 
-    others = [*_other_sides(wrong)]
-    inverted = [pair for pair in others if pair[0] == _INVERTED]
+    others = [*other_sides(wrong)]
+    inverted = [pair for pair in others if pair[0] == INVERTED]
     for sentence, sides in inverted:
         if right(sides):
             yield sentence
@@ -349,7 +357,7 @@ def _reasons(
         if unfit.isdisjoint(variation.values) and holds(variation):
             yield f"these are the equilibria {variation.clause}"
     for sentence, sides in others:
-        if sentence != _INVERTED and right(sides):
+        if sentence != INVERTED and right(sides):
             yield sentence
     if others and tried.tried:
         lhs, rhs = (s for s in wrong[0][0].sides if isinstance(s, sp.Expr))
@@ -372,7 +380,6 @@ def _reasons(
 
 
 _AS_IT_IS = Variation("", "")
-_INVERTED = "the ratio is the other way round"
 
 
 def _right(verdict: AnswerVerdict | None) -> bool:
@@ -386,34 +393,6 @@ def _verdict_of(
         return _judged(readings, e, reference, dict(values))
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return None
-
-
-def _other_sides(wrong: Sequence[Sequence[Reading]]) -> Iterator[tuple[str, list[tuple[Reading, ...]]]]:
-    """One equation f(q) = a of one alternative with 1/a, or with a factor more or less, instead of a."""
-    if len(wrong) != 1 or len(wrong[0]) != 1 or len(wrong[0][0].components) != 1 or len(wrong[0][0].sides) != 2:
-        return
-    [reading] = wrong[0]
-    lhs, rhs = reading.sides
-    if isinstance(lhs, Vector) or isinstance(rhs, Vector) or rhs == 0 or lhs == 0:
-        return
-
-    def with_side(side: sp.Expr) -> list[tuple[Reading, ...]]:
-        return [(replace(reading, components=(lhs - side,), sides=(lhs, side)),)]
-
-    yield _INVERTED, with_side(1 / rhs)
-    for f in (f for f in sp.Mul.make_args(rhs) if f.is_Symbol):  # P/W of b P/W
-        yield _INVERTED, with_side(f**2 / rhs)
-    waving = [f for f in sp.Mul.make_args(rhs) if f.has(sp.sin, sp.cos, sp.tan)]
-    if waving:  # M/m of M/m tan β
-        yield _INVERTED, with_side(sp.Mul(*waving) ** 2 / rhs)
-    waves = {w for e in (lhs, rhs) for w in e.atoms(sp.sin, sp.cos, sp.tan)}
-    angles = sorted({w.args[0] for w in waves}, key=str)
-    factors: list[sp.Expr] = [sp.Integer(2)]
-    factors += [f(a) for a in angles for f in (sp.sin, sp.cos)]
-    factors += sorted(rhs.free_symbols, key=str)
-    for factor in factors[:MAX_SIDE_FACTORS]:
-        yield f"a factor {text(factor, Notation())} is missing on its right side", with_side(rhs * factor)
-        yield f"a factor {text(factor, Notation())} is missing on its left side", with_side(rhs / factor)
 
 
 def _unreadable(

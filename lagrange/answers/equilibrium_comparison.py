@@ -47,7 +47,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced,
 from lagrange.mechanics.equilibrium.searched.stated_places import are_covered
 
 RESTATED = "it restates a constraint"
-_NOWHERE = "it does not hold at any equilibrium"
+NOWHERE = "it does not hold at any equilibrium"
 _DIVIDES = "there are equilibria at which it divides by zero: state them as well"
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 
@@ -379,7 +379,7 @@ class EquilibriumComparison:
             return EquationVerdict(text, Verdict.UNDECIDED, UNDECIDED)
         if somewhere:
             return EquationVerdict(text, Verdict.EQUIVALENT)
-        return _wrong(text, _NOWHERE + self._unless(equations, angles))
+        return _wrong(text, NOWHERE + self._unless(equations, angles))
 
     def _is_needed(
         self, rest: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr], values: Values, right: bool | None

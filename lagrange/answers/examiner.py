@@ -31,6 +31,7 @@ from lagrange.answers.questions.stated_constraints import (
     is_about_freedom,
     stated_in_words,
 )
+from lagrange.answers.questions.texts.frequency_labels import FREQUENCY_WORDS
 from lagrange.answers.questions.values_in_text import as_asked
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -100,11 +101,13 @@ class Examiner:
 
     @property
     def names_of_questions(self) -> tuple[str, ...]:
-        """The names of what the file asks for: its questions, and the coordinates of a response."""
+        """The names of what the file asks for: its questions, the coordinates of a response, and frequencies."""
         if self.solution is None:
             return ()
+        oscillations = any(v.linearization is not None for v in self.solution.views)
         coordinates = {q.name for v in self.solution.views if v.response is not None for q in v.response.by_coordinate}
-        return *(a.question.name for a in self.solution.asked), *sorted(coordinates)
+        frequencies = FREQUENCY_WORDS if oscillations else ()
+        return *(a.question.name for a in self.solution.asked), *sorted(coordinates), *frequencies
 
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
@@ -243,7 +246,14 @@ class Examiner:
                 verdict = kept_from_start(equations, verdict, self.problem.initial, reference)
             return verdict if self.solution is None else at_release(equations, verdict, self.solution, reference)
 
-        return verdict_on(working, reference, check)
+        return verdict_on(working, reference, check, only_motion=self._asks_only_for_motion)
+
+    @property
+    def _asks_only_for_motion(self) -> bool:
+        """Whether nothing is asked for that a relation between coordinates may answer, as a path or a position."""
+        if self.solution is None or self.problem.initial or self.solution.asked:
+            return False
+        return not any(v.linearization or v.steady or v.equilibrium or v.response for v in self.solution.views)
 
     def _statics(self, working: Working, solution: Solution) -> Judgement:
         from lagrange.answers.questions.stability_in_text import with_stability

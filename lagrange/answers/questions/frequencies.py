@@ -279,6 +279,12 @@ def _explained(
         yield from filter(None, (p.of_one_term(c, values) for c in alone for p in places))
 
 
+def frequencies_in(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
+    """The frequencies that a text states. Raises ProblemError."""
+    each = (e for one in listed_frequencies(fragment) for e in with_both_signs(one))
+    return [as_written(v) for e in each for v in _values(e, reference)]
+
+
 def _values(fragment: Fragment, reference: Reference) -> list[sp.Expr]:
     """The frequency that a text states, or those that satisfy an equation for them. Raises ProblemError."""
     omega = reference.scope.scalar("omega")

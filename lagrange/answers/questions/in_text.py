@@ -10,6 +10,8 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
 from lagrange.answers.questions.equilibrium_in_text import (
     at_stated_positions,
     period_as_rate,
@@ -18,16 +20,22 @@ from lagrange.answers.questions.equilibrium_in_text import (
     with_rate_as_omega,
 )
 from lagrange.answers.questions.named_values import NOT_EQUAL, sides_agree, stated_in_numbers, without_place
-from lagrange.answers.questions.texts.frequency_labels import name_of_frequency, stated_frequencies
+from lagrange.answers.questions.texts.frequency_labels import (
+    is_characteristic,
+    name_of_frequency,
+    stated_frequencies,
+)
 from lagrange.answers.questions.values_in_text import asked_in_text
 from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of, in_pairs
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.values import with_all_values
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.expressions.edits import cut
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.reader import is_inequality, limit_of
+from lagrange.expressions.reader import is_inequality, limit_of, read_value
 from lagrange.mechanics.results import Solution
 from lagrange.problem.values import values_of
 
@@ -42,6 +50,7 @@ _KEPT = re.compile(r"=\s*\$?\s*\\?(?:text\{|mathrm\{)?\s*(?:const|konst|cst)", r
 """theta = const, which says no more than that the motion is steady."""
 _NUMBER_ALONE = re.compile(r"(?:=|≈)\s*[-+−]?[0-9]{1,12}(?:\.[0-9]{1,12})?[\s.]*\Z")
 _JUDGED = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.WRONG)
+_MAY_BE_ENERGY = re.compile(r"[\s$&]*(?:T|K)(?:_\{?\w{1,8}\}?)?\s*&?=(?!=)")
 _NO_STATEMENT = "it says nothing about the motion"
 _HAMILTON = re.compile(
     r"\s*\$*\s*(?:\\(?:mathcal|mathrm|mathscr)\s*\{?\s*H\s*\}?|H|ℋ)\s*(?:\([^()=]{0,40}\)|\[t\])?\s*="
@@ -50,6 +59,12 @@ _HAMILTON = re.compile(
 
 def judged_in_text(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on a text; what `judge` says of it if it is about nothing else. Raises ProblemError."""
+    from lagrange.answers.questions.texts.beside_motion import with_results_beside
+
+    return with_results_beside(answer, _judged(answer, solution, judge), solution)
+
+
+def _judged(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     if solution.impact is not None and solution.own.motion is None:
         return _impact(answer, solution)
     if solution.linear_motion is not None:
@@ -124,8 +139,13 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
         tried = [check_impact_in_text(understood(answer, r), motion, r, solution.problem) for r in others]
         verdict = next((v for v in tried if v.verdict is Verdict.EQUIVALENT), next(iter(tried), verdict))
     verdict = replace(verdict, name="impact")
-    if not solution.asked or verdict.verdict is Verdict.EQUIVALENT:
+    if not solution.asked:
         return _only(verdict, solution)
+    if verdict.verdict is Verdict.EQUIVALENT:
+        values = asked_in_text(answer, solution).verdict
+        found = values is not None and values.verdict in (Verdict.EQUIVALENT, Verdict.WRONG)
+        judged = _only(verdict, solution)
+        return replace(judged, others=(*judged.others, values)) if found and values is not None else judged
     judged = _with_asked(
         answer,
         solution,
@@ -139,6 +159,12 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
 
 
 def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    verdict = response_in_text(answer, solution)
+    return judge(answer) if verdict is None else _only(verdict, solution)
+
+
+def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
+    """The verdict on amplitudes and motions; None if a text has none, or equations of motion as well."""
     from lagrange.answers.questions.response import (
         check_response_in_text,
         with_names_of_response,
@@ -153,7 +179,7 @@ def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> J
         verdict = check_response_in_text(working, responses, reference)
         if verdict is not None and not verdict.unreadable:
             break
-    return judge(answer) if verdict is None else _only(replace(verdict, name="response"), solution)
+    return None if verdict is None else replace(verdict, name="response")
 
 
 def _hamiltonian(
@@ -215,13 +241,13 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
 
     reference = reference_of_solution(solution)
     answer = [e for f in answer for e in _sides_of_label(f, reference)]
-    stated = stated_frequencies(answer)
+    stated = [f for f in stated_frequencies(answer) if not _is_energy(f, reference)]
     if stated:
         frequencies = check_frequencies([stated], solution)
         if frequencies.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) and len(stated) > 1:
             by_place = check_frequencies([[f] for f in stated], solution)  # one for each equilibrium
             frequencies = by_place if by_place.verdict is Verdict.EQUIVALENT else frequencies
-        rest = [f for f in answer if f not in stated]
+        rest = [f for f in answer if f not in stated and not _is_characteristic(f, reference)]
         if frequencies.verdict is Verdict.UNREADABLE and rest:
             working = understood(rest, reference)
             tried = check_frequencies([stated], solution, working.defined)
@@ -231,11 +257,14 @@ def _with_frequencies(answer: Sequence[Fragment], solution: Solution, judge: Jud
             frequencies = at_stated_positions(answer, stated, frequencies, solution)
         if frequencies.verdict is Verdict.WRONG:  # omega, and the period, may be those of a steady motion itself
             others = _if_readable(answer, judge)
-            if others is not None and others.verdict is Verdict.EQUIVALENT:
+            if others is not None and others.verdict is Verdict.EQUIVALENT and not _leaves_out(stated, others):
                 return others
         undeclared = not any(name_of_frequency(f) in reference.declared for f in stated)
         if frequencies.verdict in _JUDGED or (frequencies.verdict is Verdict.UNDECIDED and rest and undeclared):
             judged = _beside_frequencies(rest, solution, judge) if rest else None
+            if judged is not None and frequencies.verdict is Verdict.EQUIVALENT and _is_unread(judged):
+                named = tuple(d.as_note() for d in judged.messages)  # a line that cannot be read does not sink the rest
+                return _only(replace(frequencies, notes=(*frequencies.notes, *named)), solution)
             return replace(judged, others=(*judged.others, frequencies)) if judged else _only(frequencies, solution)
         if frequencies.verdict is Verdict.UNDECIDED and not rest:
             others = _if_readable(answer, judge)
@@ -282,9 +311,41 @@ def _if_readable(answer: Sequence[Fragment], judge: Judge) -> Judgement | None:
     return judged if judged.verdict in (Verdict.EQUIVALENT, Verdict.WRONG) else None
 
 
+def _is_characteristic(fragment: Fragment, reference: Reference) -> bool:
+    """Whether an equation between parameters and ω is the one from which the frequencies follow."""
+    if not is_characteristic(fragment):
+        return False
+    reading = read_as_written(fragment, reference.scope)
+    used = {s for e in reading.components for s in e.free_symbols}
+    return reading.error is None and used <= {*reference.parameters.values(), reference.scope.scalar("omega")}
+
+
+def _is_unread(judged: Judgement) -> bool:
+    """Whether nothing of what was judged could be read."""
+    return bool(judged.each) and all(e.verdict is Verdict.UNREADABLE for e in judged.each)
+
+
+def _is_energy(fragment: Fragment, reference: Reference) -> bool:
+    """Whether `T = ...` is a kinetic energy, quadratic in the velocities, and no period."""
+    if not _MAY_BE_ENERGY.match(fragment.text):
+        return False
+    side, scope = cut(fragment, fragment.text.index("=") + 1, len(fragment.text)), reference.scope
+    try:
+        value = tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
+    except ProblemError:
+        return False
+    return isinstance(value, sp.Expr) and any(sp.diff(value, v, v) != 0 for v in scope.slots.velocities)
+
+
+def _leaves_out(lines: Sequence[Fragment], judged: Judgement) -> bool:
+    """Whether some lines are not judged because they cannot be read as equations."""
+    unread = {e.text for e in judged.each if e.verdict is Verdict.UNREADABLE}
+    return any(f.text.strip() in unread for f in lines)
+
+
 def _sides_of_label(fragment: Fragment, reference: Reference) -> list[Fragment]:
     """`omega = sqrt(g/l) = 4.43 rad/s` as two statements; what defines it may have several sides, too."""
-    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies, stated_frequencies
+    from lagrange.answers.questions.texts.frequency_labels import listed_frequencies
 
     alone = stated_frequencies([fragment]) and len(listed_frequencies(fragment)) == 1
     pairs = in_pairs(fragment) if alone else []

@@ -147,7 +147,7 @@ def _dimensions(asked: Asked, reference: Reference) -> set[Dimension]:
 
 
 _LABEL = re.compile(
-    r"[\s$&]*(?P<written>\\?(?P<name>[^\W\d_]+)(?:_\{?\s*(?:\\(?:text|mathrm|rm)\s*\{)?\\?(?P<index>\w{1,12})[\s}]*|(?P<digits>\d{1,2}))?)\s*(?:\([^()=]{0,20}\))?\s*&?="
+    r"[\s$&]*(?!\\?(?:sin|cos|tan)(?![A-Za-z]))(?P<written>\\?(?P<name>[^\W\d_]+)(?:_\{?\s*(?:\\(?:text|mathrm|rm)\s*\{)?\\?(?P<index>\w{1,12})[\s}]*|(?P<digits>\d{1,2}))?)\s*(?:\([^()=]{0,20}\))?\s*&?="
 )
 
 
@@ -173,12 +173,18 @@ def label_of(fragment: Fragment) -> str:
     return f"{name}_{index}" if index else name
 
 
+def written_label(fragment: Fragment) -> str:
+    """The name on the left as it is written; empty if there is none."""
+    match = _LABEL.match(fragment.text)
+    return match["written"].strip() if match else ""
+
+
 def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
     """Whether the label of a line is no name of the problem and occurs in another line, which it then defines."""
     match = _LABEL.match(fragment.text)
     if match is None or label_of(fragment) in reference.declared or match["name"] in reference.declared:
         return False
-    written = re.escape(match["written"].strip())
+    written = re.escape(written_label(fragment))
     used = re.compile(rf"(?<![A-Za-z0-9_\\]){written}(?![A-Za-z0-9_{{])")
     return any(used.search(re.sub(r"\A[^=]*=", "", f.text)) for f in answer if f is not fragment)
 

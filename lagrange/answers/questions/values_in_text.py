@@ -43,7 +43,7 @@ from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, t
 from lagrange.core.units import NO_DIMENSION
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
@@ -182,9 +182,9 @@ def under_another_name(answer: Sequence[Fragment], solution: Solution) -> Answer
 _LETTER = re.compile(r"\s*\$?\s*\\?(?P<name>[^\W\d_](?:[^\W\d_]*))(?P<rest>[^=]{0,40}?)\s*=")
 _APPLIED = re.compile(r"\s*\$?\s*\\?(?:cos|sin|tan)\s*(?:\(|\\left\s*\(|\{|~|\s)?\s*\\?(?P<name>[^\W\d_]+)[^=]{0,40}=")
 _NAMES_A_RATE = re.compile(
-    r"\s*\$?\s*\\?\w{1,8}\s*(?::=|=|\\equiv)\s*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\s\w+|\\\w+)|\w+')\s*\$?[\s.,;]*\Z"
+    r"\s*\$?\s*\\?\w{1,8}\s*(?::=|=|\\equiv)\s*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\s\w+|\\\w+)|\w+'|d\s?\w+\s*/\s*dt|\\[dt]?frac\s*\{\s*d\s?\\?\w+\s*\}\s*\{\s*dt\s*\})\s*\$?[\s.,;]*\Z"
 )
-"""`v = \\dot y`, `v = y'`: a letter for a velocity, which answers no question."""
+"""`v = \\dot y`, `v = y'`, `v = dy/dt`: a letter for a velocity, which answers no question."""
 _SPEED_QUANTITIES = frozenset({"v", "V", "u", "w", "omega", "speed", "velocity"})
 _TIMES = frozenset({"t", "T", "tau", "time"})
 _NOT_JUDGED = (Verdict.UNREADABLE, Verdict.UNDECIDED)
@@ -204,8 +204,10 @@ class AskedInText:
     missing: tuple[str, ...]
 
 
-def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText:
-    """The lines that answer questions, and the others."""
+def asked_in_text(
+    answer: Sequence[Fragment], solution: Solution, *, among: Sequence[Fragment] | None = None
+) -> AskedInText:
+    """The lines that answer questions, and the others; `among`: of these lines only."""
     questions = [a for a in solution.asked if a.answered]
     parts: list[EquationVerdict] = []
     rest: list[Fragment] = []
@@ -214,7 +216,7 @@ def asked_in_text(answer: Sequence[Fragment], solution: Solution) -> AskedInText
     defined = understood(answer, reference).defined
     scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
     wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
-    for fragment in answer:
+    for fragment in answer if among is None else among:
         if _is_condition(fragment, questions, reference):
             continue
         compared = [*_verdicts(fragment, questions, solution, reference)]
@@ -332,6 +334,8 @@ def _verdicts(
             stated = [e for c in claims for e in (c.expression, c.equation) if e is not None]
             used = {s for e in stated for s in e.free_symbols if isinstance(s, sp.Symbol)}
             asked_for = {*asked.question.quantity.free_symbols, asked.question.by}
+            if t in used - asked_for and not any(t in v.free_symbols for b in asked.branches for v in b.values):
+                continue
             if any((base(s) in coordinates or base(s) != s) and s not in asked_for for s in used):
                 continue
             best = min((c.verdict(explaining=False) for c in claims), key=lambda v: v[0] is Verdict.EQUIVALENT)

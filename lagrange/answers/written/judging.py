@@ -8,6 +8,7 @@ unless something is missing there: it might have been in that line.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -19,6 +20,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
+from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.comparison import Standing, compare
@@ -28,8 +30,13 @@ AnswerCheck = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
 
 
-def verdict_on(working: Working, reference: Reference, check: AnswerCheck, *, moving: bool = True) -> AnswerVerdict:
-    """The verdict on an answer that has been sorted; `moving`: on equations of motion.
+def verdict_on(
+    working: Working, reference: Reference, check: AnswerCheck, *, moving: bool = True, only_motion: bool = False
+) -> AnswerVerdict:
+    """The verdict on an answer that has been sorted.
+
+    moving       on equations of motion
+    only_motion  nothing else is asked for: a relation between coordinates is a constraint, and no position or path
 
     Raises ProblemError if it has too many equations.
     """
@@ -40,7 +47,8 @@ def verdict_on(working: Working, reference: Reference, check: AnswerCheck, *, mo
         equations, verdict, more = _otherwise(equations, verdict, check)
         notes += more
     if verdict.verdict is Verdict.WRONG and moving:
-        equations, verdict, more = _without_asides(equations, verdict, working, reference, check)
+        stated = _Stated(working, reference, only_motion)
+        equations, verdict, more = _without_asides(equations, verdict, stated, check)
         notes += more
     if (
         verdict.verdict is Verdict.WRONG
@@ -86,12 +94,61 @@ def _otherwise(
     return equations, verdict, notes
 
 
+@record
+class _Stated:
+    """What is needed to tell a wrong statement beside the equations of motion from a wrong equation."""
+
+    working: Working
+    reference: Reference
+    only_motion: bool
+
+    def counts(self, equation: Fragment, others: Sequence[Fragment]) -> bool:
+        """Whether a statement without accelerations changes what the answer says of the motion."""
+        if not isinstance(equation, GivenEquation):
+            return False
+        return self._is_another_lagrangian(equation, others) or (self.only_motion and self._binds(equation))
+
+    def _is_another_lagrangian(self, equation: GivenEquation, others: Sequence[Fragment]) -> bool:
+        """Whether it gives L another value than the one that is used: the equations that contain L are then its own."""
+        if _LAGRANGIAN.match(equation.text) is None or "L" not in self.working.defined:
+            return False
+        used = {base(s) for e in equation.reading.components for s in e.free_symbols}
+        differs = not used.isdisjoint(self.reference.scope.slots.coordinates)  # by more than a constant
+        return differs and any(o is not equation and _NAMES_L.search(o.text) for o in others)
+
+    def _binds(self, equation: GivenEquation) -> bool:
+        """Whether it is a relation between coordinates that the motion does not keep, not even but for a constant."""
+        slots = self.reference.scope.slots
+        if len(equation.reading.components) != 1 or _CASE.search(equation.beside):
+            return False
+        [e] = equation.reading.components
+        if (
+            len(e.free_symbols & {*slots.coordinates}) < 2
+            or t in e.free_symbols
+            or any(base(s) != s for s in e.free_symbols)
+        ):
+            return False
+        for c in self.reference.candidates_for({s.name for s in e.free_symbols}):
+            try:
+                result = compare([c.read(slots.time_derivative(e))], c.system)
+            except DivisionByZeroError:
+                continue
+            if result is not None and all(s is not Standing.CONTRADICTS for s in result.standings):
+                return False
+        return True
+
+
+_LAGRANGIAN = re.compile(r"[\s$&]*(?:\\(?:mathcal|mathscr|mathrm)\s*\{?\s*L\s*\}?|L|ℒ)\s*&?=(?!=)")
+_NAMES_L = re.compile(r"(?<![A-Za-z\\])L(?![A-Za-z0-9_])|ℒ")
+_CASE = re.compile(r"\b(?:mode|case|if|when|special|phase|suppose|assum\w*|for|at|fall)\b", re.IGNORECASE)
+
+
 def _without_asides(
-    equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: AnswerCheck
+    equations: list[Fragment], verdict: AnswerVerdict, stated: _Stated, check: AnswerCheck
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
     """The equations without approximations, and without wrong statements that are no equations of motion."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
-    wrong = _wrong(verdict)
+    wrong, working, reference = _wrong(verdict), stated.working, stated.reference
     if not wrong or len(verdict.equations) != len(equations) or len(wrong) == len(equations):
         return unchanged
     approximations = [n for n in wrong if n in working.approximate]
@@ -100,13 +157,13 @@ def _without_asides(
         again = check(kept, False)
         if not _all_approximate(kept, equations, working) and again.verdict is not Verdict.TRIVIAL:
             notes = [_note(equations[n], "is marked as an approximation, and is not judged") for n in approximations]
-            rest = Working(tuple(kept), notes=())
-            result = _without_asides(kept, again, rest, reference, check)
+            rest = replace(stated, working=replace(working, judged=tuple(kept), approximate=frozenset(), notes=()))
+            result = _without_asides(kept, again, rest, check)
             return result[0], result[1], [*notes, *result[2]]
     about = [
         n
         for n in wrong
-        if not is_of_motion(equations[n], reference)
+        if (not is_of_motion(equations[n], reference) and not stated.counts(equations[n], equations))
         or _is_kinetic_energy(equations[n], reference)
         or _is_kinematic(equations[n], reference)
     ]

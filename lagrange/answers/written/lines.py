@@ -18,7 +18,15 @@ from lagrange.answers.written.notation.matrices import rows_of_lists, rows_with_
 from lagrange.answers.written.notation.numbers import with_decimal_points
 from lagrange.answers.written.notation.programs import by_comprehension, by_method_of_lagrange, one_by_one
 from lagrange.answers.written.notation.rare import name_of_extreme, ratios_of, tuples_of
-from lagrange.answers.written.values import CONDITIONAL, STABILITY, exact_results, is_about, with_equality
+from lagrange.answers.written.values import (
+    CONDITIONAL,
+    STABILITY,
+    exact_results,
+    is_about,
+    with_equality,
+    with_place_first,
+    without_star,
+)
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
@@ -52,7 +60,7 @@ _NAMED = re.compile(
     r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>+|>>>)?\s*(?:[A-Za-z][A-Za-z0-9_]{0,20}\s*(?::=(?=[^=]*=)|=(?=[^=]*==[^=]*\Z)))?"
 )
 _WORD_ARRAY = re.compile(r"\s*(?:[{〖├]\s*)?■\s*(?=\()")
-_ABOUT_PARTS = re.compile(r"\s*[^\W\d_][^=:*/^\\'()\[\]0-9]{3,60}:(?=\s)")
+_ABOUT_PARTS = re.compile(r"\s*[^\W\d_](?:[^=:*/^\\'()\[\]0-9]|\([^()=*/^']{1,40}\)){3,60}:(?=\s)")
 _SPECIAL_CASE = re.compile(
     r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
     re.IGNORECASE,
@@ -81,7 +89,7 @@ where with let set define eom finally which yields yield using since because fro
 substituting simplifying dividing result results answer final solution becomes means that for if only as in to by
 die der das ist lautet lauten gilt man wir erhalten erhält erhaelt ergibt ergeben also daraus aus nach dem den les la le
 est sont donc on obtient equation équation équations du mouvement alors avec sachant ainsi soit here let's
-otherwise else sonst sinon ansonsten got hi hello
+otherwise else sonst sinon ansonsten got hi hello but however instead rather aber sondern
 its your my follows follow it i.e e.g eq eqn or
  energy kinetic potential lagrangian euler lagrange linear linearised linearized
 small angle angles approximation approximately tangential radial normal direction sum forces force torque moment
@@ -161,7 +169,7 @@ def joined_lines(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
-    fragment = with_equality(fragment)
+    fragment = with_place_first(with_equality(fragment))
     if place := _PLACE_BEFORE.match(fragment.text):
         beside = f"{beside} {place[0]}"
         fragment = _part(fragment, place.end(), len(fragment.text))
@@ -203,7 +211,7 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         if _EQUALS.search(text, 0, start) is None:  # prose with mathematics: `small angles sin θ ≈ θ so ...`
             before = text[:start]
         remark = _remarks_on(text, start, stop, remarks)
-        about = [beside, remark, heading[0] if heading and start >= heading.end() else "", before]
+        about = [beside, remark and f"{remark};", heading[0] if heading and start >= heading.end() else "", before]
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
             yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
@@ -227,8 +235,14 @@ def _remarks_on(text: str, start: int, stop: int, remarks: Sequence[re.Match[str
     others = [s for s in signs if (s < own[0] if before else s > own[-1])]
     limit = (others[-1:] or [-1])[0] if before else (others[:1] or [len(text)])[0]
     return "; ".join(
-        m[0].strip(" ,;()") for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
+        _bare(m[0]) for m in remarks if (limit < m.start() < own[0] if before else own[-1] < m.start() < limit)
     )
+
+
+def _bare(remark: str) -> str:
+    """A remark without the punctuation around it, and without its parentheses."""
+    plain = remark.strip(" ,;")
+    return plain[1:-1].strip() if plain[:1] == "(" and plain[-1:] == ")" else plain
 
 
 def _rewritten(fragment: Fragment, text: str) -> Fragment:
@@ -505,7 +519,8 @@ def separated_lines(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
         texts = "\n".join(f.text for f in answer)
         together = with_cases(texts)
         answer = answer if together == texts else [Fragment.of(together, answer[0].whole.source.name)]
-    return exact_results(with_lists_written_out([e for fragment in answer for e in _separated(fragment)]))
+    separated = with_lists_written_out([e for fragment in answer for e in _separated(fragment)])
+    return exact_results([without_star(f) for f in separated])
 
 
 def with_lists_written_out(answer: Sequence[Fragment]) -> list[Fragment]:

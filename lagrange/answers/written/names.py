@@ -40,7 +40,7 @@ may have a name without a prime, `x' = R omega`.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -70,6 +70,7 @@ _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0
 _SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
 _MASS_TIMES_A = re.compile(r"(?<![A-Za-z_])[mM](?:_?[0-9])?\s*[*·]?\s*a(?![A-Za-z0-9_'(^])")
 _A_IS = re.compile(r"[\s$&]*a\s*&?=(?!=)(?=[^=]*(?<![A-Za-z\\])g(?![A-Za-z]))[^=]*\Z")
+_TWICE_DERIVED = re.compile(r"([^\W\d_](?:[A-Za-z0-9_]*))(?:''|\u0308|¨)")
 _A_STATED = re.compile(
     r"(?<![\w\\])a\s*&?=[^=+]*(?:''|ddot|\u0308|¨|dv|d\^2|d²)|(?:''|\u0308|¨|\}|v\u0307)[^=+]*=\s*a\s*\Z"
 )
@@ -137,7 +138,8 @@ def other_names(
     if "v" not in scalars and _is_squared_speed(texts, scope) and (speed := _only_speed(reference)) is not None:
         scalars["v"] = speed
     if states := {int(m[1]) for m in _STATE.finditer(whole)}:
-        scalars.update(_of_states(max(states), reference))
+        named = {*scalars.values()} | {q for q in scope.slots.coordinates if has_word(q.name, whole)}
+        scalars.update(_of_states(max(states), named, reference))
     return scalars, _positions(whole, scope)
 
 
@@ -171,9 +173,17 @@ def _only_length(scope: Scope, reference: Reference) -> sp.Symbol | None:
 
 def _is_acceleration(texts: Sequence[str], scope: Scope) -> bool:
     """Whether `a` is an acceleration: in `m a = ...` or `a = g/2`, where nothing else says what it is."""
-    if scope.role("a") is not Role.UNDECLARED or any(_A_STATED.search(text) for text in texts):
+    if scope.role("a") is not Role.UNDECLARED:
+        return False
+    if any(_A_STATED.search(text) and not _has_foreign_rate(text, scope) for text in texts):
         return False
     return any(_MASS_TIMES_A.search(text) or _A_IS.match(text) for text in texts)
+
+
+def _has_foreign_rate(text: str, scope: Scope) -> bool:
+    """Whether a line is about an acceleration that is none of the problem's: `a = R φ''`, where φ is not declared."""
+    names = {GREEK.get(n, n) for n in _TWICE_DERIVED.findall(text)}
+    return bool(names) and all(scope.role(scope.spelling(n)) is Role.UNDECLARED for n in names)
 
 
 def _is_speed(texts: Sequence[str], scope: Scope, reference: Reference) -> bool:
@@ -276,6 +286,11 @@ def _defined(name: str, texts: Sequence[str]) -> bool:
     return any(re.match(rf"\s*{re.escape(name)}\s*:?=(?!=)", text) for text in texts)
 
 
+def has_word(word: str, text: str) -> bool:
+    """Whether a name occurs in a text by itself."""
+    return re.search(rf"(?<![A-Za-z0-9_\\]){re.escape(word)}(?![A-Za-z0-9_])", text) is not None
+
+
 def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
     """Whether a line says what a name is, `a_x = x''`."""
     for text in texts:
@@ -286,10 +301,12 @@ def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
     return False
 
 
-def _of_states(number: int, reference: Reference) -> dict[str, sp.Expr]:
-    """The coordinates of a set that has so many, those of a choice first."""
+def _of_states(number: int, named: Collection[sp.Expr], reference: Reference) -> dict[str, sp.Expr]:
+    """The coordinates of a set that has so many, or so many without a name, those of a choice first."""
     sets = [c.configuration.slots.coordinates for c in reference.candidates]
-    fitting = [c for c in [*sets[1:], *sets[:1]] if len(c) == number]
+    sets = [*sets[1:], *sets[:1]]
+    others = [[q for q in c if q not in named] for c in sets]
+    fitting = [c for c in [*sets, *others] if len(c) == number]
     return {f"state_{n}": q for n, q in enumerate(fitting[0], 1)} if fitting else {}
 
 
@@ -441,6 +458,28 @@ def defined_coordinate(fragment: Fragment, name: str, scope: Scope) -> sp.Expr |
         if rates == [0] and order == 1:
             return _solved(known, other, own)
     return None
+
+
+def solved_for(fragment: Fragment, name: str, scope: Scope) -> sp.Expr | None:
+    """What a name means by `2 δ = b/m`, or `m ω_0^2 = k`: one side is a multiple of it, or of its square."""
+    own = sp.Symbol(name, positive=True)
+    reading = read_as_written(fragment, replace(scope, scalars={**scope.scalars, name: own}))
+    if reading.error is not None or len(reading.sides) != 2:
+        return None
+    left, right = reading.sides
+    if isinstance(left, Vector) or isinstance(right, Vector) or moves(left, scope) or moves(right, scope):
+        return None
+    for side, other in ((left, right), (right, left)):
+        factor, power = side.as_independent(own)
+        if own not in other.free_symbols and power in (own, own**2) and factor != 0:
+            value = other / factor
+            return value if power == own else sp.sqrt(value)
+    return None
+
+
+def moves(e: sp.Expr, scope: Scope) -> bool:
+    """Whether an expression has a coordinate, a rate, or the time in it."""
+    return any(base(s) in scope.slots.coordinates or s == t for s in e.free_symbols)
 
 
 def _order(side: sp.Expr, slots: Slots) -> int | None:

@@ -309,3 +309,37 @@ CONDITIONAL = re.compile(
     r"(?:[^()=]|\([^()=]{0,60}\)){0,80}[<>≤≥](?:[^()]|\([^()]{0,60}\)){1,80}\)"
 )
 """A condition of existence in parentheses after an equation, `(only if W l < c b²)`, which is not judged."""
+
+
+_RESULT_AT_A_PLACE = re.compile(
+    r"(?P<result>(?<![\w\\'])(?:omega|[ωΩ]|w|f|T)(?:_?\w{1,3})?(?:\s*\^\s*2|²)?\s*=\s*[^=;,:'\u0308¨]{1,80}?)"
+    r"\s*,?\s+(?:at|about|around|near|for|bei|um|für)\s+(?:the\s+equilibrium\s+)?"
+    r"(?P<place>[^\W\d]\w{0,12}\s*=\s*[^=;,:]{1,40}?)(?=\s*(?:;|\.?\s*\Z|,\s|\.\s|\band\b|\bund\b))"
+)
+
+
+def with_place_first(fragment: Fragment) -> Fragment:
+    """`ω = sqrt(g/R - Ω²) at θ = 0` as `θ = 0: ω = sqrt(g/R - Ω²)`."""
+    if "=" not in fragment.text or is_latex(fragment):
+        return fragment
+    draft = Draft(fragment)
+    changed = draft.replace(_RESULT_AT_A_PLACE, lambda m: f"{m['place'].strip()}: {m['result'].strip()}")
+    return draft.finished() if changed else fragment
+
+
+_STAR = re.compile(
+    r"(?<=[\w)}])\s?\*(?=\s*&?=(?!=))|\s*[_^]\s*(?:\{\s*)?(?:\*|\\ast(?![A-Za-z])|\\star(?![A-Za-z]))(?:\s*\})?(?=\s*&?=(?!=))"
+)
+"""The mark of a particular value: `v* = ...`, `\\theta^* = ...`."""
+
+
+def without_star(fragment: Fragment) -> Fragment:
+    """`cos θ* = 2/3` as cos θ = 2/3."""
+    if "=" not in fragment.text:
+        return fragment
+    draft = Draft(fragment)
+    if not draft.replace(_STAR, ""):
+        return fragment
+    made = draft.finished(latex=is_latex(fragment))
+    beside = getattr(fragment, "beside", "")
+    return replace(made, beside=beside) if isinstance(made, OneEquation) else made

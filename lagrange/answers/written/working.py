@@ -31,6 +31,7 @@ from lagrange.answers.written.names import (
     other_names,
     printed_names,
     rates_without_bar,
+    solved_for,
     spelled_out,
     with_names_of_vectors,
     without_arguments,
@@ -475,6 +476,8 @@ class _Sorting:
         if len(names) != 1 or not self.values_are_asides or not is_name(name := names.pop()):
             return False
         value = defined_coordinate(line.fragment, name, self.scope)
+        if value is None and len(lines_with(name, self.texts)) > 1:
+            value = solved_for(line.fragment, name, self.scope)
         if value is None:
             return False
         self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})

@@ -9,8 +9,10 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.edits import Draft, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 
+FREQUENCY_WORDS = ("frequency", "frequencies", "eigenfrequencies", "Frequency", "Frequencies", "Eigenfrequenzen")
+"""What may stand before a colon and the frequencies themselves."""
 LABELLED = re.compile(
-    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν)(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
+    r"\s*\$?\s*\\?(?:omega|Omega|[ωΩ]|w|f|T|nu|ν|(?:[Ee]igen)?[Ff]requen(?:cy|cies|zen|z))(?:_?\{?\s*(?:\w{1,6}|1\s*,\s*2)\s*\}?)?\s*(?:\^\s*\{?2\}?|²)?\s*&?\s*=(?!=)"
 )
 _BETWEEN = re.compile(
     r"[,;]|\b(?:and|und|or|oder|et|ou)\b|\\(?:text|textrm|mathrm|mbox)\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])"
@@ -23,11 +25,11 @@ def stated_frequencies(answer: Sequence[Fragment]) -> list[Fragment]:
     for f in answer:
         match = LABELLED.match(f.text)
         name = _label(f)
-        others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f]
+        others = [LABELLED.sub("", g.text, count=1) for g in answer if g is not f and not is_characteristic(g)]
         is_natural = re.search(r"_?\{?0\}?$|₀$", name.split("^")[0].rstrip("² "))
-        if is_natural and any(_ACCELERATION.search(text) for text in others):
+        if is_natural and any(ACCELERATION.search(text) for text in others):
             continue  # omega_0^2 = g/l is an abbreviation beside an equation of motion
-        if match and not any(_has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
+        if match and not any(has_name(name.split("^")[0].rstrip("²& "), text) for text in others):
             frequencies.append(f)
     return frequencies
 
@@ -42,10 +44,23 @@ def _label(fragment: Fragment) -> str:
     return match[0].strip(" $=") if match else ""
 
 
-_ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
+_WORD_LABEL = re.compile(rf"\s*(?:{'|'.join(FREQUENCY_WORDS)})\s*=(?!=)")
+ACCELERATION = re.compile(r"''|\u0308|¨|\\ddot|ddot|d\s*(?:\^\{?2|²)")
 
 
-def _has_name(name: str, text: str) -> bool:
+def is_characteristic(fragment: Fragment) -> bool:
+    """Whether an equation is one for the squares of frequencies: `ω^4 - 4 (g/l) ω^2 + 2 (g/l)^2 = 0`."""
+    return (
+        not LABELLED.match(fragment.text)
+        and not ACCELERATION.search(fragment.text)
+        and bool(_SQUARED.search(fragment.text))
+    )
+
+
+_SQUARED = re.compile(r"(?:\\omega|[ωλ]|omega|\\lambda)(?:_\{?\w\}?)?\s*(?:\^\s*\{?\s*[24]|²|⁴|\*\*\s*[24])")
+
+
+def has_name(name: str, text: str) -> bool:
     """Whether a name occurs in a text, and is no part of another one."""
     return re.search(rf"(?<![A-Za-z\\]){re.escape(name)}(?![A-Za-z0-9_{{])", text) is not None
 
@@ -55,6 +70,10 @@ def listed_frequencies(fragment: Fragment) -> list[Fragment]:
 
     A value without a sign of equality has the label before it: of `omega^2 = 0, c/m` both are squares.
     """
+    if label := _WORD_LABEL.match(fragment.text):
+        draft = Draft(fragment)
+        draft.apply([(0, label.end(), "omega = ")])
+        fragment = draft.finished()
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
     if not all("=" not in p.text or LABELLED.match(p.text) for p in pieces):
         return [fragment]

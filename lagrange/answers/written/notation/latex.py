@@ -27,6 +27,8 @@ _L_BEFORE_NUMBER = re.compile(
 )
 _L_FUNCTION = re.compile(r"\\(?:sin|cos|tan|cot|sinh|cosh|tanh|ln|log|exp|sqrt|begin|[a-z]*arrow)\s*\Z")
 _L_COLOUR = re.compile(r"\\(?:color|textcolor|colorbox)\s*(?:\[[A-Za-z]{1,8}\])?\s*\{[^{}\\]{0,40}\}")
+_L_TIES = re.compile(r"(?<=\{)\s*(?:~\s*)+(?=d\b)")
+"""The tie that handwriting recognition puts before a differential: `\\mathrm{~d} t`."""
 _L_DROPPED = re.compile(
     r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|left\s*\.|right\s*\.|bf|it|large|Large|small"
     r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
@@ -64,6 +66,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     characters(draft)
     special_latex(draft)
     draft.replace(_L_COLOUR, "")
+    draft.replace(_L_TIES, "")
     draft.apply(units_of_latex_in_si(draft.text, scope))
     draft.apply(ratio_as_fractions(draft.text))
     draft.apply(extremes(draft.text, latex=True))

@@ -32,6 +32,7 @@ _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
     "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
     "⁄": "/", "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
+_QUOTED = re.compile(r'(?<=[\w)])"(?!\w)')
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
 _DOTS_OF_WORD = re.compile(
@@ -227,7 +228,8 @@ def _displaced_expressions(text: str, moving: Collection[str], scope: Scope) -> 
 
 
 def characters(draft: Draft) -> None:
-    """Replace invisible operators, italic letters and spacing dots."""
+    """Replace invisible operators, italic letters, spacing dots, and the quotation mark of `θ"`."""
+    draft.replace(_QUOTED, "''")
     draft.replace(_DOTS_OF_WORD, lambda m: f"{m['letter']}{m['dot']}{m['index']}")
     draft.replace(_BLANK_DOTS, "")
     draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))

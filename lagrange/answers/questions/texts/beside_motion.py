@@ -1,0 +1,156 @@
+"""Results beside complete equations of motion: what else the problem asks for, where a text states it.
+
+    l θ'' = -g sin θ,  T_max = 2 m g        θ'' = (Ω² cos θ - g/R) sin θ,  equilibrium: cos θ = g/(Ω R)
+
+Where the equations are complete, lines without accelerations are definitions, values or energies, which are not
+judged. Some of them are answers to other questions: values asked for, frequencies, positions of equilibrium, conditions
+of steady motion, amplitudes. These are judged, and a wrong one makes the answer wrong. What an equation with an
+acceleration contains, ω_0 in θ'' = -ω_0² sin θ, is a definition and no answer.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
+from lagrange.answers.questions.named_values import written_label
+from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_name, stated_frequencies
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
+from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.core.diagnostics import Fragment, ProblemError, Span
+from lagrange.expressions.reader import is_inequality, limit_of
+from lagrange.mechanics.results import Solution
+
+_SETTLED = (Verdict.EQUIVALENT, Verdict.WRONG)
+_AT_REST = re.compile(r"equilibri|gleichgewicht|ruhelage|équilibre|rest position|positions? of rest", re.IGNORECASE)
+_STEADY = re.compile(r"steady|circular|circle|kreis|station[aä]r|gleichförmig|relative equilibri", re.IGNORECASE)
+_OSCILLATION = re.compile(r"frequen|period|schwingung|eigen|mode", re.IGNORECASE)
+_PLACE = re.compile(
+    r"(?:\b(?:for|at|when|if|from|with|of|about|around|near|für|bei|wenn|um|à|pour|start\w*|initially)\s+|\()[\s$]*\Z",
+    re.IGNORECASE,
+)
+"""What stands before a place at which something else is stated: `at θ = 0`."""
+_NO_RESULT = re.compile(r"=\s*[-+−]?\s*(?:0|(?:2\s*\*?\s*)?(?:pi|π|\\pi)(?:\s*/\s*[24])?)[\s.,;$)]*\Z")
+"""A simple place, `θ = 0`, which is seldom what is asked for."""
+
+
+def with_results_beside(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> Judgement:
+    """The verdict on complete equations of motion, with that on other results that are asked for and stated."""
+    if judged.verdict is not Verdict.EQUIVALENT:
+        return judged
+    spans = [d.span for d in judged.messages if d.code == "not-judged" and d.span is not None]
+    lines = [f for f in answer if is_inequality(f) or any(_overlap(f.span(0, len(f.text)), s) for s in spans)]
+    found = [v for v in _verdicts(lines, answer, solution) if v.verdict in _SETTLED] if lines else []
+    return replace(judged, others=(*judged.others, *found)) if found else judged
+
+
+def _overlap(a: Span, b: Span) -> bool:
+    return a.source is b.source and a.start < b.end and b.start < a.end
+
+
+def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: Solution) -> Iterator[AnswerVerdict]:
+    """The verdicts on what some lines of an answer state."""
+    reference = reference_of_solution(solution)
+    if any(a.answered for a in solution.asked):
+        from lagrange.answers.questions.values_in_text import asked_in_text
+
+        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer) for e in _limits(f)]
+        verdict = asked_in_text(answer, solution, among=stated).verdict
+        if verdict is not None:
+            yield verdict
+    if any(v.linearization is not None for v in solution.views):
+        frequencies = [f for f in stated_frequencies(answer) if f in lines and _is_frequency(f, reference)]
+        if frequencies:
+            yield _of_frequencies(frequencies, solution)
+        positions = [f for f in lines if _AT_REST.search(_line(f))]
+        if positions:
+            from lagrange.answers.questions.equilibrium_in_text import positions_of
+
+            found = positions_of(positions, solution)
+            if found is not None:
+                yield found[0]
+    if any(v.steady is not None for v in solution.views):
+        yield from _of_steady_motion(lines, solution)
+    if any(v.response is not None for v in solution.views):
+        from lagrange.answers.questions.in_text import response_in_text
+
+        response = response_in_text(lines, solution)
+        if response is not None:
+            yield response
+
+
+def _is_needed(fragment: Fragment, answer: Sequence[Fragment]) -> bool:
+    """Whether an equation with an acceleration contains what a line defines."""
+    label = written_label(fragment)
+    return bool(label) and any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
+
+
+def _limits(fragment: Fragment) -> Iterator[Fragment]:
+    """The limits that an inequality states, as equations; an equation is returned as it is."""
+    if not is_inequality(fragment):
+        yield fragment
+        return
+    for condition in conditions_of(condition_alone(fragment)):
+        try:
+            yield limit_of(condition_alone(condition), "a condition", strict=True)[0]
+        except ProblemError:
+            continue
+
+
+def _of_frequencies(stated: Sequence[Fragment], solution: Solution) -> AnswerVerdict:
+    """The verdict on frequencies of one equilibrium, or of one each."""
+    verdict = check_frequencies([stated], solution)
+    if verdict.verdict is Verdict.WRONG and len(stated) > 1:
+        each = check_frequencies([[f] for f in stated], solution)
+        return each if each.verdict is Verdict.EQUIVALENT else verdict
+    return replace(verdict, verdict=Verdict.EQUIVALENT) if verdict.verdict is Verdict.INCOMPLETE else verdict
+
+
+def _is_frequency(fragment: Fragment, reference: Reference) -> bool:
+    """Whether a line gives frequencies by parameters alone; `T = ...`, only where it says so."""
+    if not re.match(r"\s*\$?\s*\\?(?:omega|ω)", fragment.text) and not _OSCILLATION.search(_line(fragment)):
+        return False
+    try:
+        values = frequencies_in(fragment, reference)
+    except ProblemError:
+        return False
+    return all(v.free_symbols <= {*reference.parameters.values()} for v in values)
+
+
+def _of_steady_motion(lines: Sequence[Fragment], solution: Solution) -> Iterator[AnswerVerdict]:
+    """The verdicts on conditions of steady motion."""
+    from lagrange.answers.equilibria import alternatives_of, check_steady_answers
+    from lagrange.answers.questions.equilibrium_in_text import with_rate_as_omega
+    from lagrange.answers.written.working import understood
+
+    families = [v.steady for v in solution.views if v.steady is not None]
+    reference = reference_of_solution(solution)
+    wider = with_rate_as_omega(reference, next((s.cyclic for s in families), ()))
+    for f in lines:
+        if not _STEADY.search(_line(f)):
+            continue
+        working = understood([f], wider, moving=False)
+        if not working.judged or working.unreadable:
+            continue
+        try:
+            verdict = check_steady_answers(alternatives_of(working.judged), [s.general for s in families], reference)
+        except ProblemError:
+            continue
+        yield replace(verdict, name="steady")
+
+
+def _line(fragment: Fragment) -> str:
+    """The line of a text in which a fragment ends, up to there, with the words that stand beside it."""
+    span, text = fragment.span(0, len(fragment.text)), fragment.whole.source.text
+    first = text.rfind("\n", 0, span.start) + 1
+    stop = text.find("\n", span.end)
+    return f"{getattr(fragment, 'beside', '')} {text[first : stop if stop >= 0 else len(text)]}"
+
+
+def _is_place(fragment: Fragment) -> bool:
+    """Whether an equation only says where or when something else holds."""
+    before = fragment.whole.source.text[: fragment.span(0, len(fragment.text)).start]
+    return bool(_PLACE.search(before[-20:]) or _NO_RESULT.search(fragment.text))
