@@ -498,7 +498,8 @@ class EquilibriumComparison:
         except NotAlgebraicError:
             return None, False, ""
         if own.solved:
-            if not own.branches:
+            several = not values and len(equations) + len(angles) > 1  # θ = 0, and cos θ = W/(c l)
+            if not own.branches or (several and all(b.special for b in own.branches)):
                 return False, False, "it cannot hold together with the other equations and the constraints"
             return self._solutions_right(own, given)
         if self._same_factors(equations):
