@@ -537,7 +537,7 @@ class EquilibriumComparison:
                 elif self._open(p, own) > least:
                     loose = True
                 else:
-                    return False, False, _also_holds(b)
+                    return False, False, _NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
         return (False if loose else verdict), loose, ""
 
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
