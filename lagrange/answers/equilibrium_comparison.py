@@ -503,7 +503,8 @@ class EquilibriumComparison:
         except NotAlgebraicError:
             return None, False, ""
         if own.solved:
-            if not own.branches:
+            several = not values and len(equations) + len(angles) > 1  # θ = 0, and cos θ = W/(c l)
+            if not own.branches or (several and all(b.special for b in own.branches)):
                 return False, False, "it cannot hold together with the other equations and the constraints"
             named = {s for e in equations for s in e.free_symbols} | {*angles}
             return self._solutions_right(own, given, [u for u in self.unknowns if u in named])
@@ -552,7 +553,7 @@ class EquilibriumComparison:
             elif self._open(p, own) > least:
                 loose = True
             else:
-                return False, False, _also_holds(b)
+                return False, False, _NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
         return (False if loose else verdict), loose, ""
 
     def _agree(self, own: SolutionSet, p: Values, q: Values, named: Sequence[sp.Symbol]) -> bool:

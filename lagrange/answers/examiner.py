@@ -406,7 +406,7 @@ class Examiner:
 
 _WORD = re.compile(r"[^\W\d]\w*")
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
-_UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED)
+_UNEXPLAINED = ("it does not hold at any equilibrium", _NOT_REQUIRED, "it has solutions that are not equilibria")
 """Diagnoses of equilibria that say only that they are wrong."""
 
 

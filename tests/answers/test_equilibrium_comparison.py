@@ -34,7 +34,14 @@ from tests.support.statics_texts import (
             ["x = 7*l", "W = 7*l"],
             ["it does not hold at any equilibrium", "the conditions of equilibrium do not require it"],
         ),
-        (TORSION, ["theta = pi"], ["it also holds where theta = pi, which is not an equilibrium"]),
+        (
+            TORSION,
+            ["theta = pi"],
+            [
+                "it does not hold at any equilibrium; "
+                "these are the equilibria without the force of the potential `spring`"
+            ],
+        ),
         (
             ATWOOD,
             ["x = L", "W = 2*M"],

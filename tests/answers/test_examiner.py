@@ -7,7 +7,8 @@ from click.testing import CliRunner
 
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.submissions import Grader, Submission
-from lagrange.core.diagnostics import ProblemError
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment, ProblemError
 from lagsolve.main import main
 from tests.answers.test_equations import (
     EQUIVALENT,
@@ -87,3 +88,20 @@ def test_two_positions_in_one_line() -> None:
     lines = Submission("one", (("answer.txt", f"{place.format('')} or {place.format('-')}".encode()),))
     examiner = Examiner(loaded("pendulum-in-wind"), solved("pendulum-in-wind", complete=False))
     assert Grader.of(examiner).grade(lines).verdict.value == EQUIVALENT
+
+
+@pytest.mark.parametrize(
+    ("second", "said"),
+    [
+        ("cos(theta) = W*l/(2*c*b^2)", "as from an energy without its 1/2"),
+        ("cos(theta) = W/(c*l)", "with l in place of b"),
+        ("W*l = 2*c*b^2*cos(theta)", "as from an energy without its 1/2"),
+    ],
+)
+def test_positions_that_hold_together_for_some_parameters_only(second: str, said: str) -> None:
+    """theta = 0 does not make cos(theta) = W/(c*l) right as a relation between parameters, nor any change of it."""
+    name = "inverted-pendulum-springs"
+    examiner = Examiner(loaded(name), solved(name, complete=False))
+    verdict = examiner.check(tuple(map(Fragment.of, ("theta = 0", second)))).equations
+    assert [e.verdict for e in verdict.equations] == [Verdict.EQUIVALENT, Verdict.WRONG]
+    assert said in verdict.equations[1].diagnosis

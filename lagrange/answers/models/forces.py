@@ -433,8 +433,14 @@ def _all_normal_forces(m: Mechanics) -> Iterator[Variation]:
             for load in f.loads(normal):
                 own = tuple(share_of_load(load, v, m.configuration) for v in m.slots.velocities)
                 forces.append(ForceShare(AppliedForceKind.FRICTION, load.name, own, False, (load.on,)))
-        clause = f"for friction with the normal force {written(kinds[0][0], m.slots)}{kinds[0][1]}"
+        sizes = " and ".join(dict.fromkeys(written(normal, m.slots) for normal, _ in kinds))
+        several = "s" if " and " in sizes else ""
+        whole = ", the whole weight" if kinds[0][1] == _WHOLE else f", the component{several} of the weight alone"
+        clause = f"for friction with the normal force{several} {sizes}{whole}"
         yield Variation(clause, "the normal force in the friction", replace(m, forces=(*rest, *forces)))
+
+
+_WHOLE = ", the whole weight"
 
 
 def _normal_forces(f: FrictionForce, m: Mechanics) -> Iterator[tuple[sp.Expr, str]]:
@@ -451,7 +457,7 @@ def _normal_forces(f: FrictionForce, m: Mechanics) -> Iterator[tuple[sp.Expr, st
             yield textbook_form(sign * along), ", the weight's component alone"
     force = weight.vector.fixed()
     size = sp.powdenest(sp.sqrt(textbook_form(sp.Add(*(c**2 for c in force.components)))), force=True)
-    yield size, ", the whole weight"
+    yield size, _WHOLE
 
 
 def _spring_shares(spring: StretchedSpring, m: Mechanics) -> tuple[sp.Expr, ...]:

@@ -28,6 +28,7 @@ from itertools import combinations, permutations
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.models.mechanics import (
     AppliedForceKind,
     Inertia,
@@ -87,9 +88,13 @@ def relative_for_absolute(m: Mechanics) -> Iterator[Variation]:
 
 def complement(m: Mechanics) -> Iterator[Variation]:
     """A constant angle for its complement."""
-    for a in _parameters(m):
-        if _is_angle(a, m):
-            yield Variation(f"with 90° - {a} in place of {a} throughout", f"the angle {a}", rule={a: sp.pi / 2 - a})
+    angles = [a for a in _parameters(m) if _is_angle(a, m)]
+    for a in angles:
+        yield Variation(f"with 90° - {a} in place of {a} throughout", f"the angle {a}", rule={a: sp.pi / 2 - a})
+    if len(angles) > 1:
+        names = " and ".join(map(str, angles))
+        clause = f"with sine and cosine of {names} exchanged throughout"
+        yield Variation(clause, f"the angles {names}", rule={a: sp.pi / 2 - a for a in angles})
 
 
 def exchanged(m: Mechanics) -> Iterator[Variation]:
@@ -276,6 +281,95 @@ def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
             if len(m.rotations) + len(m.particles) > 1:
                 scaled = replace(r, columns=tuple(_times(factor, c) for c in r.columns))
                 yield Variation(f"for {called(r.name)} turning {how} as fast", place, _turning(m, r, scaled))
+
+
+def other_transmission(m: Mechanics) -> Iterator[Variation]:
+    """What a constraint makes move with something else moves faster or slower by a factor, as a movable pulley does,
+    or turns as if it rolled on another radius."""
+    yield from _other_constraints(m)
+    if not m.configuration.expressed:
+        return
+    rotating = {r.name for r in m.rotations}
+    for p in m.particles if len(m.inertias) > 1 else ():
+        attached = [f for f in m.forces if p.name in f.on]
+        if p.name in rotating or any(f.kind not in _OF_A_PLACE or f.on != (p.name,) for f in attached):
+            continue
+        for factor, how in _TRANSMISSIONS:
+            changed = m.inertia(lambda i, p=p, c=factor: replace(i, factor=i.factor * c**2) if i == p else i)  # type: ignore[misc]
+            clause = f"for {called(p.name)} moving {how} as fast (a factor in a constraint)"
+            yield Variation(clause, f"how fast {called(p.name)} moves", changed.scaled(attached, factor))
+    for r in m.rotations:
+        used = {s for column in r.columns for c in column for s in sp.denom(sp.together(c)).free_symbols}
+        letters = _parameters(m)
+        for lost, taken in ((a, b) for a in letters if a in used for b in letters if b != a):
+            if m.may_be_exchanged(lost, taken):
+                columns = tuple(_replaced(column, lost, taken) for column in r.columns)
+                clause = f"with {taken} in place of {lost} in the angular velocity of {called(r.name)}"
+                turned = _turning(m, r, replace(r, columns=columns))
+                yield Variation(clause, f"the angular velocity of {called(r.name)}", turned)
+
+
+def _other_constraints(m: Mechanics) -> Iterator[Variation]:
+    """q_1' = ρ q_2' with another constant ρ: a factor, or another radius.
+
+    The velocities at a state satisfy the right constraints, so that no other equation may depend on them.
+    """
+    rows = m.configuration.rows
+    simple = all(r.drift == 0 and r.nonlinear is None for r in rows)
+    constant = all(m.slots.coordinates and not a.free_symbols & {*_moving(m)} for r in rows for a in r.coefficients)
+    for j, row in enumerate(rows) if simple and constant else ():
+        bound = [k for k, a in enumerate(row.coefficients) if a != 0]
+        if len(bound) != 2 or not all(_is_accelerated_only(k, m) for k in bound):
+            continue
+        k, other = bound
+        a, b = (row.coefficients[i] for i in bound)
+        first, second = (m.slots.velocities[i] for i in bound)
+        if sp.count_ops(b / a) > sp.count_ops(a / b):
+            k, other, a, b, first, second = other, k, b, a, second, first
+        letters = sorted((a / b).free_symbols, key=str)
+        swaps = [(p, q) for p in letters for q in _parameters(m) if p != q and m.may_be_exchanged(p, q)]
+        ratios = [c * b for c, _ in _TRANSMISSIONS] + [b.xreplace({p: q}) for p, q in swaps]
+        for changed in dict.fromkeys(r for r in ratios if r != b):
+            said = written(-changed / a * second, m.slots)
+            coefficients = tuple(changed if i == other else x for i, x in enumerate(row.coefficients))
+            moved = (*rows[:j], replace(row, coefficients=coefficients), *rows[j + 1 :])
+            constrained = replace(m.configuration.constrained, rows=moved)
+            system = replace(m, configuration=replace(m.configuration, constrained=constrained))
+            yield Variation(
+                f"for {first} = {said} as the constraint `{row.name}`", f"the constraint `{row.name}`", system
+            )
+
+
+def _moving(m: Mechanics) -> tuple[sp.Symbol, ...]:
+    return (*m.slots.coordinates, *m.slots.velocities, *m.slots.prescribed, t)
+
+
+def _is_accelerated_only(k: int, m: Mechanics) -> bool:
+    """Whether a coordinate occurs by its acceleration alone."""
+    q, v = m.slots.coordinates[k], m.slots.velocities[k]
+    columns = [c for i in m.inertias for column in i.columns for c in column]
+    own = [c for i in m.inertias for c in i.columns[k]]
+    shares = [s for f in m.forces for s in f.shares]
+    still = (q, *(x for x in _moving(m) if x != q)) if any(c.free_symbols & {*_moving(m)} for c in own) else ()
+    return (
+        all(is_zero(s.diff(x)) is True for s in shares for x in (q, v) if x in s.free_symbols)
+        and all(is_zero(c.diff(q)) is True for c in columns if q in c.free_symbols)
+        and all(is_zero(c.diff(x)) is True for c in own for x in still if x in c.free_symbols)
+    )
+
+
+_OF_A_PLACE = (AppliedForceKind.WEIGHT, AppliedForceKind.FORCE, AppliedForceKind.FRICTION)
+_TRANSMISSIONS = (
+    (sp.Rational(1, 2), "half"),
+    (sp.Integer(2), "twice"),
+    (sp.Rational(1, 4), "a quarter"),
+    (sp.Integer(4), "four times"),
+)
+
+
+def _replaced(column: Components, lost: sp.Symbol, taken: sp.Symbol) -> Components:
+    a, b, c = (x.xreplace({lost: taken}) for x in column)
+    return a, b, c
 
 
 def _carried_round_by(r: Inertia, m: Mechanics) -> Iterator[int]:

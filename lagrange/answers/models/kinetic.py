@@ -269,7 +269,8 @@ def _other_factors(m: Mechanics, *, standard: bool) -> Iterator[Variation]:
         place = f"the moment of inertia of {called(r.name)}"
         for ratio in RATIOS:
             moments = [w for w in r.weights if w != 0]
-            if ((ratio * moments[0]).as_coeff_Mul()[0] in _STANDARD) is not standard:
+            known = not moments[0].is_Symbol and (ratio * moments[0]).as_coeff_Mul()[0] in _STANDARD
+            if known is not standard:
                 continue
             now = written(ratio * moments[0], m.slots) if len(set(moments)) == 1 else f"{ratio} of the right ones"
             body = BODIES.get((ratio * moments[0]).as_coeff_Mul()[0]) if len(moments[0].free_symbols) == 2 else None

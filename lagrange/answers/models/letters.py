@@ -94,7 +94,7 @@ def explained_reaction(claim: sp.Expr, models: Models) -> str:
                 claim_holds(claim, Variation("", "", values=resting), at) for at in states
             ):
                 return f"it is the reaction {clause}"
-        if balanced := _balanced(claim, models, states):
+        if balanced := balanced_by_forces(claim, models, states):
             return balanced
         bound = geometry_of(models.system.configuration)
         variations = letter_variations([claim], models.system.equations, slots, models.system.multipliers, bound)
@@ -146,7 +146,7 @@ def _waves(position: Vector) -> set[sp.Basic]:
     return {w for c in position.components for w in c.atoms(sp.sin, sp.cos)}
 
 
-def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
+def balanced_by_forces(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> str:
     """Whether a reaction balances the other forces in one or two equations of motion, as if nothing were accelerated
     there, and nothing moved."""
     slots = models.system.configuration.slots
@@ -154,7 +154,8 @@ def _balanced(claim: sp.Expr, models: Models, states: Sequence[ModelState]) -> s
     named = count == len(slots.coordinates)  # of a choice there may be equations of eliminated coordinates as well
     still = dict.fromkeys(slots.velocities, sp.S.Zero)
     for moving in (True, False):
-        if not moving and not claim.free_symbols.isdisjoint(still):
+        # A velocity in the equation of an eliminated coordinate is a part of its acceleration.
+        if not claim.free_symbols.isdisjoint(still) and not (moving and named):
             continue
         resting = Variation("", "", values={} if moving else still)
         tried = [at if moving else _with_values(at, resting) for at in states]

@@ -255,6 +255,8 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
             yield ForceShare(AppliedForceKind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
     if others := given_forces(configuration):
         named = [f.name for f in problem.forces if isinstance(f, GeneralizedForce)]
+        energies = [f for f in problem.forces if isinstance(f, Potential)]
+        named += [f.name for f in energies if not f.energy.free_symbols.isdisjoint(problem.slots.velocities)]
         yield ForceShare(AppliedForceKind.FORCE, named[0] if len(named) == 1 else "generalized", others, False)
     for s in configuration.springs:
         yield ForceShare(

@@ -328,8 +328,10 @@ def _differences(claim: sp.Expr, right: sp.Expr, fixed: set[sp.Symbol], lengths:
             special = claim if _tends_to(right, p, claim) else sp.nan
         if special.is_finite is not False and not special.has(sp.nan, sp.zoo) and _same(claim, special):
             yield f"this is the answer without {p}, as if {p} = 0"
-        if right.is_rational_function(p) and _same(
-            claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero})
+        if (
+            p not in lengths
+            and right.is_rational_function(p)
+            and _same(claim, sp.cancel(sp.together(right.xreplace({p: 1 / p}))).xreplace({p: sp.S.Zero}))
         ):
             yield f"this is the answer in the limit of a very large {p}"
     legs = sp.Add.make_args(sp.expand(right**2))

@@ -198,7 +198,7 @@ def changed_space(variation: Variation, at: ModelState) -> RowSpace | None:
     rows = changed_rows(variation, at)
     if rows is None:
         return None
-    space = at.space(rows)
+    space = at.space(rows, variation.mechanics)
     width = len(at.unknowns)
     impossible = [at.point.number(0)] * width + [at.point.number(1)]
     if impossible in space:
@@ -347,7 +347,8 @@ class _Search:
                     return False
                 continue
             own = changed_rows(variation, at)
-            if own is None or not all(any(r in at.space([e]) for e in own) for r in rows if r is not None):
+            m = variation.mechanics
+            if own is None or not all(any(r in at.space([e], m) for e in own) for r in rows if r is not None):
                 return False
         return True
 
@@ -389,7 +390,9 @@ class _Search:
         own = {s for e in (*system.equations, *system.accelerated_constraints) for s in e.free_symbols}
         slots = self.models.system.configuration.slots
         moving = {*slots.coordinates, *slots.prescribed, t}
-        more = sorted((s for s in self.equations[n].free_symbols - own if base(s) not in moving), key=str)
+        # What stands beside a force only may come from its name: T for 2 l lambda.
+        rest = self.equations[n].xreplace(dict.fromkeys(system.multipliers, sp.S.Zero))
+        more = sorted((s for s in rest.free_symbols - own if base(s) not in moving), key=str)
         accelerated = self.equations[n].free_symbols & {*slots.accelerations}
         if not more or not accelerated or any(s in self.states[0].unknowns for s in more):
             return None

@@ -43,6 +43,12 @@ from lagrange.mechanics.dynamics.comparison import System, affine_rows
 Matrix = list[list[Any]]
 
 
+def _accelerated(configuration: Configuration) -> tuple[sp.Expr, ...]:
+    """Constraints with constant coefficients, Σ a_i q_i' = 0, in the accelerations."""
+    accelerations = configuration.slots.accelerations
+    return tuple(sp.Add(*map(sp.Mul, row.coefficients, accelerations)) for row in configuration.rows)
+
+
 class ModelState:
     """A random state of a system, with the rows of its equations and of changed ones.
 
@@ -70,9 +76,12 @@ class ModelState:
         """The row space of the derived equations and the constraints."""
         return self.space(self.derived)
 
-    def space(self, rows: Sequence[NumberRow]) -> RowSpace:
-        """The row space of some equations and the constraints."""
-        return RowSpace(self.point.arithmetic, [*self.constraints, *rows])
+    def space(self, rows: Sequence[NumberRow], mechanics: Mechanics | None = None) -> RowSpace:
+        """The row space of some equations and the constraints, which may be others in a changed system."""
+        constraints = self.constraints
+        if mechanics is not None and mechanics.configuration.rows != self.system.configuration.rows:
+            constraints = affine_rows(self.point, _accelerated(mechanics.configuration), self.unknowns)
+        return RowSpace(self.point.arithmetic, [*constraints, *rows])
 
     def row(self, equation: sp.Expr) -> NumberRow | None:
         """The row of an equation; None if it is not affine in the unknowns, or not defined here."""

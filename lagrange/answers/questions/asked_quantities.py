@@ -168,7 +168,12 @@ class AskedClaim:
             explained_by_energy,
             explained_value,
         )
-        from lagrange.answers.results.motion import explained_at_start, explained_instant, explained_uniform
+        from lagrange.answers.results.motion import (
+            explained_at_start,
+            explained_in_any_state,
+            explained_instant,
+            explained_uniform,
+        )
 
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
@@ -212,11 +217,14 @@ class AskedClaim:
             return up_to_sign
         if stated is None:
             return ""
-        if value is not None and self.own is not None and (changed := explained_at_start(value, self.asked, self.own)):
+        if value is not None and (changed := explained_at_start(value, self.asked, self.candidates)):
             return changed
         fixed = {*self.scope.slots.coordinates, *self.quantity.free_symbols}
         right = [v if value is not None else of.xreplace({self.quantity: v}) for v in self._derived()]
-        if lost := next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), ""):
+        lost = next(filter(None, (explained_value(stated, v, fixed, lengths) for v in right)), "")
+        if not lost.startswith("this is the answer without") and value is not None:
+            lost = explained_in_any_state(value, self.asked, self.candidates) or lost
+        if lost:
             return lost
         from lagrange.answers.results.meanings import wrong_dimension
 

@@ -165,7 +165,9 @@ def check_response_in_text(
     coordinates = list(dict.fromkeys(q for r in responses for q in r.by_coordinate))
     amplitudes = _amplitudes(working.defined, coordinates)
     doubtful: list[EquationVerdict] = []
+    claims: dict[str, tuple[str, sp.Expr]] = {}  # by the text of a part
     for name, q in amplitudes.items():
+        claims[name] = q.name, working.defined[name]
         verdict, why = judged_amplitude(working.defined[name], q.name, responses, reference)
         part = EquationVerdict.of(name, verdict, why)
         if verdict is Verdict.WRONG:  # it may be an abbreviation after all
@@ -179,6 +181,7 @@ def check_response_in_text(
             verdict, why = judged_amplitude(ratio[1], ratio[0].name, responses, reference)
             parts.append(EquationVerdict.of(line.reading.text, verdict, why))
             answered |= {ratio[0].name}
+            claims[line.reading.text] = ratio[0].name, ratio[1]
             solved.append(line)
     unknown = _undamped(working, coordinates, responses)
     rows: list[sp.Expr] = []
@@ -198,6 +201,9 @@ def check_response_in_text(
         if verdict_on_motion is None:
             return None
         q, (verdict, why) = verdict_on_motion
+        value = next(side for side in f.reading.sides if isinstance(side, sp.Expr) and side != q)
+        if t not in value.free_symbols:
+            claims[f.reading.text] = q.name, value
         parts.append(EquationVerdict.of(f.reading.text, verdict, why))
         answered |= {q.name}
     if rows and sp.Matrix([[e.diff(s) for s in unknown] for e in rows]).rank() == len(unknown):
@@ -207,6 +213,7 @@ def check_response_in_text(
     answered |= {amplitudes[p.text].name for p in unanswered}
     if not parts:
         return None
+    parts = _with_causes(parts, claims, responses, reference)
     unread = [f for f in working.unreadable if f not in solved]
     parts += [
         EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message)
@@ -222,6 +229,30 @@ def check_response_in_text(
     defined = [f"`{p.text}`" for p in parts if p.text in amplitudes]
     notes = tuple(n for n in working.notes if not any(f"defines {name}," in n.message for name in defined))
     return AnswerVerdict(verdict, tuple(parts), unreadable=errors, notes=notes, diagnosis=why)
+
+
+def _with_causes(
+    parts: Sequence[EquationVerdict],
+    claims: Mapping[str, tuple[str, sp.Expr]],
+    responses: Sequence[Response],
+    reference: Reference,
+) -> list[EquationVerdict]:
+    """The verdicts with the changed linear equations that have all stated amplitudes, or else each wrong one."""
+    from lagrange.answers.results.amplitudes import explained_amplitudes
+
+    values = dict(reference.values)
+    stated = [(p.text, *claims[p.text]) for p in parts if p.text in claims]
+    wrong = [p.text for p in parts if p.verdict is Verdict.WRONG and p.text in claims]
+    if not wrong:
+        return [*parts]
+
+    def cause(those: Sequence[tuple[str, str, sp.Expr]]) -> str:
+        amplitudes = {q: as_written(value).xreplace(values) for _, q, value in those}
+        return next(filter(None, (explained_amplitudes(amplitudes, r) for r in responses)), "")
+
+    together = cause(stated) if len(stated) > 1 else ""
+    causes = {text: together or cause([s for s in stated if s[0] == text]) for text in wrong}
+    return [EquationVerdict.of(p.text, p.verdict, why) if (why := causes.get(p.text)) else p for p in parts]
 
 
 def _solved(

@@ -33,12 +33,14 @@ from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.sampler import NoPointError
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.limits import MAX_MODEL_WORK
+from lagrange.answers.models.letters import balanced_by_forces
 from lagrange.answers.models.search import Models, changed_space
 from lagrange.answers.references import ReferenceCandidate
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
 from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions.results import Asked
 
 
@@ -56,7 +58,8 @@ def explained_uniform(
     claim: sp.Expr, asked: Asked, others: Sequence[Asked], candidates: Sequence[ReferenceCandidate]
 ) -> str:
     """The changed problem that gives a wrong value, in a sentence; empty if none is found."""
-    motion = next(filter(None, (_uniform(a) for a in (asked, *others) if a.choice == asked.choice)), None)
+    own = next((c.configuration for c in candidates if c.choice == asked.choice), None)
+    motion = next(filter(None, (_uniform(a, own) for a in (asked, *others) if a.choice == asked.choice)), None)
     if motion is None:
         return ""
     try:
@@ -81,10 +84,11 @@ def explained_uniform(
     return ""
 
 
-def _uniform(asked: Asked) -> Uniform | None:
+def _uniform(asked: Asked, configuration: Configuration | None) -> Uniform | None:
     initial = {s.symbol: s.value for s in asked.initial}
+    bound = {} if configuration is None else _bound_to_others(asked, configuration)
     for integral in asked.integrals:
-        whole = sp.expand(integral.expression)
+        whole = sp.expand(integral.expression.xreplace(bound))
         rates = sorted((s for s in whole.free_symbols if s.name.endswith("'")), key=str)
         if integral.factor != 1 or len(rates) != 1:
             continue
@@ -95,6 +99,21 @@ def _uniform(asked: Asked) -> Uniform | None:
         if constant and inertia != 0 and pull != 0 and q in initial and v in initial:
             return Uniform(q, initial[q], initial[v], -pull / inertia)
     return None
+
+
+def _bound_to_others(asked: Asked, configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The velocities that a constraint with constant coefficients ties to that of the place which is asked about."""
+    told = [asked.question.quantity, *(c.lhs - c.rhs for c in asked.question.when)]
+    named = {base(s) for e in told for s in e.free_symbols}
+    rule: dict[sp.Symbol, sp.Expr] = {}
+    for row in configuration.rows:
+        pairs = zip(configuration.slots.velocities, row.coefficients, strict=True)
+        velocities = {v: a for v, a in pairs if a != 0}
+        kept = [v for v in velocities if base(v) in named]
+        if len(velocities) == 2 and len(kept) == 1 and row.drift == 0 and row.nonlinear is None:
+            [other] = [v for v in velocities if v not in kept]
+            rule[other] = -velocities[kept[0]] / velocities[other] * kept[0]
+    return rule
 
 
 def _place(asked: Asked, motion: Uniform) -> sp.Expr | None:
@@ -135,17 +154,22 @@ def _of_models(stated: sp.Expr, q: sp.Symbol, candidate: ReferenceCandidate) -> 
 # At the start
 
 
-def explained_at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> str:
+def explained_at_start(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
     """The changed problem that gives a wrong value at t = 0, in a sentence; empty if none is found.
 
-    candidate  the file's own system
+    candidates  the file's own system, and those in chosen coordinates
     """
+    return next(filter(None, (_at_start(claim, asked, c) for c in candidates)), "")
+
+
+def _at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandidate) -> str:
     question = asked.question
     slots = candidate.configuration.slots
-    initial = {s.symbol: s.value for s in asked.initial}
+    initial = _with_bound_velocities({s.symbol: s.value for s in asked.initial}, candidate.configuration)
     whole = {*slots.coordinates, *slots.velocities}
+    moving = {base(s) for s in question.quantity.free_symbols if base(s) != s}
     at_start = all(c.lhs - c.rhs in (t, -t) for c in question.when) and bool(question.when)
-    if not at_start or not whole <= initial.keys():
+    if not at_start or not whole <= initial.keys() or not moving <= whole:
         return ""
     start = {s: initial[s] for s in whole}
     try:
@@ -159,23 +183,80 @@ def explained_at_start(claim: sp.Expr, asked: Asked, candidate: ReferenceCandida
     return ""
 
 
-def of_changed_problems(equation: sp.Expr, models: Models) -> Iterator[str]:
-    """The changed problems whose equations an equation follows from at several states, within the work allowed."""
-    states = models.states([equation])
+def explained_in_any_state(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """The changed problem that gives a wrong reaction, or a wrong parameter in a relation between reactions, whatever
+    the state is; or what it balances at rest. A sentence; empty if none is found."""
+    quantity = asked.question.quantity
+    related = [c.lhs - c.rhs for c in asked.question.when]
+    stated, other = quantity - claim, None
+    if len(related) == 1 and quantity in related[0].free_symbols and quantity not in claim.free_symbols:
+        stated, other = (related[0].xreplace({quantity: c}) for c in (claim, 2 * claim))
+    for candidate in candidates:
+        try:
+            equation, models = candidate.read(stated), candidate.models
+            if equation.free_symbols.isdisjoint(candidate.multipliers) or models.mechanics is None:
+                continue
+            empty = None if other is None else candidate.read(other)
+            said = balanced_by_forces(equation, models, models.states([equation]))
+            if other is not None:
+                said = said.replace("it balances the other forces", "with it the forces are balanced")
+            if said := said or next(of_changed_problems(equation, models, empty), ""):
+                return said
+        except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError, ValueError):
+            continue
+    return ""
+
+
+def _with_bound_velocities(initial: dict[sp.Symbol, sp.Expr], configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The initial state with the one velocity that a constraint between the others fixes."""
+    for row in configuration.rows:
+        open_ = [v for a, v in zip(row.coefficients, configuration.slots.velocities, strict=True) if a != 0]
+        open_ = [v for v in open_ if v not in initial]
+        if len(open_) == 1:
+            form = row.velocity_form(configuration.slots).xreplace(initial)
+            slope = form.diff(open_[0])
+            if slope != 0 and open_[0] not in slope.free_symbols:
+                initial = {**initial, open_[0]: -form.xreplace({open_[0]: sp.S.Zero}) / slope}
+    return initial
+
+
+def of_changed_problems(equation: sp.Expr, models: Models, empty: sp.Expr | None = None) -> Iterator[str]:
+    """The changed problems whose equations an equation follows from at several states, within the work allowed.
+
+    A value alone is explained by some odd moment of inertia far too easily, and a body is taken not to be accelerated
+    rather than to lack one component of its velocity.
+
+    empty  what must not follow as well: where N = F = 0, any relation between them holds
+    """
+    found = (pair for pair in _changed_problems(equation, models, empty) if pair[0] != _TOO_EASY)
+    first, said = next(found, ("", ""))
+    if first == _NO_VELOCITY:
+        said = next((other for name, other in found if name == _NO_TRANSLATION), said)
+    if said:
+        yield said
+
+
+_NO_VELOCITY, _NO_TRANSLATION = "carried velocity left out", "kinetic energy of one part left out"
+_TOO_EASY = "moment of inertia with another factor"
+
+
+def _changed_problems(equation: sp.Expr, models: Models, empty: sp.Expr | None) -> Iterator[tuple[str, str]]:
+    states = models.states([equation] if empty is None else [equation, empty])
     rows = [at.row(equation) for at in states]
+    none = None if empty is None else states[0].row(empty)
     work = MAX_MODEL_WORK
-    for number, (_, variation) in enumerate(models.variations):
+    for number, (name, variation) in enumerate(models.variations):
         work -= len(models.system.equations) * (len(states[0].unknowns) + 1)
         if work < 0 or None in rows:
             return
         if variation.mechanics is None or variation.is_reduced:
             continue
         space = models.space(number, variation)
-        if space is None or rows[0] is None or rows[0] not in space:
+        if space is None or rows[0] is None or rows[0] not in space or (none is not None and none in space):
             continue
         later = [changed_space(variation, at) for at in states[1:]]
         if all(s is not None and r is not None and r in s for s, r in zip(later, rows[1:], strict=True)):
-            yield f"this is the answer {variation.clause}"
+            yield name, f"this is the answer {variation.clause}"
 
 
 # Instants

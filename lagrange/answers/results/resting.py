@@ -202,10 +202,15 @@ class WrongEquilibria:
         self.resting = Resting(equilibrium, values)
         self.rules = [self.resting.solved(a) for a in wrong] if self.resting.usable else [None]
 
-    @property
+    @cached_property
     def tried(self) -> bool:
-        """Whether changes can be tried on them."""
-        return bool(self.rules) and None not in self.rules
+        """Whether changes can be tried on them.
+
+        If the forces are balanced as it is, as for θ = 0 beside any other value of θ, every change would seem to fit.
+        """
+        rules = [r for r in self.rules if r is not None]
+        own = self.resting.own
+        return 0 < len(rules) == len(self.rules) and not all(self.resting.balanced(own, r) for r in rules)
 
     def holds(self, variation: Variation) -> bool:
         """Whether they are right with another meaning of a letter, or in a special case."""
