@@ -117,7 +117,12 @@ def _explained(
     solution: Solution,
 ) -> str:
     """What wrong limits are instead, in a sentence; empty if that is not found."""
-    from lagrange.answers.results.conditions import StatedCondition, explained_by_contacts, explained_limits
+    from lagrange.answers.results.conditions import (
+        ONLY_A_NUMBER,
+        StatedCondition,
+        explained_by_another_solution,
+        explained_limits,
+    )
 
     stated = [
         StatedCondition(f.text, c, True)
@@ -133,7 +138,9 @@ def _explained(
     if not reason and len(stated) > 1:  # the two limits of a range, each with the same mistake
         each = [explained_limits([s], derived, coefficients) for s in stated]
         reason = "; ".join(dict.fromkeys(f"`{s.text}`: {why}" for s, why in zip(stated, each, strict=True) if why))
-    return reason or explained_by_contacts(stated, solution)
+    if not reason or ONLY_A_NUMBER in reason:
+        return explained_by_another_solution(stated, solution) or reason
+    return reason
 
 
 def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> bool:

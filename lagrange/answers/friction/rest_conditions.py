@@ -110,15 +110,16 @@ def _explained(
         if isinstance(rest, Rolling) and (reason := _of_another_body(wrong, solution)):
             return reason
         parts = [conditions.StatedCondition(s.text, s.slack, s.equation) for s in wrong]
-        if reason := conditions.explained_conditions(parts, missing, laws):
+        reason = conditions.explained_conditions(parts, missing, laws)
+        if reason and conditions.ONLY_A_NUMBER not in reason:
             return reason
         for meaning in belt_meanings(missing, laws) if any(s.rounded is not None for s in wrong) else ():
             changed = [_Stated("", m.xreplace(dict(meaning.rule)), False) for m in missing]
             if all(any(_rounds_to(s, c) for c in changed) for s in wrong):
                 return f"this is the condition {meaning.clause}"
-        from lagrange.answers.results.conditions import explained_by_contacts
-
-        return explained_by_contacts(parts, solution) if not any(s.equation for s in wrong) else ""
+        if any(s.equation for s in wrong):
+            return reason
+        return conditions.explained_by_another_solution(parts, solution) or reason
     other_sense = missing and all(any(conditions.is_other_sense(m, s.slack, laws) for s in given) for m in missing)
     return "some conditions are missing: friction may act the other way as well" if other_sense else ""
 

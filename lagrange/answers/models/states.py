@@ -38,6 +38,7 @@ from lagrange.answers.models.mechanics import (
 )
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, partial
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
 
 Matrix = list[list[Any]]

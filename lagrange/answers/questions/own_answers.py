@@ -241,8 +241,22 @@ def explained_steady(
     if verdict.verdict is Verdict.WRONG and len(alternatives) == 1 and len(alternatives[0]) > 1:
         scope = reference_of_solution(solution).scope  # an equation without an undeclared tension, by itself
         tried = [[(f,)] for f in alternatives[0] if read_answer(f, scope).error is None] or tried
-    why = next(filter(None, (_about_equilibria(verdict, a, conditions, solution) for a in tried)), "")
-    return replace(verdict, diagnosis=why.replace("equilibria", "steady motions"))
+    changed = _changed_steady_motion(alternatives, solution) if verdict.verdict is Verdict.WRONG else ""
+    whys = (_about_equilibria(verdict, a, conditions, solution) for a in tried)
+    return replace(verdict, diagnosis=changed or next(filter(None, whys), "").replace("equilibria", "steady motions"))
+
+
+def _changed_steady_motion(alternatives: Sequence[Sequence[Fragment]], solution: Solution) -> str:
+    """The changed problem whose steady motions one stated condition describes; empty if not found, or if it is none."""
+    from lagrange.answers.results.steady_motions import explained_steady_motion
+
+    reference = reference_of_solution(solution)
+    stated = [c for a in alternatives for f in a for c in read_answer(f, reference.scope).components]
+    steady = {v.name: v.steady for v in solution.views if v.steady is not None}
+    if len(stated) != 1:
+        return ""
+    candidates = [c for c in reference.candidates if c.choice in steady]
+    return next(filter(None, (explained_steady_motion(stated[0], steady[c.choice], c) for c in candidates)), "")
 
 
 def _about_equilibria(

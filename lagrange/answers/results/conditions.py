@@ -23,7 +23,7 @@ from __future__ import annotations
 import random
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import sympy as sp
 
@@ -37,6 +37,7 @@ from lagrange.answers.limits import (
     MOST_OTHER_CONTACTS,
     UNITS_OF_OTHER_CONTACTS,
 )
+from lagrange.answers.references import Identical
 from lagrange.answers.results.at_random import approximate, root_near
 from lagrange.answers.results.meanings import LetterMeaning, other_meanings, with_waves_exchanged
 from lagrange.core.diagnostics import ProblemError
@@ -47,7 +48,7 @@ from lagrange.document.math_writer import text
 from lagrange.document.names import Notation
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
-from lagrange.problem.model import Force, Friction, Problem
+from lagrange.problem.model import AppliedForce, Assumption, Force, Friction, Parameter, Problem
 
 
 @record
@@ -125,7 +126,7 @@ def _scaled_limit(meaning: LetterMeaning, slack: sp.Expr) -> str:
     rate = sp.diff(slack, letter)
     if letter in rate.free_symbols or rate == 0:
         return ""
-    return f"the limit of {letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
+    return f"{ONLY_A_NUMBER}{letter} is {_TIMES.get(1 / factor, f'{1 / factor} times')} what it should be"
 
 
 def _meanings(
@@ -166,6 +167,10 @@ def _reasons(stated: StatedCondition, derived: Sequence[sp.Expr], coefficients: 
     for limit in known:
         if limit.is_of(stated.slack):
             yield _AN_EQUATION if stated.equation else _REVERSED
+    for meaning in with_waves_exchanged(derived):
+        exchanged = (_without_cotangents(limit.slack.xreplace(dict(meaning.rule))) for limit in known)
+        if any(_Limit(e).is_of(_without_cotangents(stated.slack)) for e in exchanged):
+            yield f"this is the condition {meaning.clause}"
     for limit in known:
         yield from _of_sides(stated.slack, limit.slack)
     meanings = _meanings([stated], derived, coefficients)
@@ -213,6 +218,8 @@ class _Limit:
     def is_of(self, other: sp.Expr) -> bool:
         """Whether another slack vanishes at this limit: at random numbers, then exactly."""
         shared = sorted(_symbols(self.slack) & _symbols(other), key=str)
+        if shared and _cleared(self.slack) in (_cleared(other), _cleared(-other)):
+            return True
         if not shared or not all(self._seems_of(other, shared, seed) for seed in range(LIMIT_SAMPLES)):
             return False
         if self.solved is None or self.solved[0] not in other.free_symbols:
@@ -245,6 +252,10 @@ class _Limit:
                 if all(sp.expand(b) != 0 for b in bounds):
                     return _Limit(sp.Add(*bounds) - s)
         return None
+
+
+def _without_cotangents(e: sp.Expr) -> sp.Expr:
+    return e.replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x)).replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x))
 
 
 def _cleared(e: sp.Expr) -> sp.Expr:
@@ -329,6 +340,11 @@ def _point(e: sp.Expr, seed: int) -> dict[sp.Symbol, float]:
 # Contacts
 
 
+def explained_by_another_solution(stated: Sequence[StatedCondition], solution: Solution) -> str:
+    """What wrong conditions or limits are in a problem that is solved once more, in a sentence; empty if not found."""
+    return explained_by_arms(stated, solution) or explained_by_contacts(stated, solution)
+
+
 def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution) -> str:
     """Which friction is reversed or omitted in wrong conditions or limits, in a sentence; empty if that is not found.
 
@@ -337,13 +353,9 @@ def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution)
     separate = _with_own_coefficients(solution.problem)
     if separate is None or not stated:
         return ""
-    problem, common = separate
-    try:
-        with allowed_for("comparing answers", UNITS_OF_OTHER_CONTACTS):
-            solved = solve(problem)
-    except ProblemError:
-        return ""
-    limits = list(_limits(solved, rest=not stated[0].equation))
+    solved = _by_contacts(Identical(solution))
+    common = separate[1]
+    limits = [] if solved is None else list(_limits(solved, rest=not stated[0].equation))
     for friction, own, mu in common:
         others = {o: m for _, o, m in common if o != own}
         for value, clause in ((-mu, "acts the other way"), (sp.S.Zero, "")):
@@ -357,6 +369,67 @@ def explained_by_contacts(stated: Sequence[StatedCondition], solution: Solution)
                 )
                 return f"{'these are the limits' if len(stated) > 1 else 'this is the limit'} {how}"
     return ""
+
+
+def explained_by_arms(stated: Sequence[StatedCondition], solution: Solution) -> str:
+    """Whether forces at the middle of bodies act at another distance from where these touch something, in a sentence;
+    empty if not."""
+    rough = {f.on: f for f in reversed(solution.problem.forces) if isinstance(f, Friction) and f.at is not None}
+    moved = _movable(solution.problem)
+    solved = _by_arms(Identical(solution)) if moved and stated else None
+    if solved is None:
+        return ""
+    limits = list(_limits(solved, rest=not stated[0].equation))
+    names = ", ".join(f"`{f.name}`" for f in moved)
+    contacts = ", ".join(dict.fromkeys(f"`{rough[f.on].name}`" for f in moved))
+    these = "these are the limits" if len(stated) > 1 else "this is the limit"
+    for value, where in ((-1, "at twice the distance from where"), (1, "where")):
+        changed = [e.xreplace({_SHIFT: sp.Integer(value)}) for e in limits]
+        if all(any(is_limit(c, s.slack) for c in changed) for s in stated):
+            return f"{these} for {names} acting {where} the friction {contacts} acts"
+    return ""
+
+
+_SHIFT = sp.Symbol("shift_of_forces", real=True)
+
+
+def _movable(problem: Problem) -> tuple[AppliedForce, ...]:
+    """The forces at the middle of bodies, each moved by a share of the way to the point where its body touches."""
+    touched = {f.on: f.at for f in reversed(problem.forces) if isinstance(f, Friction) and f.at is not None}
+    centres = {b.name: b.position for b in problem.bodies}
+    return tuple(
+        replace(f, at=centres[f.on] + (touched[f.on] - centres[f.on]) * _SHIFT)
+        for f in problem.forces
+        if isinstance(f, AppliedForce) and f.at is None and f.on in touched and f.on in centres
+    )
+
+
+@lru_cache(maxsize=8)
+def _by_arms(same: Identical) -> Solution | None:
+    problem: Problem = same.solution.problem
+    moved = {f.name: f for f in _movable(problem)}
+    forces = tuple(moved.get(f.name, f) for f in problem.forces)
+    parameters = (*problem.parameters, Parameter(_SHIFT, assume=Assumption.REAL))
+    return _solved_again(replace(problem, parameters=parameters, forces=forces, answers=None))
+
+
+@lru_cache(maxsize=8)
+def _by_contacts(same: Identical) -> Solution | None:
+    separate = _with_own_coefficients(same.solution.problem)
+    return None if separate is None else _solved_again(separate[0])
+
+
+def _solved_again(problem: Problem) -> Solution | None:
+    """The solution of a changed problem; None if there is none within the work allowed."""
+    try:
+        with allowed_for("comparing answers", UNITS_OF_OTHER_CONTACTS):
+            return solve(problem)
+    except ProblemError:
+        return None
+
+
+ONLY_A_NUMBER = "the limit of "
+"""What is said of conditions that are wrong by a number, where nothing better is known."""
 
 
 Common = list[tuple[str, sp.Symbol, sp.Symbol]]
@@ -390,7 +463,9 @@ def _limits(solution: Solution, *, rest: bool) -> Iterator[sp.Expr]:
     """The slacks of the conditions of rest, or what vanishes where friction is at its limit."""
     for v in solution.views:
         if rest and v.at_rest is not None and len(v.at_rest.cases) == 1:
-            yield from (c.right - c.left for c in v.at_rest.cases[0])
+            for slack in (c.right - c.left for c in v.at_rest.cases[0]):
+                sizes = slack.atoms(sp.Abs)
+                yield from (slack.xreplace({a: sign * a.args[0] for a in sizes}) for sign in (1, -1)[: 1 + len(sizes)])
         if not rest:
             yield from (r.lhs - r.rhs for m in v.impending or () for b in m.equilibrium.branches for r in b.relations)
 

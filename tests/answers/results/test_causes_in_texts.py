@@ -31,7 +31,7 @@ CAUSES = [
     ("escape-from-a-planet", "v = sqrt(K/R)", "a factor sqrt(2) is missing"),
     ("charge-in-crossed-fields", "y = m E/(q B^2)", "the middle of the oscillation"),
     ("coupled-pendulums", "omega_1 = sqrt(g/l), omega_2 = sqrt(g/l + c/m)", "the other coordinates held fast"),
-    ("rotating-unbalance", "|y| = m e w² / (c − (M+m) w²)", "under the root is missing"),
+    ("rotating-unbalance", "|y| = m e w² / (c − (M+m) w²)", "without b, as if b = 0"),
     ("balanced-lamp", "W = c*h/2", "twice as large, or acting at twice the distance"),
     ("balanced-lamp", "W = c*l", "with l in place of h"),
     ("hawser-on-a-bollard", "mu >= 0.135", "logarithm to base ten"),
