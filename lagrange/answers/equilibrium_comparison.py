@@ -553,7 +553,7 @@ class EquilibriumComparison:
             elif self._open(p, own) > least:
                 loose = True
             else:
-                return False, False, _NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
+                return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
         return (False if loose else verdict), loose, ""
 
     def _agree(self, own: SolutionSet, p: Values, q: Values, named: Sequence[sp.Symbol]) -> bool:

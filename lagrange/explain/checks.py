@@ -117,4 +117,9 @@ def _called(answer: str) -> str:
 
 
 def _assignments(values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Part, ...]:
-    return listed(math(s, in_decimals(v)) for s, v in values.items())
+    return listed(math(s, in_decimals(v) if _is_stated(v) else v) for s, v in values.items())
+
+
+def _is_stated(value: sp.Expr) -> bool:
+    """Whether a value is one of a file, such as 981/100 for 9.81; those that are drawn, 3/4 or 4/5, stay fractions."""
+    return isinstance(value, sp.Rational) and value.q >= 10
