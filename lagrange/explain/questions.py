@@ -395,6 +395,9 @@ def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
                     "not hold.")  # fmt: skip
         case Reason.PAST:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
+        case Reason.OPPOSITE:
+            return ("The equations contain ", math(b.lhs), " in even powers only, so that the opposite value ",
+                    equation, " is possible as well.")  # fmt: skip
         case Reason.LATER:
             return ("The solution ", equation, " comes later, if at all.")
         case Reason.START:
