@@ -14,10 +14,11 @@ The second route puts each position into Lagrange's equations at rest, in number
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, t
@@ -118,6 +119,7 @@ def _answer(
     if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
         kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
     kept, opposite = _without_opposite(question.quantity, kept, equations)
+    kept = _with_places(kept, configuration.slots.coordinates)
     if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
     if elimination.solved and elimination.free:
@@ -151,6 +153,18 @@ def _answer(
         dropped=tuple((b, Reason.OPPOSITE) for b in opposite) if elimination.solved else (),
         verified=elimination.verified,
     )
+
+
+def _with_places(branches: list[AnswerBranch], coordinates: Sequence[sp.Symbol]) -> list[AnswerBranch]:
+    """Several answers, each with the coordinates in which its position differs from the others: where y = √3 r."""
+    if len(branches) < 2 or any(len(b.states) != 1 for b in branches):
+        return branches
+    states = [b.states[0] for b in branches]
+    differing = [q for q in coordinates if len({s.get(q) for s in states}) > 1 and all(q in s for s in states)]
+    return [
+        replace(b, conditions=(*b.conditions, *(SignCondition(q, "=", b.states[0][q]) for q in differing)))
+        for b in branches
+    ]
 
 
 def _without_opposite(
