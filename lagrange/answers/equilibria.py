@@ -26,6 +26,7 @@ from lagrange.answers.limits import (
 )
 from lagrange.answers.models.letters import geometry_of, letter_variations
 from lagrange.answers.models.mechanics import Variation
+from lagrange.answers.other_angles import widened
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -60,7 +61,6 @@ from lagrange.problem.model import Problem
 
 _ALL_ANGLES = "only one of the angles with this tangent, sine or cosine is given; all of them are taken to be meant"
 _BRANCH = "it is right on one of the two branches of the square root: {} = {:+d}"
-_INVERSE: dict[type, Callable[[sp.Expr], sp.Expr]] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
 
 
 def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
@@ -470,7 +470,7 @@ def _judged(
         return literal
     waves = (None, *((sp.tan, sp.cos, sp.sin) if literal.verdict is Verdict.INCOMPLETE else ()))
     for wave in waves:
-        wider = [[tuple(_widened(e, wave) for e in es) for es in a] for a in systems]
+        wider = [[tuple(widened(e, wave) for e in es) for es in a] for a in systems]
         if wider == systems:
             continue
         read_wider = EquilibriumComparison(equilibrium, values, wider).verdict(readings, wider)
@@ -562,28 +562,3 @@ def _at_equilibrium(
     except (NotAlgebraicError, DivisionByZeroError):
         return []
     return [] if value.free_symbols or value.has(sp.zoo, sp.nan, sp.oo) else [value]
-
-
-def _widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
-    """θ − atan(u) as tan θ − u; with the function f given, θ − 0.93 as f(θ) − f(0.93), where 0.93 is a principal value.
-
-    Not so θ = 0, where sin θ = 0: the opposite position is known to be another one.
-    """
-    terms = sp.Add.make_args(e)
-    if len(terms) != 2:
-        return e
-    for angle, other in (terms, terms[::-1]):
-        c, inverse = other.as_coeff_Mul()
-        d, theta = angle.as_coeff_Mul()
-        if wave is not None and theta.is_Symbol and other.is_number:
-            value = -other / d
-            principal = next(inverse(wave(value)) for inverse, of in _INVERSE.items() if of is wave)
-            is_meant = abs(sp.N(principal - value)) < _SAME_ANGLE and not (2 * value / sp.pi).is_integer
-            return wave(theta) - wave(value) if is_meant else e
-        function = _INVERSE.get(type(inverse))
-        if theta.is_Symbol and function is not None and abs(c) == abs(d):
-            return function(theta) - function(-c / d * inverse)
-    return e
-
-
-_SAME_ANGLE = 1e-9

@@ -26,7 +26,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, over_one_denominator_in_roots
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
 from lagrange.algebra.closed_forms.unit_circle import (
     CIRCULAR,
@@ -156,13 +156,13 @@ class EquilibriumComparison:
         poles = [p for pole in self.equilibrium.poles for p in pole.points]
         return bool(b.points) and not b.left and all(any(self._is_at(p, q) for q in poles) for p in b.points)
 
-    def _is_at(self, p: Values, pole: Values) -> bool:
-        known = self.equilibrium.solution
-        functions = [f for u in self.unknowns for f in ((sp.cos(u), sp.sin(u)) if u in self.angles else (u,))]
-        try:
-            return all(is_zero(self.solution.at(p, f) - known.at(pole, f).xreplace(self.values)) for f in functions)
-        except NotAlgebraicError:
-            return False
+    def _is_at(self, p: Values, place: Values) -> bool:
+        """Whether a point is one of the equilibrium as it was solved, without the values."""
+        return agree(self.solution, p, self.equilibrium.solution, place, self._functions(self.unknowns), self.values)
+
+    def _functions(self, unknowns: Sequence[sp.Symbol]) -> list[sp.Expr]:
+        """What tells two positions apart, angles modulo whole turns."""
+        return [f for u in unknowns for f in ((sp.cos(u), sp.sin(u)) if u in self.angles else (u,))]
 
     def _points_of(self, b: Branch) -> list[Values]:
         """The points of a branch in closed form; a relation between parameters gives one of them a value."""
@@ -187,18 +187,11 @@ class EquilibriumComparison:
         if all(a.measure == u for u, a in self.solution.letters.angles.items() if u in self.angles):
             return points
         kept: list[tuple[int, Values]] = []
+        functions = self._functions(self.unknowns)
         for n, p in points:
-            if not any(self._same(p, q) for _, q in kept):
+            if not any(agree(self.solution, p, self.solution, q, functions) for _, q in kept):
                 kept.append((n, p))
         return kept
-
-    def _same(self, p: Values, q: Values) -> bool:
-        """Whether two points are the same position with the same forces, angles modulo whole turns."""
-        for u in self.unknowns:
-            for f in (sp.cos(u), sp.sin(u)) if u in self.angles else (u,):
-                if not is_zero(self.solution.at(p, f) - self.solution.at(q, f)):
-                    return False
-        return True
 
     def verdict(
         self, readings: Sequence[Sequence[Reading]], systems: Sequence[Sequence[Sequence[sp.Expr]]]
@@ -545,8 +538,9 @@ class EquilibriumComparison:
                     balanced.append(p)
                 else:
                     others.append((b, p, holds))
+        stated = self._functions(named) if len(named) < len(self.unknowns) else []
         for b, p, holds in others:
-            if any(self._agree(own, p, q, named) for q in balanced):
+            if stated and any(agree(own, p, own, q, stated) for q in balanced):
                 continue
             if holds is None:
                 verdict = None
@@ -556,35 +550,16 @@ class EquilibriumComparison:
                 return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
         return (False if loose else verdict), loose, ""
 
-    def _agree(self, own: SolutionSet, p: Values, q: Values, named: Sequence[sp.Symbol]) -> bool:
-        """Whether two solutions have the same values of the named unknowns, where there are others."""
-        if not named or len(named) == len(self.unknowns):
-            return False
-        functions = [f for u in named for f in ((sp.cos(u), sp.sin(u)) if u in self.angles else (u,))]
-        try:
-            return all(is_zero(own.at(p, f) - own.at(q, f)) for f in functions)
-        except (NotAlgebraicError, DivisionByZeroError):
-            return False
-
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
         """Whether a solution of the answer is an equilibrium under the condition of a branch: 5 H ≥ g.
 
         Where a root has the sign of 5 H − g, the forces balance for some parameters only, and not identically.
         """
         known = (p for n, p in self.points if self.branches[n].conditions)
-        return self.solution.verified is True and any(self._coincide(own, point, {**p, **values}) for p in known)
-
-    def _coincide(self, own: SolutionSet, point: Values, known: Values) -> bool:
-        """Whether a solution of the answer is the same position, with the same forces, as a known point."""
-        for u in self.unknowns:
-            for f in (sp.cos(u), sp.sin(u)) if u in self.angles else (u,):
-                try:
-                    same = is_zero(own.at(point, f) - self.solution.at(known, f))
-                except (NotAlgebraicError, DivisionByZeroError):
-                    return False
-                if not same:
-                    return False
-        return True
+        functions = self._functions(self.unknowns)
+        return self.solution.verified is True and any(
+            agree(own, point, self.solution, {**p, **values}, functions) for p in known
+        )
 
     def _is_balanced(self, own: SolutionSet, point: Values, values: Values) -> bool | None:
         """Whether a solution of the answer is an equilibrium; None: undecided."""

@@ -327,6 +327,9 @@ def _answer(asked: Asked) -> Iterator[Block]:
     if asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
+    elif several and asked.route is Route.REST:
+        yield prose("These belong to different positions; a `range` of a coordinate, in the file, excludes those that "
+                    "are not meant.", detail=Detail.BRIEF)  # fmt: skip
     elif several and not all(b.conditions for b in asked.branches):
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
@@ -412,6 +415,9 @@ def _dropped(b: AnswerBranch, because: Reason) -> tuple[Part, ...]:
                     "not hold.")  # fmt: skip
         case Reason.PAST:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
+        case Reason.OPPOSITE:
+            return ("The equations contain ", math(b.lhs), " in even powers only, so that the opposite value ",
+                    equation, " is possible as well.")  # fmt: skip
         case Reason.LATER:
             return ("The solution ", equation, " comes later, if at all.")
         case Reason.START:

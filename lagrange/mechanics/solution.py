@@ -459,7 +459,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     original = with_spring_forces(with_search(equilibrium(own.configuration, own.elimination, problem.unknowns)))
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
-    checks = [*solution.checks]
+    checks, known = [*solution.checks], values_of(problem)
     views = []
     for view in solution.views:
         on_stage(_stage("equilibria", view))
@@ -469,14 +469,13 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
             resting = with_spring_forces(with_search(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
-        if reactions is not None and law is not None:
-            resting = replace(resting, slack=slack_branches(reactions, law.newton, values_of(problem)))
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]
         if view is own and solution.law is None:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
         stability = stability_at_rest(resting)
         checks += check_minima(resting, stability)
+        resting = replace(resting, slack=slack_branches(reactions, law, known))
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(
         solution,
@@ -551,8 +550,7 @@ def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
     problem = solution.problem
     resting = position_of_rest(solution.own.equilibrium, solution.own.impending, problem.questions[0])
     newton = solution.law.newton if solution.law else None
-    second = solution.own.stability if resting is solution.own.equilibrium else None
-    asked = answers_at_rest(problem, resting, newton, second)
+    asked = answers_at_rest(problem, resting, newton, solution.own.stability)
     checks = check_answers_at_rest(asked, problem, resting, newton)
     return replace(solution, asked=asked, checks=(*solution.checks, *checks))
 

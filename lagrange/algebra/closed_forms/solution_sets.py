@@ -8,7 +8,7 @@ branch. A branch contained in another one is dropped. How branches are found: `b
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from itertools import combinations
 
@@ -92,6 +92,21 @@ class SolutionSet:
             radicand = self._with_roots(resolved(self.letters.roots[root], point), point)
             value = value.xreplace({root: sp.sqrt(self.letters.write(radicand))})
         return value
+
+
+def agree(
+    own: SolutionSet,
+    p: Values,
+    other: SolutionSet,
+    q: Values,
+    functions: Sequence[sp.Expr],
+    values: Mapping[sp.Symbol, sp.Expr] | None = None,
+) -> bool:
+    """Whether functions have the same values at points of two solutions; of the second for given parameters."""
+    try:
+        return all(is_zero(own.at(p, f) - other.at(q, f).xreplace(dict(values or {}))) for f in functions)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return False
 
 
 def at_numbers(b: Branch, expression: sp.Expr, unknowns: Sequence[sp.Symbol]) -> sp.Expr | None:

@@ -18,6 +18,7 @@ from itertools import islice
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.friction.related_coordinates import dependent, on_relations, relations
 from lagrange.answers.limits import BESIDE_REST, CLEAR_SLACK, FIRST_REST_SAMPLES, REST_SAMPLES
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference
@@ -336,9 +337,9 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     weaker = stronger = False
     seen = set()
     conditions = [c for case in (*cases, given) for c in case]
-    constraints = _constraints(conditions, rest, values)
+    constraints = relations([c.slack for c in conditions], rest.configuration, values)
     for drawn in _points(conditions, constraints):
-        point = _on_constraints(drawn, constraints)
+        point = on_relations(drawn, constraints)
         if point is None:
             continue
         derived = _any_case(cases, point)
@@ -354,64 +355,18 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         known = cases[0] if len(cases) == 1 else []
         partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
         return Verdict.INCOMPLETE if partly else Verdict.WRONG
-    rule = _dependent(constraints)
-    needed, stated_ones = ([*_put_in(cs, rule)] for cs in ([c for case in cases for c in case], given))
+    rule = dependent(constraints)
+
+    def put_in(c: _Stated) -> _Stated:
+        return replace(c, slack=c.slack.xreplace(rule), rounded=c.rounded and c.rounded.xreplace(rule))
+
+    needed, stated_ones = ([*map(put_in, cs)] for cs in ([c for case in cases for c in case], given))
 
     def is_exact(s: _Stated) -> bool:
         return any(_are_same(s, c) or _has_limit(s, c) or _has_limit(c, s) or _rounds_to(s, c) for c in needed)
 
     exact = all(map(is_exact, stated_ones))
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
-
-
-def _constraints(
-    conditions: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]
-) -> list[sp.Expr]:
-    """What relates the coordinates in conditions, each zero: a height and a distance on a parabola."""
-    coordinates = {*rest.configuration.slots.coordinates}
-    used = {s for c in conditions for s in c.slack.free_symbols} & coordinates
-    if len(used) < 2:
-        return []
-    return [f.xreplace(dict(values)) for f in rest.configuration.finite_constraints if f.free_symbols & used]
-
-
-def _dependent(constraints: Sequence[sp.Expr]) -> dict[sp.Symbol, sp.Expr]:
-    """The symbols without a known sign, coordinates, that constraints give in terms of others: y = x²/(4a)."""
-    rule: dict[sp.Symbol, sp.Expr] = {}
-    for f in constraints:
-        own = f.xreplace(rule)
-        for s in sorted(own.free_symbols, key=str):
-            rate = own.diff(s)
-            if (
-                s.is_positive is None
-                and rate != 0
-                and rate.free_symbols.isdisjoint(rule)
-                and s not in rate.free_symbols
-            ):
-                value = {s: sp.expand(s - own / rate)}
-                if not any(x.is_positive is None for x in rate.free_symbols):
-                    rule = {q: e.xreplace(value) for q, e in rule.items()} | value
-                    break
-    return rule
-
-
-def _put_in(conditions: Sequence[_Stated], rule: Mapping[sp.Symbol, sp.Expr]) -> Iterator[_Stated]:
-    for c in conditions:
-        rounded = c.rounded.xreplace(dict(rule)) if c.rounded is not None else None
-        yield replace(c, slack=c.slack.xreplace(dict(rule)), rounded=rounded)
-
-
-def _on_constraints(point: dict[sp.Symbol, float], constraints: Sequence[sp.Expr]) -> dict[sp.Symbol, float] | None:
-    """The point with as many of its coordinates moved as there are constraints; None if that finds no position."""
-    rule = _dependent(constraints)
-    if len(rule) == len(constraints):
-        return {**point, **{q: approximate(e, point) for q, e in rule.items()}}
-    if len(constraints) > 1:
-        return None
-    [f] = constraints
-    q = max((s for s in _symbols(f) if s.is_positive is None), key=str)
-    root = root_near(lambda v: approximate(f, {**point, q: v}), point[q])
-    return None if root is None else {**point, q: root}
 
 
 def without_implied_conditions(case: Sequence[_Stated]) -> list[_Stated]:

@@ -55,6 +55,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
 from lagrange.problem.keys import Keeper
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.motion import NewtonLaw
     from lagrange.values.quantities import Values as ValuesGiven
 
 
@@ -177,9 +178,13 @@ def possible(
     return kept or [*range(len(at))]
 
 
-def slack_branches(static: StaticReactions, newton: Newton, values: ValuesGiven | None) -> tuple[Branch, ...]:
+def slack_branches(
+    static: StaticReactions | None, law: NewtonLaw | None, values: ValuesGiven | None
+) -> tuple[Branch, ...]:
     """The branches at which a contact would have to pull, or a string to push; none where these are all."""
-    kept = possible(static.at, newton, values.numbers if values is not None else {})
+    if static is None or law is None:
+        return ()
+    kept = possible(static.at, law.newton, values.numbers if values is not None else {})
     return tuple(b for n, b in enumerate(static.equilibrium.branches) if static.at and n not in kept)
 
 

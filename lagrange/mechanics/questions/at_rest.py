@@ -14,10 +14,12 @@ The second route puts each position into Lagrange's equations at rest, in number
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, t
 from lagrange.mechanics.dynamics.checks import Check
@@ -30,7 +32,7 @@ from lagrange.mechanics.questions.critical import critical_value
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.limits import DIGITS
 from lagrange.mechanics.questions.ranges import in_ranges
-from lagrange.mechanics.questions.results import Asked, How, Route, Substituted
+from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted
 from lagrange.problem.model import Problem, Question
 
 _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
@@ -116,6 +118,8 @@ def _answer(
     kept = [b for b in (in_ranges(b, configuration, values) for b in elimination.branches) if b is not None]
     if question.quantity.is_positive:  # √(μ g/r) for a speed of rotation that the file takes to be positive
         kept = [b for b in kept if not b.values or any(sign_of(v) != -1 for v in b.values)]
+    kept, opposite = _without_opposite(question.quantity, kept, equations)
+    kept = _with_places(kept, configuration.slots.coordinates)
     if elimination.never or (elimination.solved and not elimination.free and not kept):
         raise ProblemError(_never_holds(question))
     if elimination.solved and elimination.free:
@@ -146,8 +150,35 @@ def _answer(
         conditions=conditions,
         quantity=quantity,
         branches=tuple(kept) if elimination.solved else (),
+        dropped=tuple((b, Reason.OPPOSITE) for b in opposite) if elimination.solved else (),
         verified=elimination.verified,
     )
+
+
+def _with_places(branches: list[AnswerBranch], coordinates: Sequence[sp.Symbol]) -> list[AnswerBranch]:
+    """Several answers, each with the coordinates in which its position differs from the others: where y = √3 r."""
+    if len(branches) < 2 or any(len(b.states) != 1 for b in branches):
+        return branches
+    states = [b.states[0] for b in branches]
+    differing = [q for q in coordinates if len({s.get(q) for s in states}) > 1 and all(q in s for s in states)]
+    return [
+        replace(b, conditions=(*b.conditions, *(SignCondition(q, "=", b.states[0][q]) for q in differing)))
+        for b in branches
+    ]
+
+
+def _without_opposite(
+    quantity: sp.Expr, branches: list[AnswerBranch], equations: Sequence[sp.Expr]
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+    """The branches, and apart the negative one of two opposite values of what occurs in even powers only: a charge."""
+    if len(branches) != 2 or not quantity.is_Symbol or any(len(b.values) != 1 for b in branches):
+        return branches, []
+    one, other = (b.values[0] for b in branches)
+    even = all(is_zero(e - e.xreplace({quantity: -quantity})) for e in equations)
+    signs = [sign_of(b.values[0]) for b in branches]
+    if not even or not is_zero(one + other) or {*signs} != {1, -1}:
+        return branches, []
+    return [branches[signs.index(1)]], [branches[signs.index(-1)]]
 
 
 def _never_holds(question: Question) -> Diagnostic:

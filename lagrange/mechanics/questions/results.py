@@ -54,6 +54,7 @@ class Reason(StrEnum):
     SENSE = "sense"  # slip or a velocity would have the sense for which the equations do not hold
     PAST = "past"  # t would be negative
     LATER = "later"  # it comes later
+    OPPOSITE = "opposite"  # it is that of the opposite sign, of a quantity that occurs in even powers only
 
 
 @record

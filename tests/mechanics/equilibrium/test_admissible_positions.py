@@ -406,7 +406,7 @@ def test_the_only_angle_in_a_range(wave: type[sp.Function], value: str, low: str
     assert found == (None if angle is None else of(angle))
 
 
-def test_a_place_is_told_in_degrees_where_the_range_settles_it() -> None:
+def test_places_are_told_in_degrees_one_or_two_as_the_range_admits() -> None:
     text = """
 title: A bracket
 parameters: {W: {value: 120 N}, l: {value: 1.5 m}, h: {value: 0.8 m}, c: {value: 1.5 m}}
@@ -416,8 +416,9 @@ constraints: {cable: {equation: norm(r_B - h*j) = c, by: string, reaction: T}}
 forces: {load: {on: B, vector: -W*j}}
 find: equilibrium
 """
-    for limits, told in (("[0, pi]", True), ("[-pi/2, pi/2]", False)):  # cos theta = 4/15
+    for limits, both in (("[0, pi]", False), ("[-pi/2, pi/2]", True)):  # cos theta = 4/15
         made = report(read_problem(Source("bracket.yaml", text.replace("LIMITS", limits))))
         page = terminal.text(made.derivation, made.notation, 100)
-        assert ("θ ≈ 74.53°" in page) is told
+        assert "θ ≈ 74.53°" in page
+        assert ("θ ≈ −74.53°" in page) is both
         assert "cos θ ≈ 0.2667" in page

@@ -1,0 +1,34 @@
+"""The other angles that a stated one stands for: with the same tangent, sine or cosine.
+
+A book that answers θ = atan(u), or θ = 53.1°, has found tan θ = u and prints the angle that is meant. Whether the
+others are equilibria as well is for the comparison to say, so the equation is read a second time, as tan θ = u.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+_INVERSE: dict[type, sp.FunctionClass] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
+_SAME_ANGLE = 1e-9
+
+
+def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
+    """θ − atan(u) as tan θ − u; with the function f given, θ − 0.93 as f(θ) − f(0.93), where 0.93 is a principal value.
+
+    Not so θ = 0, where sin θ = 0: the opposite position is known to be another one.
+    """
+    terms = sp.Add.make_args(e)
+    if len(terms) != 2:
+        return e
+    for angle, other in (terms, terms[::-1]):
+        c, inverse = other.as_coeff_Mul()
+        d, theta = angle.as_coeff_Mul()
+        if wave is not None and theta.is_Symbol and other.is_number:
+            value = -other / d
+            principal = next(inverse(wave(value)) for inverse, of in _INVERSE.items() if of is wave)
+            is_meant = abs(sp.N(principal - value)) < _SAME_ANGLE and not (2 * value / sp.pi).is_integer
+            return wave(theta) - wave(value) if is_meant else e
+        function = _INVERSE.get(type(inverse))
+        if theta.is_Symbol and function is not None and abs(c) == abs(d):
+            return function(theta) - function(-c / d * inverse)
+    return e
