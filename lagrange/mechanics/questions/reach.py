@@ -275,3 +275,20 @@ def place_stated(when: sp.Expr, setting: Setting, beginning: InitialMotion) -> t
         ahead = [p for p in path.turning_places() or () if path.direction and path.lies_ahead(p)]
         return (q, ahead[0]) if len(ahead) == 1 else None
     return None
+
+
+def kept_senses(when: Sequence[sp.Expr], setting: Setting) -> dict[sp.Symbol, int]:
+    """The sense in which a coordinate moves as long as the equations of motion hold, where conditions state its place.
+
+    Friction is taken with one sense of the slip: what lies against that from the start was never reached in it.
+    """
+    configuration = setting.place.configuration
+    stated = {q for q in outright(when, configuration.slots.coordinates) if all(e.diff(q, 2) == 0 for e in when)}
+    senses: dict[sp.Symbol, int] = {}
+    for e in setting.slips if stated else ():
+        for q in stated & setting.initial.keys():
+            rate = e.diff(prime(q))
+            sense = None if rate.free_symbols & {*setting.place.moving} else sign_of_value(rate)
+            if sense in (1, -1) and sp.expand(e - rate * prime(q)) == 0:
+                senses[q] = sense
+    return senses
