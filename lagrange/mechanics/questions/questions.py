@@ -42,7 +42,7 @@ from lagrange.mechanics.questions.quadrature import (
     toward,
 )
 from lagrange.mechanics.questions.ranges import changes, in_ranges, never_holds, not_determined, slip_has_ended
-from lagrange.mechanics.questions.reach import initial_motion, place_stated
+from lagrange.mechanics.questions.reach import initial_motion, kept_senses, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
 from lagrange.mechanics.questions.states import (
@@ -141,6 +141,7 @@ class _Search:
         occurring = [q for q in self.slots.coordinates if any(q in e.free_symbols for e in (self.quantity, *self.when))]
         rather_not = {*mentioned(question), *occurring, *map(prime, occurring)}
         self.rule = setting.dependent(rather_not, question.by)
+        self.kept_senses = kept_senses(self.when, setting)
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
@@ -353,7 +354,9 @@ class _Search:
         return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
 
     def _slips_backwards(self, state: SymbolValues, b: AnswerBranch) -> bool:
-        speeds = [e.xreplace(dict(state)) for e in self.setting.slips]
+        """Whether slip has the other sense in a state, or would have led away from it since the start."""
+        covered = [s * (state[q] - self.setting.initial[q]) for q, s in self.kept_senses.items() if q in state]
+        speeds = [*(e.xreplace(dict(state)) for e in self.setting.slips), *covered]
         moving = {*self.place.moving}
         return any(e.free_symbols.isdisjoint(moving) and sign_of_value(e, b.conditions) == -1 for e in speeds)
 
@@ -571,6 +574,8 @@ class _Search:
         unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
         elimination = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
         way = sign_of_value(end - initial[q])
+        if way in (1, -1) and -way in (self.kept_senses.get(q), self._beginning.direction(q)):
+            return None  # it would have to turn round first
         speed = toward((v for b in elimination.branches for v in b.values), q, (initial[q], end), way)
         if speed is None or way is None:
             return None

@@ -326,3 +326,20 @@ def _turning(setting: Setting, own: Collection[sp.Symbol]) -> Sequence[sp.Expr] 
     [q] = moving
     square = setting.square_of(q)
     return None if square is None else Path(q, square, setting.initial[q], None).turning_places()
+
+
+def kept_senses(when: Sequence[sp.Expr], setting: Setting) -> dict[sp.Symbol, int]:
+    """The sense in which a coordinate moves as long as the equations of motion hold, where conditions state its place.
+
+    Friction is taken with one sense of the slip: what lies against that from the start was never reached in it.
+    """
+    configuration = setting.place.configuration
+    stated = {q for q in outright(when, configuration.slots.coordinates) if all(e.diff(q, 2) == 0 for e in when)}
+    senses: dict[sp.Symbol, int] = {}
+    for e in setting.slips if stated else ():
+        for q in stated & setting.initial.keys():
+            rate = e.diff(prime(q))
+            sense = None if rate.free_symbols & {*setting.place.moving} else sign_of_value(rate)
+            if sense in (1, -1) and sp.expand(e - rate * prime(q)) == 0:
+                senses[q] = sense
+    return senses

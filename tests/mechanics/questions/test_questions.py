@@ -289,3 +289,60 @@ ask: {motion: {quantity: b*(x*y)^2 + a*x*b, when: [x = a, y = a]}}
     assert explained.solution.asked[0].branches[0].provided
     assert "provided that the motion gets there" in terminal.text(explained.derivation, explained.notation, 100)
     assert "provided that the motion gets there" in as_object(explained)["asked"][0]["conditions"]
+
+
+THROWN = """
+title: A weight thrown up, with drag that grows with the square of the speed
+parameters: [m, g, c, u, L]
+coordinates: [x]
+particles: {P: {mass: m, position: x*j}}
+gravity: -g*j
+forces: {drag: {on: P, vector: "-c*abs(x')*x'*j"}}
+initial: {x: 0, x': u}
+ask:
+  below: {quantity: "x'", when: "x = -L"}
+"""
+
+
+def test_a_place_behind_the_start_is_reached_after_the_turn(problem: Read) -> None:
+    """Up to h with exp(2 c h/m) = 1 + c u²/(m g), then down by h + L: v² = (m g/c) (1 − exp(−2 c (h + L)/m))."""
+    [asked] = solve(problem(THROWN)).asked
+    [b] = asked.branches
+    numbers = {"m": 1.5, "g": 9.8, "c": 0.4, "u": 3.0, "L": 2.0}
+    m, g, c, u, length = numbers.values()
+    h = m / (2 * c) * math.log(1 + c * u**2 / (m * g))
+    down = -math.sqrt(m * g / c * (1 - math.exp(-2 * c * (h + length) / m)))
+    [value] = b.values
+    assert float(value.subs({s: numbers[s.name] for s in value.free_symbols})) == pytest.approx(down)
+
+
+@pytest.mark.parametrize(("where", "answered"), [("a", True), ("-a", False)])
+def test_a_time_by_quadrature_is_for_a_way_without_a_turn(problem: Read, where: str, answered: bool) -> None:
+    """Started towards a, the mass turns before it comes to −a: the integral from 0 to −a would be the time without that."""
+    text = f"""
+title: A mass on a spring that hardens
+parameters: [m, k, a, u]
+coordinates: [x]
+particles: {{P: {{mass: m, position: x*i}}}}
+forces: {{spring: {{potential: k*x^4/4}}}}
+initial: {{x: 0, x': u}}
+ask: {{time: {{quantity: t, when: x = {where}}}}}
+"""
+    [asked] = solve(problem(text)).asked
+    assert (asked.integrand is not None) is answered
+
+
+def test_friction_holds_for_one_sense_in_a_time_too(problem: Read) -> None:
+    text = """
+title: A block sent up a rough incline, and how long until it is below its start
+parameters: {m: positive, g: positive, alpha: acute, mu: positive, u: positive, L: positive}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {floor: {equation: y >= 0, reaction: N}}
+gravity: -g*sin(alpha)*i - g*cos(alpha)*j
+forces: {rub: {friction: mu, constraint: floor, on: P}}
+initial: {x: 0, x': u}
+ask: {time: {quantity: t, when: x = -L}}
+"""
+    [asked] = solve(problem(text)).asked
+    assert not asked.branches

@@ -120,6 +120,14 @@ def null_space(rows: Array, n: int, least: float = 1e-7) -> Array:
     return basis[int((sizes > least * max(1, sizes[0])).sum()) :].T
 
 
+def is_kink(system: System, q: Sequence[float], parameters: Mapping[str, float]) -> bool:
+    """Whether the forces jump at a place, as that of a spring with a length does where it loses its length."""
+    step = 1e-6 * np.cos(1 + np.arange(len(q)))
+    with np.errstate(all="ignore"):
+        a, b = (system.energy(np.asarray(q) + s * step, parameters).gradient for s in (1, -1))
+    return not bool(np.abs(a - b).max() < 1e-3 * (1 + np.abs(a).max()))
+
+
 def is_singular(system: System, q: Sequence[float], parameters: Mapping[str, float]) -> bool:
     """Whether constraints lose their rank at a place, so that multipliers may not exist there."""
     rows = gradients(system, q, parameters)
