@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import islice
 
@@ -75,8 +75,11 @@ def check_rest_answers(
 
 
 def _in_tangents(s: _Stated) -> _Stated:
-    """θ ≤ atan(u) as tan θ ≤ u, the same for −π/2 < θ < π/2: the divisors in u are seen there."""
+    """θ ≤ atan(u) as tan θ ≤ u, the same for −π/2 < θ < π/2, and atan v ≤ atan u as v ≤ u: divisors are seen there."""
     terms = sp.Add.make_args(s.slack)
+    (c, first), (d, second) = (terms[0].as_coeff_Mul(), terms[-1].as_coeff_Mul())
+    if len(terms) == 2 and c == -d and isinstance(first, sp.atan) and isinstance(second, sp.atan):
+        return replace(s, slack=sp.sign(c) * (first.args[0] - second.args[0]), rounded=None)
     for term, other in (terms, terms[::-1]) if len(terms) == 2 else ():
         factor, inverse = term.as_coeff_Mul()
         if isinstance(inverse, sp.atan) and factor != 0 and (angle := -other / factor).is_Symbol:
@@ -487,7 +490,8 @@ def _has_limit(a: _Stated, b: _Stated) -> bool:
             continue
         value = s - a.slack / rate
         try:
-            if is_zero(b.slack.xreplace({s: value})) is True:
+            limit = b.slack.xreplace({s: value})
+            if is_zero(sp.expand_trig(limit) if value.has(sp.atan) else limit) is True:
                 return True
         except (DivisionByZeroError, ZeroDivisionError):
             continue
@@ -508,21 +512,25 @@ def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, float]]:
             if not s.is_positive and s not in angles and draw.random() < 0.5:
                 value = -value
             point[s] = value
-        yield _near_a_limit(point, conditions, draw) if number % 2 else point
+        yield _near_a_limit(point, conditions, angles, draw) if number % 2 else point
 
 
 def _near_a_limit(
-    point: dict[sp.Symbol, float], conditions: Sequence[_Stated], draw: random.Random
+    point: dict[sp.Symbol, float], conditions: Sequence[_Stated], angles: Set[sp.Symbol], draw: random.Random
 ) -> dict[sp.Symbol, float]:
-    """The point with one letter moved to about its limit: forces are not of order one where weights have values."""
+    """The point with one letter moved to about its limit: forces are not of order one where weights have values.
+
+    An angle stays acute.
+    """
     condition = draw.choice(conditions)
     for s in sorted(_symbols(condition.slack), key=str):
         rate = condition.slack.diff(s)
         if s in rate.free_symbols or rate == 0:
             continue
         limit = point[s] - approximate(condition.slack, point) / approximate(rate, point)
-        if math.isfinite(limit) and (limit > 0 or not s.is_positive):
-            return {**point, s: limit * draw.uniform(0.5, 1.5)}
+        moved = limit * draw.uniform(0.5, 1.5)
+        if math.isfinite(limit) and (limit > 0 or not s.is_positive) and (s not in angles or 0 < moved < math.pi / 2):
+            return {**point, s: moved}
     return point
 
 

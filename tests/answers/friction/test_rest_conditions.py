@@ -20,6 +20,7 @@ from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Re
         (ROUGH, "[(1 + mu_A*mu_B)*tan(theta) <= 2*mu_A]", "wrong"),
         (SMOOTH, "[tan(theta) <= 2*mu_A]", "equivalent"),
         (SMOOTH, "[theta <= atan(2*mu_A)]", "equivalent"),
+        (SMOOTH, "[atan(tan(theta)/2) <= atan(mu_A)]", "equivalent"),
         (SMOOTH, "[tan(theta) >= 2*mu_A]", "wrong"),
         (COLLAR, "2*a*mu >= h", "equivalent"),
         (COLLAR, "a*mu > h", "wrong"),
@@ -27,6 +28,8 @@ from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Re
         (STACKED, "[F <= mu_1*m*g, F <= mu_2*(m + M)*g]", "equivalent"),
         (HELD, "[P <= W*(tan(alpha) + mu)/(1 - mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
         (HELD, "[P <= W*tan(alpha + atan(mu)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
+        (HELD, "[atan(P/W) <= alpha + atan(mu), atan(P/W) >= alpha - atan(mu)]", "equivalent"),
+        (HELD, "[atan(P/W) <= alpha + 2*atan(mu), atan(P/W) >= alpha - 2*atan(mu)]", "wrong"),
         (HELD, "[P <= W*(tan(alpha) + mu)/(1 - 2*mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "wrong"),
     ],
 )
