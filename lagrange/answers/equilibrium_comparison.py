@@ -45,6 +45,7 @@ from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.admissible_positions import is_outside
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
 from lagrange.mechanics.equilibrium.searched.stated_places import are_covered
+from lagrange.problem.model import Range
 
 RESTATED = "it restates a constraint"
 _NOWHERE = "it does not hold at any equilibrium"
@@ -138,14 +139,13 @@ class EquilibriumComparison:
         self.points = self._distinct([(n, p) for n, b in enumerate(branches) for p in self._points_of(b)])
         self.left = [b for b in branches if b.left]
         self.branches = branches
-        self.demanded = self._within_ranges() or self.points
+        self.demanded = [x for x in self.points if not is_outside(x[1], self._ranges, self.solution)] or self.points
 
-    def _within_ranges(self) -> list[tuple[int, Values]]:
-        """The points that may lie in the ranges of the coordinates: an answer need not have any others."""
-        rule = dict(self.values)
-        declared = self.equilibrium.configuration.ranges.items()
-        ranges = {q: replace(r, low=r.low.xreplace(rule), high=r.high.xreplace(rule)) for q, r in declared}
-        return [(n, p) for n, p in self.points if not is_outside(p, ranges, self.solution)]
+    @cached_property
+    def _ranges(self) -> dict[sp.Symbol, Range]:
+        """The ranges of the coordinates: an answer need not have what lies outside, and may have it."""
+        ranges = self.equilibrium.configuration.ranges.items()
+        return {q: replace(r, low=r.low.xreplace(self.values), high=r.high.xreplace(self.values)) for q, r in ranges}
 
     def _is_pole(self, b: Branch) -> bool:
         """Whether all points of a branch are among those that were omitted as poles."""
@@ -335,8 +335,7 @@ class EquilibriumComparison:
         right, loose, why = self._right([x for es in a.equations for x in es], a.angles)
         tested = [known or self._tested(n, a, right) for n, known in enumerate(evident)]
         if right is False and not loose and all(v.verdict is not Verdict.WRONG for v in tested):
-            # The solutions include points that are no equilibria: then no equation is right, not even one that may hold
-            # at equilibria that are not known.
+            # Some solutions are no equilibria: then none of the equations is right, though it may hold where nothing is known.
             open_verdicts = (Verdict.EQUIVALENT, Verdict.UNDECIDED)
             tested = [
                 replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict in open_verdicts else v for v in tested
@@ -526,9 +525,10 @@ class EquilibriumComparison:
         verdict: bool | None = own.verified
         loose = False
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
+        inside = [p for b in own.branches for p in b.points if not is_outside(p, self._ranges, own)]
         for b in own.branches:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
-            for p in b.points:
+            for p in (p for p in b.points if p in inside or not inside):
                 holds = self._is_balanced(own, {**p, **related}, values)
                 if holds or self._is_conditional(own, {**p, **related}, values):
                     continue

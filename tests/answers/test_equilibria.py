@@ -77,6 +77,10 @@ ANSWERS = [
     ("ex16-rod-on-two-planes", ["k = 1/2"], WRONG),  # there is equilibrium for other k, and not everywhere for this
     ("ex16-rod-on-two-planes", ["k = 1/2", "theta = 0"], INCOMPLETE),
     ("ex16-rod-on-two-planes", ["sin(theta)^2 + cos(theta)^2 = 1"], TRIVIAL),
+    # within the range of the coordinate a tangent has one angle
+    ("inverted-pendulum-springs", ["theta = 0 or tan(theta) = ± sqrt(b^4*c^2 - W^2*l^2)/(W*l)"], EQUIVALENT),
+    ("inverted-pendulum-springs", ["theta = 0 or tan(theta) = ± sqrt(b^4*c^2 + W^2*l^2)/(W*l)"], WRONG),
+    ("inverted-pendulum-springs", ["theta = 0 or cos(theta) = -W*l/(b^2*c)"], WRONG),
     (THREE_PLACES, ["x = 0 or 2*x = a + b ± sqrt((a + b)^2 - 4*a*b)"], EQUIVALENT),
     (THREE_PLACES, ["x = 0 or 2*x = a + b + sqrt((a + b)^2 - 4*a*b)"], INCOMPLETE),
     (THREE_PLACES, ["x = 0 or 2*x = a + b ± sqrt((a + b)^2 + 4*a*b)"], WRONG),
