@@ -335,7 +335,7 @@ class EquilibriumComparison:
         right, loose, why = self._right([x for es in a.equations for x in es], a.angles)
         tested = [known or self._tested(n, a, right) for n, known in enumerate(evident)]
         if right is False and not loose and all(v.verdict is not Verdict.WRONG for v in tested):
-            # Some solutions are no equilibria: then none of the equations is right, though it may hold where nothing is known.
+            # Some solutions are no equilibria: no equation is right then, not even one that may hold at unknown ones.
             open_verdicts = (Verdict.EQUIVALENT, Verdict.UNDECIDED)
             tested = [
                 replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict in open_verdicts else v for v in tested
