@@ -67,7 +67,10 @@ def check_rest_answers(
     if best is Verdict.INCOMPLETE:
         diagnosis = next((why for r in rests if (why := _other_limit(read, r, reference.values))), "")
         diagnosis = diagnosis or "some conditions are missing"
-    if best in (Verdict.WRONG, Verdict.INCOMPLETE):
+    one = any(_are_of_one_case(*_in_parts(read, r, reference.values)) for r in rests)
+    if best is Verdict.INCOMPLETE and one:
+        diagnosis = "this is one of several cases in which it can be at rest"
+    elif best in (Verdict.WRONG, Verdict.INCOMPLETE):
         diagnosis = next(
             filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
         )
@@ -346,7 +349,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         weaker = weaker or (claimed and not derived)
         stronger = stronger or (derived and not claimed)
     if stronger:
-        return Verdict.WRONG
+        return Verdict.INCOMPLETE if not weaker and _are_of_one_case(given, cases) else Verdict.WRONG
     if weaker:
         known = cases[0] if len(cases) == 1 else []
         partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
@@ -354,6 +357,27 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     needed = [c for case in cases for c in case]
     exact = all(any(_are_same(s, c) or _has_limit(s, c) or _rounds_to(s, c) for c in needed) for s in given)
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def _are_of_one_case(given: Sequence[_Stated], cases: Sequence[Sequence[_Stated]]) -> bool:
+    """Whether conditions are those of one of several cases: P ≤ μ (W − P) of P ≤ μ |W − P|."""
+    single = [one for case in cases for one in _by_signs(case)]
+    return len(single) > 1 and any(
+        all(any(_are_same(s, c) for c in case) for s in given)
+        and all(any(_are_same(s, c) for s in given) for c in case)
+        for case in single
+    )
+
+
+def _by_signs(case: Sequence[_Stated]) -> Iterator[Sequence[_Stated]]:
+    """A case with a modulus as two, one for each sign of what it contains."""
+    moduli = set[sp.Expr]().union(*(c.slack.atoms(sp.Abs) for c in case))
+    if len(moduli) != 1:
+        yield case
+        return
+    [modulus] = moduli
+    for sign in (1, -1):
+        yield [replace(c, slack=c.slack.xreplace({modulus: sign * modulus.args[0]})) for c in case]
 
 
 def without_implied_conditions(case: Sequence[_Stated]) -> list[_Stated]:

@@ -92,3 +92,33 @@ def test_limits_of_a_force_in_numbers_with_units(problem: Read, stated: str, ver
     [answer] = compared_answers(solved(problem, f"{CRATE}answers: {{rest: [{stated}]}}\n"))
     assert answer.verdict.value == verdict
     assert reason in answer.diagnosis
+
+
+RING = """
+title: A ring on a bar, pulled aside and upwards with the same force
+parameters: [W, P, mu]
+coordinates: [x, y]
+particles: {B: {position: x*i + y*j}}
+constraints: {bar: {equation: y = 0, reaction: N}}
+forces:
+  pull: {on: B, vector: P*i + P*j}
+  weight: {on: B, vector: -W*j}
+  rub: {friction: mu, static: mu, constraint: bar, on: B}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("P <= mu*abs(W - P)", "equivalent"),
+        ("P <= mu*(W - P)", "incomplete"),  # N upwards; it may rest with N downwards, too
+        ("P <= mu*(P - W)", "incomplete"),
+        ("P <= mu*(W + P)", "wrong"),
+        ("P <= mu*(W - P)/2", "wrong"),
+    ],
+)
+def test_one_of_two_cases_is_incomplete(problem: Read, stated: str, verdict: str) -> None:
+    [answer] = compared_answers(solved(problem, f"{RING}answers: {{rest: [{stated}]}}\n"))
+    assert answer.verdict.value == verdict
+    assert ("one of several cases" in answer.diagnosis) is (verdict == "incomplete")
