@@ -15,6 +15,7 @@ from itertools import product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.polynomial_roots import without_squares
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
@@ -449,7 +450,7 @@ def _judged(
 
     def rewritten(e: sp.Expr) -> list[sp.Expr]:
         stated = without_displacements(_with_roots_named(configuration.rewritten(e), configuration), configuration)
-        return [part.xreplace(dict(values)) for part in stated]
+        return [without_squares(part.xreplace(dict(values))) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
     comparison = EquilibriumComparison(equilibrium, values, systems)

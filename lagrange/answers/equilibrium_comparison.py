@@ -26,7 +26,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, over_one_denominator_in_roots
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, parameters_given
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, has_root_of_sum, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
 from lagrange.algebra.closed_forms.unit_circle import (
     CIRCULAR,
@@ -45,9 +45,11 @@ from lagrange.document.math_writer import text
 from lagrange.mechanics.equilibrium.admissible_positions import is_outside
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced, is_balanced_on
 from lagrange.mechanics.equilibrium.searched.stated_places import are_covered
+from lagrange.problem.model import Range
 
 RESTATED = "it restates a constraint"
 NOWHERE = "it does not hold at any equilibrium"
+_CONTRADICTS = "it cannot hold together with the other equations and the constraints"
 _DIVIDES = "there are equilibria at which it divides by zero: state them as well"
 _NOT_REQUIRED = "the conditions of equilibrium do not require it"
 
@@ -141,15 +143,19 @@ class EquilibriumComparison:
 
     def _within_ranges(self) -> list[tuple[int, Values]]:
         """The points that may lie in the ranges of the coordinates: an answer need not have any others."""
-        rule = dict(self.values)
-        declared = self.equilibrium.configuration.ranges.items()
-        ranges = {q: replace(r, low=r.low.xreplace(rule), high=r.high.xreplace(rule)) for q, r in declared}
         slack = [p for b in self.equilibrium.slack for p in b.points]
         return [
             (n, p)
             for n, p in self.points
-            if not is_outside(p, ranges, self.solution) and not any(self._is_at(p, q) for q in slack)
+            if not is_outside(p, self._ranges, self.solution) and not any(self._is_at(p, q) for q in slack)
         ]
+
+    @cached_property
+    def _ranges(self) -> dict[sp.Symbol, Range]:
+        """The ranges of the coordinates: an answer need not have what lies outside, and may have it."""
+        rule = dict(self.values)
+        ranges = self.equilibrium.configuration.ranges.items()
+        return {q: replace(r, low=r.low.xreplace(rule), high=r.high.xreplace(rule)) for q, r in ranges}
 
     def _is_pole(self, b: Branch) -> bool:
         """Whether all points of a branch are among those that were omitted as poles."""
@@ -332,8 +338,7 @@ class EquilibriumComparison:
         right, loose, why = self._right([x for es in a.equations for x in es], a.angles)
         tested = [known or self._tested(n, a, right) for n, known in enumerate(evident)]
         if right is False and not loose and all(v.verdict is not Verdict.WRONG for v in tested):
-            # The solutions include points that are no equilibria: then no equation is right, not even one that may hold
-            # at equilibria that are not known.
+            # Some solutions are no equilibria: no equation is right then, not even one that may hold at unknown ones.
             open_verdicts = (Verdict.EQUIVALENT, Verdict.UNDECIDED)
             tested = [
                 replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict in open_verdicts else v for v in tested
@@ -496,9 +501,10 @@ class EquilibriumComparison:
         except NotAlgebraicError:
             return None, False, ""
         if own.solved:
-            several = not values and len(equations) + len(angles) > 1  # θ = 0, and cos θ = W/(c l)
-            if not own.branches or (several and all(b.special for b in own.branches)):
-                return False, False, "it cannot hold together with the other equations and the constraints"
+            if not own.branches:  # the sign of a root of parameters, which decides, may depend on them
+                return None if any(has_root_of_sum(e, self.unknowns) for e in equations) else False, False, _CONTRADICTS
+            if not values and len(equations) + len(angles) > 1 and all(b.special for b in own.branches):
+                return False, False, _CONTRADICTS  # θ = 0, and cos θ = W/(c l)
             named = {s for e in equations for s in e.free_symbols} | {*angles}
             return self._solutions_right(own, given, [u for u in self.unknowns if u in named])
         if self._same_factors(equations):
@@ -530,9 +536,10 @@ class EquilibriumComparison:
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
         balanced: list[Values] = []
         others: list[tuple[Branch, Values, bool | None]] = []
+        inside = [p for b in own.branches for p in b.points if not is_outside(p, self._ranges, own)]
         for b in own.branches:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
-            for p in ({**p, **related} for p in b.points):
+            for p in ({**p, **related} for p in b.points if p in inside or not inside):
                 holds = self._is_balanced(own, p, values)
                 if holds or self._is_conditional(own, p, values):
                     balanced.append(p)

@@ -54,6 +54,14 @@ forces: {spring: {potential: k*theta^2/2}, weight: {potential: W*l*cos(theta)}}
 """
 
 
+THREE_PLACES = """
+title: Three places of rest
+parameters: [k, a, b]
+coordinates: [x]
+forces: {f: {potential: k*(x^4/4 - (a + b)*x^3/3 + a*b*x^2/2)}}
+"""
+
+
 EQUIVALENT, WRONG, INCOMPLETE, TRIVIAL = Verdict.EQUIVALENT, Verdict.WRONG, Verdict.INCOMPLETE, Verdict.TRIVIAL
 ANSWERS = [
     ("ex16-rod-on-two-planes", ["tan(theta) = (2*k - 1)/tan(alpha)"], EQUIVALENT),
@@ -69,6 +77,13 @@ ANSWERS = [
     ("ex16-rod-on-two-planes", ["k = 1/2"], WRONG),  # there is equilibrium for other k, and not everywhere for this
     ("ex16-rod-on-two-planes", ["k = 1/2", "theta = 0"], INCOMPLETE),
     ("ex16-rod-on-two-planes", ["sin(theta)^2 + cos(theta)^2 = 1"], TRIVIAL),
+    # within the range of the coordinate a tangent has one angle
+    ("inverted-pendulum-springs", ["theta = 0 or tan(theta) = ± sqrt(b^4*c^2 - W^2*l^2)/(W*l)"], EQUIVALENT),
+    ("inverted-pendulum-springs", ["theta = 0 or tan(theta) = ± sqrt(b^4*c^2 + W^2*l^2)/(W*l)"], WRONG),
+    ("inverted-pendulum-springs", ["theta = 0 or cos(theta) = -W*l/(b^2*c)"], WRONG),
+    (THREE_PLACES, ["x = 0 or 2*x = a + b ± sqrt((a + b)^2 - 4*a*b)"], EQUIVALENT),
+    (THREE_PLACES, ["x = 0 or 2*x = a + b + sqrt((a + b)^2 - 4*a*b)"], INCOMPLETE),
+    (THREE_PLACES, ["x = 0 or 2*x = a + b ± sqrt((a + b)^2 + 4*a*b)"], WRONG),
     (BEAD, ["sin(theta)*(a*cos(theta) - b) = 0"], EQUIVALENT),
     (BEAD, ["a*sin(2*theta) = 2*b*sin(theta)"], EQUIVALENT),
     (BEAD, ["theta = 0 or theta = pi or cos(theta) = b/a"], EQUIVALENT),

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from itertools import islice
 
@@ -68,7 +68,10 @@ def check_rest_answers(
     if best is Verdict.INCOMPLETE:
         diagnosis = next((why for r in rests if (why := _other_limit(read, r, reference.values))), "")
         diagnosis = diagnosis or "some conditions are missing"
-    if best in (Verdict.WRONG, Verdict.INCOMPLETE):
+    one = any(_are_of_one_case(*_in_parts(read, r, reference.values)) for r in rests)
+    if best is Verdict.INCOMPLETE and one:
+        diagnosis = "this is one of several cases in which it can be at rest"
+    elif best in (Verdict.WRONG, Verdict.INCOMPLETE):
         diagnosis = next(
             filter(None, (_explained(read, r, best, solution, reference.values) for r in rests)), diagnosis
         )
@@ -76,8 +79,11 @@ def check_rest_answers(
 
 
 def _in_tangents(s: _Stated) -> _Stated:
-    """θ ≤ atan(u) as tan θ ≤ u, the same for −π/2 < θ < π/2: the divisors in u are seen there."""
+    """θ ≤ atan(u) as tan θ ≤ u, the same for −π/2 < θ < π/2, and atan v ≤ atan u as v ≤ u: divisors are seen there."""
     terms = sp.Add.make_args(s.slack)
+    (c, first), (d, second) = (terms[0].as_coeff_Mul(), terms[-1].as_coeff_Mul())
+    if len(terms) == 2 and c == -d and isinstance(first, sp.atan) and isinstance(second, sp.atan):
+        return replace(s, slack=sp.sign(c) * (first.args[0] - second.args[0]), rounded=None)
     for term, other in (terms, terms[::-1]) if len(terms) == 2 else ():
         factor, inverse = term.as_coeff_Mul()
         if isinstance(inverse, sp.atan) and factor != 0 and (angle := -other / factor).is_Symbol:
@@ -350,7 +356,7 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
         weaker = weaker or (claimed and not derived)
         stronger = stronger or (derived and not claimed)
     if stronger:
-        return Verdict.WRONG
+        return Verdict.INCOMPLETE if not weaker and _are_of_one_case(given, cases) else Verdict.WRONG
     if weaker:
         known = cases[0] if len(cases) == 1 else []
         partly = known and given and all(any(_are_same(s, c) or _rounds_to(s, c) for c in known) for s in given)
@@ -367,6 +373,27 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
 
     exact = all(map(is_exact, stated_ones))
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def _are_of_one_case(given: Sequence[_Stated], cases: Sequence[Sequence[_Stated]]) -> bool:
+    """Whether conditions are those of one of several cases: P ≤ μ (W − P) of P ≤ μ |W − P|."""
+    single = [one for case in cases for one in _by_signs(case)]
+    return len(single) > 1 and any(
+        all(any(_are_same(s, c) for c in case) for s in given)
+        and all(any(_are_same(s, c) for s in given) for c in case)
+        for case in single
+    )
+
+
+def _by_signs(case: Sequence[_Stated]) -> Iterator[Sequence[_Stated]]:
+    """A case with a modulus as two, one for each sign of what it contains."""
+    moduli = set[sp.Expr]().union(*(c.slack.atoms(sp.Abs) for c in case))
+    if len(moduli) != 1:
+        yield case
+        return
+    [modulus] = moduli
+    for sign in (1, -1):
+        yield [replace(c, slack=c.slack.xreplace({modulus: sign * modulus.args[0]})) for c in case]
 
 
 def without_implied_conditions(case: Sequence[_Stated]) -> list[_Stated]:
@@ -503,7 +530,8 @@ def _has_limit(a: _Stated, b: _Stated) -> bool:
             continue
         value = s - a.slack / rate
         try:
-            if is_zero(b.slack.xreplace({s: value})) is True:
+            limit = b.slack.xreplace({s: value})
+            if is_zero(sp.expand_trig(limit) if value.has(sp.atan) else limit) is True:
                 return True
         except (DivisionByZeroError, ZeroDivisionError):
             continue
@@ -524,21 +552,25 @@ def _points(conditions: Sequence[_Stated], related: Sequence[sp.Expr] = ()) -> I
             if not s.is_positive and s not in angles and draw.random() < 0.5:
                 value = -value
             point[s] = value
-        yield _near_a_limit(point, conditions, draw) if number % 2 else point
+        yield _near_a_limit(point, conditions, angles, draw) if number % 2 else point
 
 
 def _near_a_limit(
-    point: dict[sp.Symbol, float], conditions: Sequence[_Stated], draw: random.Random
+    point: dict[sp.Symbol, float], conditions: Sequence[_Stated], angles: Set[sp.Symbol], draw: random.Random
 ) -> dict[sp.Symbol, float]:
-    """The point with one letter moved to about its limit: forces are not of order one where weights have values."""
+    """The point with one letter moved to about its limit: forces are not of order one where weights have values.
+
+    An angle stays acute.
+    """
     condition = draw.choice(conditions)
     for s in sorted(_symbols(condition.slack), key=str):
         rate = condition.slack.diff(s)
         if s in rate.free_symbols or rate == 0:
             continue
         limit = point[s] - approximate(condition.slack, point) / approximate(rate, point)
-        if math.isfinite(limit) and (limit > 0 or not s.is_positive):
-            return {**point, s: limit * draw.uniform(0.5, 1.5)}
+        moved = limit * draw.uniform(0.5, 1.5)
+        if math.isfinite(limit) and (limit > 0 or not s.is_positive) and (s not in angles or 0 < moved < math.pi / 2):
+            return {**point, s: moved}
     return point
 
 

@@ -210,7 +210,9 @@ def _steady(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Jud
 
     reference = reference_of_solution(solution)
     cyclic = next((v.steady.cyclic for v in solution.views if v.steady is not None), ())
-    answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)] or answer
+    if all(_KEPT.search(f.text) for f in answer):  # m r^2 phi' = const is an integral of every motion
+        return judge(answer)
+    answer = [period_as_rate(f, cyclic, reference) for f in answer if not _KEPT.search(f.text)]
     working = understood(answer, with_rate_as_omega(reference, cyclic), moving=False)
     used = {
         s for f in working.judged if isinstance(f, GivenEquation) for e in f.reading.components for s in e.free_symbols

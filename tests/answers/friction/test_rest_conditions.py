@@ -20,6 +20,7 @@ from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Re
         (ROUGH, "[(1 + mu_A*mu_B)*tan(theta) <= 2*mu_A]", "wrong"),
         (SMOOTH, "[tan(theta) <= 2*mu_A]", "equivalent"),
         (SMOOTH, "[theta <= atan(2*mu_A)]", "equivalent"),
+        (SMOOTH, "[atan(tan(theta)/2) <= atan(mu_A)]", "equivalent"),
         (SMOOTH, "[tan(theta) >= 2*mu_A]", "wrong"),
         (COLLAR, "2*a*mu >= h", "equivalent"),
         (COLLAR, "a*mu > h", "wrong"),
@@ -27,6 +28,8 @@ from tests.mechanics.equilibrium.friction.test_friction_at_rest import ROUGH, Re
         (STACKED, "[F <= mu_1*m*g, F <= mu_2*(m + M)*g]", "equivalent"),
         (HELD, "[P <= W*(tan(alpha) + mu)/(1 - mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
         (HELD, "[P <= W*tan(alpha + atan(mu)), P >= W*tan(alpha - atan(mu))]", "equivalent"),
+        (HELD, "[atan(P/W) <= alpha + atan(mu), atan(P/W) >= alpha - atan(mu)]", "equivalent"),
+        (HELD, "[atan(P/W) <= alpha + 2*atan(mu), atan(P/W) >= alpha - 2*atan(mu)]", "wrong"),
         (HELD, "[P <= W*(tan(alpha) + mu)/(1 - 2*mu*tan(alpha)), P >= W*tan(alpha - atan(mu))]", "wrong"),
     ],
 )
@@ -110,3 +113,33 @@ def test_conditions_hold_where_the_constraints_do(problem: Read, answer: str, ve
     """The derived condition is about x, which the height determines on the wire."""
     judged = check_answer(problem(PARABOLA), (Fragment.of(answer),))
     assert judged.verdict.value == verdict
+
+
+RING = """
+title: A ring on a bar, pulled aside and upwards with the same force
+parameters: [W, P, mu]
+coordinates: [x, y]
+particles: {B: {position: x*i + y*j}}
+constraints: {bar: {equation: y = 0, reaction: N}}
+forces:
+  pull: {on: B, vector: P*i + P*j}
+  weight: {on: B, vector: -W*j}
+  rub: {friction: mu, static: mu, constraint: bar, on: B}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("P <= mu*abs(W - P)", "equivalent"),
+        ("P <= mu*(W - P)", "incomplete"),  # N upwards; it may rest with N downwards, too
+        ("P <= mu*(P - W)", "incomplete"),
+        ("P <= mu*(W + P)", "wrong"),
+        ("P <= mu*(W - P)/2", "wrong"),
+    ],
+)
+def test_one_of_two_cases_is_incomplete(problem: Read, stated: str, verdict: str) -> None:
+    [answer] = compared_answers(solved(problem, f"{RING}answers: {{rest: [{stated}]}}\n"))
+    assert answer.verdict.value == verdict
+    assert ("one of several cases" in answer.diagnosis) is (verdict == "incomplete")

@@ -49,3 +49,18 @@ def test_a_frequency_at_a_position_that_is_not_known_is_undecided(lines: list[st
     judged = examiner.check(tuple(map(Fragment.of, lines)))
     assert judged.verdict.value == verdict
     assert "the conditions of equilibrium do not require it" not in str(judged)
+
+
+def test_a_conserved_quantity_is_no_condition_of_steady_motion() -> None:
+    central = """
+title: Central force
+parameters: [m, k]
+frame: {type: polar, coordinates: [r, phi]}
+coordinates: [r, phi]
+particles: {P: {mass: m, position: r*e_r}}
+forces: {spring: {potential: k*r^2/2}}
+find: [motion, steady]
+"""
+    judged = Examiner.of(read_problem(Source("problem.yaml", central))).check((Fragment.of("m*r^2*phi' = const"),))
+    [equation] = judged.each
+    assert equation.diagnosis.startswith("it is a first integral")
