@@ -83,10 +83,12 @@ class Decimal(sp.Symbol):
     __slots__ = ("half_width", "written")
 
     def __new__(cls, text: str, place: str) -> Decimal:
-        """The decimal with this text, `14.01` or `1.2e-3`."""
+        """The decimal with this text, `14.01` or `1.2e-3`; of the zeros in 346000 only three digits count."""
         symbol: Decimal = cls.__xnew__(cls, f"{text} at {place}", positive=True)
         mantissa, _, power = text.lower().partition("e")
-        places = len(mantissa.partition(".")[2])
+        whole, point, decimals = mantissa.partition(".")
+        zeros = len(whole) - max(len(whole.rstrip("0")), 3)
+        places = len(decimals) if point else -max(zeros, 0)
         symbol.written = sp.Rational(text)
         symbol.half_width = sp.Rational(1, 2) * sp.Integer(10) ** (int(power or 0) - places)
         return symbol

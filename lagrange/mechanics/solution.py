@@ -579,7 +579,7 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
             if Find.IMPENDING in problem.find:  # first, as it takes less work
                 file = (own.configuration, own.elimination, work)
                 motions = impending_motions(problem, law.newton, file, before.configuration, before.elimination)
-                checks += check_impending([m.equilibrium for m in motions])
+                checks += check_impending(motions)
                 view = replace(view, impending=motions)
             if Find.EQUILIBRIUM in problem.find and not given_up:
                 resting, given_up = rest_within(problem, law.newton, own.configuration, before.configuration, work)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import pytest
@@ -271,3 +272,51 @@ forces: {pull: {on: P, vector: F*i}}
 find: equilibrium
 """
     assert verdict(read(pulled), answer).verdict is expected
+
+
+ROD_AT_WALL = """title: Rod at a wall, hung by a string
+axes: {j: down}
+parameters: {l: 1 m, s: 3 m, W: N}
+coordinates: [y, theta]
+bodies: {rod: {position: l*sin(theta)*i + (y + l*cos(theta))*j, angle: -theta}}
+constraints: {string: {equation: "(2*l*sin(theta))^2 + (y + 2*l*cos(theta))^2 = s^2", reaction: T}}
+forces: {weight: {on: rod, vector: W*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("theta = 0 or theta = pi or theta = 49.80 deg or theta = -49.80 deg", Verdict.EQUIVALENT),
+        ("theta = 0 or theta = pi or theta = 50.80 deg or theta = -50.80 deg", Verdict.WRONG),
+    ],
+)
+def test_strings_that_would_push_are_not_asked_for(
+    problem: Callable[[str], Problem], answer: str, verdict: Verdict
+) -> None:
+    """Nor is the place of the end on the wall, which the string determines but for its sign."""
+    assert check_answer(problem(ROD_AT_WALL), (Fragment.of(answer),)).verdict is verdict
+
+
+BALLS = """title: Two balls joined by a rod in a bowl
+parameters: {P: 30 N, Q: 40 N, R: m}
+coordinates: [phi]
+particles: {A: {position: "-R*sin(phi)*i - R*cos(phi)*j"}, B: {position: "R*cos(phi)*i - R*sin(phi)*j"}}
+forces: {wa: {on: A, vector: -P*j}, wb: {on: B, vector: -Q*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict"),
+    [
+        ("phi = 53.1 deg", Verdict.EQUIVALENT),
+        ("phi = -126.9 deg", Verdict.INCOMPLETE),
+        ("phi = 54.1 deg", Verdict.WRONG),
+    ],
+)
+def test_an_angle_in_numbers_stands_for_its_tangent(
+    problem: Callable[[str], Problem], answer: str, verdict: Verdict
+) -> None:
+    assert check_answer(problem(BALLS), (Fragment.of(answer),)).verdict is verdict

@@ -254,3 +254,44 @@ def test_reactions_beside_an_equilibrium_that_is_not_solved(
     reference = SimpleNamespace(values={}, scope=SimpleNamespace(slots=SimpleNamespace(coordinates=())))
     judge = SimpleNamespace(reference=reference)
     assert stated.StatedReactionsAtRest._holds(judge, [sp.Symbol("A_x") + 1], {}, reactions, ()) is expected  # type: ignore[arg-type]
+
+
+SPHERES = """parameters: {r: 20 cm, b: 70 cm, W: 100 N}
+coordinates: [x_1, y_1, x_2, y_2]
+particles: {lower: {position: x_1*i + y_1*j}, upper: {position: x_2*i + y_2*j}}
+constraints:
+  left: {equation: x_1 >= r, reaction: N_1}
+  floor: {equation: y_1 >= r, reaction: N}
+  right: {equation: x_2 <= b - r, reaction: N_2}
+  contact: {equation: norm(r_upper - r_lower) >= 2*r, reaction: R}
+forces: {w1: {on: lower, vector: -W*j}, w2: {on: upper, vector: -W*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(("stated", "verdict"), [("{N_1: 113.4, R: 151.2 N}", "equivalent"), ("{R: 150.2}", "wrong")])
+def test_a_position_at_which_contacts_would_pull_does_not_count(problem: Read, stated: str, verdict: str) -> None:
+    """The second sphere below the first satisfies the constraints as well."""
+    found = solution(problem, f"{SPHERES}answers: {{reactions: {stated}}}\n")
+    assert [a.verdict.value for a in compared_answers(found)] == [verdict]
+
+
+PULLEY_ON_CABLE = """parameters: {a: 4 m, h: 1 m, L: 5 m, W: 90 N}
+coordinates: {x: {range: [0, 4 m]}, y: {range: [-5 m, 0]}}
+particles: {P: {position: x*i + y*j}}
+constraints: {cable: {equation: "sqrt(x^2 + y^2) + sqrt((a - x)^2 + (h - y)^2) = L", reaction: T, by: string}}
+forces: {weight: {on: P, vector: -W*j}}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdicts"),
+    [
+        ("{equilibrium: [x = 4/3, y = -1], reactions: {T: 75 N}}", ["equivalent", "equivalent"]),
+        ("{equilibrium: [x = 1.33], reactions: {T: 0.0751 kN}}", ["equivalent", "wrong"]),
+    ],
+)
+def test_forces_and_places_found_in_numbers(problem: Read, stated: str, verdicts: list[str]) -> None:
+    found = solve(problem(f"title: Pulley\n{PULLEY_ON_CABLE}answers: {stated}\n"))
+    assert [a.verdict.value for a in compared_answers(found)] == verdicts

@@ -13,6 +13,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import (
     Bounded,
+    Decimal,
     Sign,
     Slots,
     Unspecified,
@@ -165,3 +166,10 @@ def test_parameters_with_different_ranges_are_different() -> None:
         True,
         None,
     )
+
+
+@pytest.mark.parametrize(
+    ("text", "half"), [("14.01", "1/200"), ("353", "1/2"), ("346000", "500"), ("2000", "5"), ("346e6", "500000")]
+)
+def test_a_whole_number_is_rounded_to_three_digits_or_more(text: str, half: str) -> None:
+    assert Decimal(text, "1").half_width == sp.Rational(half)

@@ -213,18 +213,21 @@ def compared_equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fra
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
     from lagrange.answers.questions.statics import compared_in_numbers, compared_with_rest
+    from lagrange.answers.written.values import with_value_in_si
 
     if solution.rest_in_numbers is not None:
         return compared_with_rest(alternatives, solution.rest_in_numbers, solution)
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     if not equilibria:  # small oscillations are about an equilibrium too
         equilibria = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
+    reference = reference_of_solution(solution)
+    alternatives = [[with_value_in_si(f, reference) for f in a] for a in alternatives]
     if any(v.impending for v in solution.views):
         return compared_impending(solution, alternatives)
     if not equilibria:
         diagnosis = "the problem does not ask for equilibrium"
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
-    verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
+    verdict = check_equilibria(alternatives, equilibria, reference)
     verdict = compared_in_numbers(alternatives, verdict, solution)
     why = _about_equilibria(verdict, alternatives, equilibria, solution)
     return replace(verdict, name="equilibrium", diagnosis=why)

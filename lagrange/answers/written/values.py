@@ -63,6 +63,8 @@ def with_value_in_si(fragment: Fragment, reference: Reference) -> Fragment:
     name = "".join(GREEK.get(c, c) for c in match["name"])
     symbol = reference.scope.scalar(reference.scope.spelling(name))
     unit = "N" if is_force(symbol, reference) else reference.units.get(symbol, "")
+    if not unit and symbol in reference.unknowns:  # a force or a moment: of N = 240 N the second N is a unit
+        unit = (split_number(plain_unit(match["value"])) or ("", ""))[1]
     return _in_si(fragment, match["name"], (match.start("value"), match.end("value")), unit, reference)
 
 

@@ -71,7 +71,7 @@ def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator
     verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
     numbers = view.in_numbers if view.linearization is None or view.linearization.branches == branches else None
     for n, (b, verdict) in enumerate(zip(branches, verdicts, strict=True)):
-        if n in excluded:
+        if n in excluded or (numbers is not None and n in numbers.absent and len(numbers.absent) < len(branches)):
             continue
         places = [] if numbers is None or not b.left else [p for p in numbers.positions if p.branch is None]
         if places and sum(bool(other.left) for other in branches) == 1:

@@ -24,7 +24,7 @@ from typing import assert_never
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
-from lagrange.algebra.closed_forms.single_equation import Values
+from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
@@ -35,6 +35,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check, certainty
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, balance_in
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stated_equilibria import rests_on_decimals, stated_equilibria
@@ -194,10 +195,17 @@ def _holds_there(resting: Equilibrium, original: Equilibrium) -> bool | None:
     return all_hold(balance_in(original, resting, p) for b in resting.branches if not b.special for p in b.points)
 
 
-def check_impending(equilibria: Sequence[Equilibrium]) -> list[Check]:
-    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
+def check_impending(motions: Sequence[ImpendingMotion]) -> list[Check]:
+    """The checks of the equilibria with friction at its limit, those of all directions of slip together.
+
+    They are in the position that the constraints hold, which a branch need not state; there may be another one.
+    """
     groups: dict[str, list[Check]] = {}
-    for e in equilibria:
+    for m in motions:
+        place = tuple(Relation(q, v) for q, v in m.place.items())
+        branches = tuple(replace(b, relations=(*b.relations, *(r for r in place if r not in b.relations)))
+                         for b in m.equilibrium.branches)  # fmt: skip
+        e = replace(m.equilibrium, branches=branches)
         for check in check_equilibrium(e, e):
             groups.setdefault(check.name, []).append(check)
     return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]

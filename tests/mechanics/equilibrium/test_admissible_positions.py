@@ -422,3 +422,21 @@ find: equilibrium
         assert "θ ≈ 74.53°" in page
         assert ("θ ≈ −74.53°" in page) is both
         assert "cos θ ≈ 0.2667" in page
+
+
+def test_half_an_angle_tells_a_position_from_that_a_turn_away() -> None:
+    """With θ/2 in the forces θ = −π is not θ = π: it is outside of 0 ≤ θ ≤ π."""
+    text = """
+title: Ring on a hoop, drawn to the top
+parameters: [P, Q, R]
+coordinates: {theta: {range: [0, pi]}}
+particles:
+  ring: {position: R*sin(theta)*i + R*cos(theta)*j}
+  load: {position: 2*R*sin(theta/2)*j}
+forces: {w1: {on: ring, vector: -P*j}, w2: {on: load, vector: -Q*j}}
+find: equilibrium
+"""
+    solved = report(read_problem(Source("ring.yaml", text))).solution.own.equilibrium
+    assert solved is not None
+    theta = sp.Symbol("theta", real=True)
+    assert [r.rhs for b in solved.branches for r in b.relations if r.lhs == theta] == [sp.pi]

@@ -116,15 +116,19 @@ def _in_si(number: str, unit: str, *, latex: bool = False) -> str:
 
 
 def in_one_number(number: str, factor: sp.Expr, latex: bool) -> str:
-    """`84.9` kN as (84.9e3): a factor of its own would count as rounded, too."""
+    """`84.9` kN as (84.9)*10^3: 84.9e3 is a product where `e` is declared, and 1000 would count as rounded, too."""
     power = next((n for n in range(-12, 13) if sp.Integer(10) ** n == factor), None)
     if factor == 1:
         product = f"({number})"
     elif power is not None and _PLAIN.fullmatch(number):
-        product = f"({number}e{power})"
+        product = f"({number}){'*' if power > 0 else '/'}10^{_exponent(abs(power), latex)}"
     else:
         product = f"({number})*({_in_short_numbers(factor)})"
     return product.replace("*", r" \cdot ") if latex else product
+
+
+def _exponent(power: int, latex: bool) -> str:
+    return f"{{{power}}}" if latex else str(power)
 
 
 def _in_short_numbers(factor: sp.Expr) -> str:

@@ -66,6 +66,7 @@ class ImpendingMotion:
     pressed      by constraint: the force in which its reaction is written
     equilibrium  with the friction as applied forces
     held         the position that the constraints hold, which an answer need not state
+    place        that position, wherever the forces are those there
     """
 
     contacts: tuple[RoughContact, ...]
@@ -74,6 +75,7 @@ class ImpendingMotion:
     pressed: Mapping[str, sp.Expr]
     equilibrium: Equilibrium
     held: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    place: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
 
 @record
@@ -261,7 +263,7 @@ def _at_limit(
             raise NotCoveredError(what, c.friction.span)
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
     unstated = {} if resting.given else held
-    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated)
+    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting, unstated, held)
 
 
 def _pressed_by(
