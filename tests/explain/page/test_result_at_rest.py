@@ -189,3 +189,14 @@ def test_roots_found_in_numbers_stand_at_the_head() -> None:
     head = terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0]
     assert f"θ ≈ {low:.4g} rad" in head
     assert "not solved in closed form" not in head
+
+
+def test_the_oscillations_about_a_steady_motion_stand_at_the_head() -> None:
+    head = _head("""title: Paraboloid
+parameters: [m, a, g]
+coordinates: [r, phi]
+particles: {P: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j + r^2/(2*a)*k"}}
+gravity: -g*k
+find: steady
+""")
+    assert "ω² = 4a g/(r² + a²) of small oscillations about it" in head
