@@ -59,7 +59,8 @@ def result_at_rest(
     if view.linearization is not None:
         stated = view.equilibrium is not None
         lines = [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
-        yield Rule.LINEARIZATION, [*lines, *_damped(view.linearization)]
+        numbers = [] if view.in_numbers is None else [*_only_in_numbers(view.linearization, view.in_numbers)]
+        yield Rule.LINEARIZATION, [*lines, *_damped(view.linearization), *numbers]
 
 
 def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator[Equation]:
@@ -249,6 +250,21 @@ def _frequencies_about(
         names = [f"{at.unknown.name}_{n}" if several else at.unknown.name for n in range(1, len(squares) + 1)]
         lines = [(sp.Symbol(name, real=True), x) for name, x in zip(names, squares, strict=True) if x is not None]
         yield tuple(lines), about, words
+
+
+def _only_in_numbers(linearization: Linearization, numbers: EquilibriaInNumbers) -> Iterator[Equation]:
+    """The frequencies about an equilibrium whose squares have no closed form, or only long ones."""
+    for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
+        squares = () if at is None or not at.oscillates else [f.square for f in at.frequencies]
+        there = [p.oscillations for p in numbers.positions if p.branch == k]
+        if len(there) != 1 or all(s is not None and count_operations(s) <= LONGEST_FREQUENCY for s in squares):
+            continue
+        about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
+        name = linearization.omega.name
+        for n, o in enumerate(there[0], start=1):
+            letter = sp.Symbol(f"{name}_{n}" if len(there[0]) > 1 else name, real=True)
+            last = n == len(there[0])
+            yield Equation((letter, o.frequency.shown(RESULT_DIGITS)), relation="≈", condition=about if last else ())
 
 
 def _damped(linearization: Linearization) -> Iterator[Equation]:
