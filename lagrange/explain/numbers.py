@@ -31,6 +31,7 @@ from lagrange.explain.limits import MOST_SHAPES
 from lagrange.explain.questions import angle_of, answer_label, in_degrees
 from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.in_numbers import (
+    Decay,
     EquilibriaInNumbers,
     Position,
     angles_of_branch,
@@ -307,6 +308,7 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
     try:
         if right.is_number and right.formula != 0 and not sides[0].is_number:
             number, unit = right.formula_shown(digits), _unit(sides[0], right, values, (sides[0], sides[-1]) in bare)
+            unit = unit or ("rad" if isinstance(sides[-1], sp.atan2) and values.units else "")  # a phase lag
             shown = with_unit(number, unit) if unit else number
             degrees = (with_unit(rounded(right.formula * 180 / sp.pi, digits), "°"),) if unit == "rad" else ()
             return Equation((sides[0], shown, *degrees), relation="=" if is_exact(right.formula, number) else "≈")
@@ -421,8 +423,11 @@ def _table(view: InCoordinates, in_numbers: EquilibriaInNumbers, called: Callabl
     most = max((len(p.oscillations) for p in in_numbers.positions), default=0)
     omega = view.linearization.omega if view.linearization is not None else sp.Symbol("omega", real=True)
     header: list[Part] = ["equilibrium", *(math(u) for u in unknowns)]
+    shapes = any(o.mode for p in in_numbers.positions for o in p.oscillations)
+    moved = _moved(view) if shapes else []
     for k in range(most):
         header += [math(omega if most == 1 else sp.Symbol(f"{omega.name}_{k + 1}", real=True)), "period"]
+        header += [math(*moved, relation=":")] if moved else []
     header += ["stability"] if judged else []
     rows = []
     for p in in_numbers.positions:
@@ -432,11 +437,20 @@ def _table(view: InCoordinates, in_numbers: EquilibriaInNumbers, called: Callabl
             if k < len(p.oscillations):
                 o = p.oscillations[k]
                 row += [math(o.frequency.shown(digits)), math(o.period.shown(digits))]
+                ratio = [sp.Integer(int(x)) if x in (0, 1) else rounded(sp.Float(x), digits) for x in o.mode]
+                row += [math(*ratio, relation=":") if ratio else "–"] if moved else []
             else:
-                row += ["–", "–"]
+                row += ["–", "–", *(("–",) if moved else ())]
         row += [_judged(p, view)] if judged else []
         rows.append(tuple(row))
     return Table(tuple(header), tuple(rows), Detail.BRIEF)
+
+
+def _moved(view: InCoordinates) -> list[sp.Symbol]:
+    """The small displacements whose ratios in each mode are shown; none for one coordinate, or for many."""
+    linear = view.linearization
+    free = () if linear is None else next((s.free for s in linear.at if s is not None), ())
+    return [linear.displacements[k] for k in free] if linear is not None and 1 < len(free) <= MOST_SHAPES else []
 
 
 def _decays(
@@ -447,20 +461,34 @@ def _decays(
     listed_ = [(p, d) for p in in_numbers.positions for d in p.decays]
     if linear is None or not listed_:
         return []
-    free = next(s.free for s in linear.at if s is not None)
-    moved = [linear.displacements[k] for k in free] if 1 < len(free) <= MOST_SHAPES else []
-    header: list[Part] = ["equilibrium", "decay rate", "frequency"]
+    moved = _moved(view)
+    one = all(len(s.free) == 1 for s in linear.at if s is not None)
+    header: list[Part] = [
+        "equilibrium",
+        "decay rate",
+        "frequency",
+        *(("damping ratio", "log. decrement") if one else ()),
+    ]
     for x in moved:
         header += [math(x), "phase"]
     rows = []
     for p, d in listed_:
         row: list[Part] = [called(p.branch) if p.branch is not None else "numerical", math(d.rate.shown(digits))]
         row.append("none" if d.frequency is None else math(d.frequency.shown(digits)))
+        row += _share_and_decrement(d, digits) if one else []
         for amplitude, phase in zip(d.amplitudes, d.phases, strict=True) if moved else ():
             row += [math(rounded(sp.Float(amplitude), digits)), math(rounded(sp.Float(phase), digits))]
         rows.append(tuple(row))
     phases = ", with amplitudes and phases (in rad) relative to the largest displacement of each" if moved else ""
     return [prose(f"The damped modes in numbers{phases}:"), Table(tuple(header), tuple(rows), Detail.BRIEF)]
+
+
+def _share_and_decrement(d: Decay, digits: int) -> list[Part]:
+    """ζ = σ/√(σ² + ω²) and the logarithmic decrement 2π σ/ω of one coordinate, where it oscillates."""
+    if d.frequency is None:
+        return ["–", "–"]
+    rate, omega = d.rate.formula, d.frequency.formula
+    return [math(rounded(e, digits)) for e in (rate / sp.sqrt(rate**2 + omega**2), 2 * sp.pi * rate / omega)]
 
 
 def _judged(p: Position, view: InCoordinates) -> str:

@@ -17,7 +17,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span, suggestion
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
-from lagrange.core.symbols import Bounded, Sign
+from lagrange.core.symbols import Bounded, Sign, prime
 from lagrange.core.units import NO_DIMENSION, Dimension, Unit, near_unit, si_unit, split_number, unit_called, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
@@ -276,12 +276,17 @@ def no_values(problem: Problem) -> Values:
 
 
 def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
+    from lagrange.values.dimensions import dimension
     from lagrange.values.quantities import Values
 
     known = _all_known(problem)
     coordinates = {*problem.slots.coordinates}.union(*(c.coordinates for c in problem.choices))
     angles = {q for q in coordinates if known.get(q) == NO_DIMENSION}
     angles |= {p.symbol for p in problem.parameters if (unit := unit_of(p.unit)) is not None and unit.is_angle}
+    of_speeds = {u: dimension(u.definition, known) for u in problem.speeds}
+    rates = {prime(q) for q in angles}
+    angles |= {u.symbol for u in problem.speeds if u.definition in rates}
+    known = {**{u.symbol: d for u, d in of_speeds.items() if d is not None}, **known}
     return Values(numbers, frozenset(p.symbol for p in problem.parameters), known, frozenset(angles))
 
 

@@ -147,6 +147,42 @@ def test_frequencies_of_two_masses() -> None:
     assert [f["number"] for f in position["frequencies"]] == pytest.approx([math.sqrt(w) for w in roots])
 
 
+def test_the_shapes_of_modes_have_numbers() -> None:
+    """(K − w M) a = 0: the ratio of the second displacement to the first is (k + c − w m)/c."""
+    m, k, c = 1.0, 100.0, 70.0
+    [there] = as_json(reported(CHAIN))["linearization"]
+    text = page(reported(CHAIN))
+    for f in there["in_numbers"][0]["frequencies"]:
+        ratio = (k + c - f["number"] ** 2 * m) / c
+        assert f"1 : {ratio:.4g}".replace("-", "−") in text
+
+
+DAMPED = """
+title: Damped vibration
+parameters: {m: 8 kg, k: 800 N/m, c: 40 kg/s, F: 5 N, w: 12 rad/s}
+coordinates: {x: displacement}
+particles: {P: {mass: m, position: x*i}}
+forces: {spring: {spring: k, between: [O, P]}, dashpot: {damper: c, between: [O, P]}}
+find: linearization
+"""
+
+
+def test_a_damped_vibration_has_its_ratio_and_decrement() -> None:
+    text = page(reported(DAMPED))
+    assert "that is σ = 2.5 s⁻¹" in text
+    assert "about x = 0, asymptotically stable, that is ω ≈ 9.682 rad/s" in " ".join(text.replace("│", " ").split())
+    assert f"{2 * math.pi * 2.5 / math.sqrt(100 - 2.5**2):.4g}" in text  # 2π σ/ω
+    assert "0.2500" in text  # c/(2 √(k m))
+
+
+def test_a_phase_lag_is_an_angle() -> None:
+    driven = DAMPED.replace("forces: {", "forces: {drive: {on: P, vector: F*cos(w*t)*i}, ")
+    lag = math.degrees(math.atan2(40 * 12, 800 - 8 * 144))
+    head, _, below = page(reported(driven.replace("find: linearization", "find: response"))).partition(" 1  The system")
+    for part in (head, below):
+        assert f"≈ {lag:.4g}°" in part
+
+
 def test_reactions_have_numbers() -> None:
     text = (PROBLEMS / "chapter6" / "ex11-ideal-pendulum.yaml").read_text(encoding="utf-8")
     result = reported(text, "m=2 kg", "l=30 cm", "g=9.81 m/s^2")

@@ -8,6 +8,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
+from lagrange.problem.values import values_of
 from tests.support.problem_texts import mistakes, places, read
 
 PENDULUM = """title: T
@@ -189,3 +190,16 @@ def test_units_alone_and_written_as_one_word() -> None:
     assert [p.unit for p in problem.parameters][:2] == ["kg", "m"]
     assert all(p.symbol.is_positive for p in problem.parameters)
     assert [p.value for p in problem.parameters] == [None, None, 600, 7200000, 3]
+
+
+def test_quasi_velocities_have_units() -> None:
+    problem = read("""title: Sleigh
+parameters: {m: 10 kg, I: 0.4 kg m^2, a: 0.2 m}
+coordinates: [x, y, theta]
+bodies: {sleigh: {mass: m, inertia: I, position: x*i + y*j + a*e1_sleigh, angle: theta}}
+constraints: {blade: "y'*cos(theta) = x'*sin(theta)"}
+speeds: {u: "x'*cos(theta) + y'*sin(theta)", omega: theta'}
+""")
+    found = values_of(problem)
+    assert found is not None
+    assert [found.unit_of(s.symbol) for s in problem.speeds] == ["m/s", "rad/s"]

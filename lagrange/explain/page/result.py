@@ -35,6 +35,7 @@ from lagrange.explain.limits import (
     LONGEST_ACCELERATION,
     LONGEST_ANSWER,
     LONGEST_ANSWER_CONDITIONS,
+    LONGEST_FREQUENCY,
     LONGEST_RADICAND,
     LONGEST_RESULT,
     MOST_RESULTS,
@@ -381,7 +382,13 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
             for place in places
             if place.is_positive and count_operations(place) <= LONGEST_ANSWER_CONDITIONS
         ]
-        yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *still]
+        drive, lags = view.response.drive.law, zip(view.response.lags, view.response.phases, strict=True)
+        behind = [
+            Equation((lag, phase), condition=("behind ", math(drive)))
+            for lag, phase in (lags if view.response.is_damped else ())
+            if phase is not None and count_operations(phase) <= LONGEST_FREQUENCY
+        ]
+        yield Rule.RESPONSE, [*(Equation(pair) for pair in pairs), *behind, *still]
     elif view.forced is not None:
         yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
 

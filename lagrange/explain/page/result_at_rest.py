@@ -53,10 +53,13 @@ def result_at_rest(
     if view.at_rest is not None and (held or not conditions):
         yield Rule.SOLVED_REACTIONS, [*_forces(view.at_rest)]
     if view.steady is not None:
-        yield Rule.STEADY, [e for e in _steady(view.steady) if e.operations <= LONGEST_FREQUENCY]
+        lines = [*_steady(view.steady), *_about_steady(view.steady)]
+        yield Rule.STEADY, [e for e in lines if e.operations <= LONGEST_FREQUENCY]
     if view.linearization is not None:
         stated = view.equilibrium is not None
-        yield Rule.LINEARIZATION, [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
+        lines = [*_frequencies(view.linearization, view.in_numbers, existence_stated=stated)]
+        numbers = [] if view.in_numbers is None else [*_only_in_numbers(view.linearization, view.in_numbers)]
+        yield Rule.LINEARIZATION, [*lines, *_damped(view.linearization), *numbers]
 
 
 def _equilibria(view: InCoordinates, excluded: Collection[int] = ()) -> Iterator[Equation]:
@@ -186,6 +189,19 @@ def _steady(steady: SteadyMotions) -> Iterator[Equation]:
             yield from _branch(b, *(("with ",) if given else ()), *given, *words)
 
 
+def _about_steady(steady: SteadyMotions) -> Iterator[Equation]:
+    """The frequency of small oscillations about the only steady motion, if there is one frequency and it is stable."""
+    branches = [(family.about, s) for family in steady.families for s in family.about.at]
+    if len(branches) != 1 or branches[0][1] is None:
+        return
+    [(about, s)] = branches
+    if s is None or len(s.frequencies) != 1 or s.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
+        return
+    [f] = s.frequencies
+    if f.square is not None and f.square != 0:
+        yield Equation((about.omega**2, f.square), condition=("of small oscillations about it",))
+
+
 def _in_a_word(judgement: StabilityJudgement, values: Sequence[sp.Expr]) -> tuple[Part, ...]:
     """`stable`, `unstable where a > b`, `stable to first order where c > d`; nothing where it is undecided or long.
 
@@ -254,6 +270,35 @@ def _frequencies_about(
         names = [f"{at.unknown.name}_{n}" if several else at.unknown.name for n in range(1, len(squares) + 1)]
         lines = [(sp.Symbol(name, real=True), x) for name, x in zip(names, squares, strict=True) if x is not None]
         yield tuple(lines), about, words
+
+
+def _only_in_numbers(linearization: Linearization, numbers: EquilibriaInNumbers) -> Iterator[Equation]:
+    """The frequencies about an equilibrium whose squares have no closed form, or only long ones."""
+    for k, (b, at) in enumerate(zip(linearization.branches, linearization.at, strict=True)):
+        squares = () if at is None or not at.oscillates else [f.square for f in at.frequencies]
+        there = [p.oscillations for p in numbers.positions if p.branch == k]
+        if len(there) != 1 or all(s is not None and count_operations(s) <= LONGEST_FREQUENCY for s in squares):
+            continue
+        about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
+        name = linearization.omega.name
+        for n, o in enumerate(there[0], start=1):
+            letter = sp.Symbol(f"{name}_{n}" if len(there[0]) > 1 else name, real=True)
+            last = n == len(there[0])
+            yield Equation((letter, o.frequency.shown(RESULT_DIGITS)), relation="≈", condition=about if last else ())
+
+
+def _damped(linearization: Linearization) -> Iterator[Equation]:
+    """The decay rate and the square of the frequency of one damped coordinate, about each equilibrium."""
+    for b, at in zip(linearization.branches, linearization.at, strict=True):
+        if at is None or at.damped is None or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
+            continue
+        lines = [Equation((linearization.decay, at.damped.rate)), Equation((linearization.omega**2, at.damped.square))]
+        if max(e.operations for e in lines) > LONGEST_FREQUENCY:
+            continue
+        words = _stability_of(at)
+        about = ("about ", *listed(math(r.lhs, r.rhs) for r in b.equations)) if b.equations else ()
+        yield lines[0]
+        yield replace(lines[1], condition=(*about, ", " if about and words else "", *words))
 
 
 def _stability_of(at: SmallOscillations) -> tuple[Part, ...]:

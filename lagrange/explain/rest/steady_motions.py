@@ -243,7 +243,8 @@ def _lags(response: Response) -> Iterator[Block]:
                         "negative in opposite phase.")  # fmt: skip
         return
     yield prose("Behind ", drive, plural(len(known), " it lags by the angle", " they lag by the angles"))
-    yield display(*(Equation((s, e), label=_label(response.forced, f"lag-{s.name}")) for s, e in known))
+    lags = (Equation((s, e), label=_label(response.forced, f"lag-{s.name}")) for s, e in known)
+    yield display(*lags, boxed=True, detail=Detail.BRIEF)
 
 
 def _resonance(response: Response) -> Iterator[Block]:

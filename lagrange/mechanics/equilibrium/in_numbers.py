@@ -45,14 +45,22 @@ Evaluate = Callable[[sp.Expr], sp.Expr]
 CERTAIN = sp.Float(10) ** (10 - WORKING_DIGITS)
 """A number that is smaller than this part of the others has no certain sign."""
 
+SAME = 1e-9
+"""The relative difference below which a number is zero, or a square of a frequency the same, in the shapes of modes."""
+
 
 @record
 class Oscillation:
-    """A frequency ω in numbers, and the period 2π/ω; `root` is the index of the root that it belongs to."""
+    """A frequency ω in numbers, and the period 2π/ω; `root` is the index of the root that it belongs to.
+
+    mode  the amplitudes of the free coordinates relative to the first, or the largest where that is at rest; empty for
+          one coordinate, for equal frequencies, and for many coordinates
+    """
 
     root: int
     frequency: Quantity
     period: Quantity
+    mode: tuple[float, ...] = ()
 
 
 @record
@@ -339,13 +347,42 @@ def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[O
         return ()
     squares = [(w, k) for k, f in enumerate(s.frequencies) for w in [*_squares(f, at)] * f.multiplicity]
     known = bool(values.units)
+    modes = _modes(s, at)
     oscillations = []
     for w, k in sorted(squares):
         if w > CERTAIN:
             omega = sp.sqrt(w)
             period = Quantity(2 * sp.pi / omega, "s" if known else "")
-            oscillations.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period))
+            near = [mode for square, mode in modes if abs(square - float(w)) < SAME * float(w)]
+            mode = near[0] if len(near) == 1 else ()
+            oscillations.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period, mode))
     return tuple(oscillations)
+
+
+def _modes(s: SmallOscillations, at: Evaluate) -> list[tuple[float, tuple[float, ...]]]:
+    """ω² with the amplitudes of each normal mode, from (K − ω² M) a = 0; none for one coordinate or for many."""
+    if not 1 < len(s.free) <= MOST_OSCILLATING_IN_NUMBERS:
+        return []
+    tables = []
+    for table in (s.system.mass, s.system.stiffness):
+        numbers = [[at(e) for e in row] for row in table]
+        if any(not e.is_number for row in numbers for e in row):
+            return []
+        tables.append(mpmath.matrix([[mpmath.mpf(str(real_value(e))) for e in row] for row in numbers]))
+    mass, stiffness = tables
+    try:
+        squares, vectors = mpmath.eig(mass**-1 * stiffness)
+    except (ZeroDivisionError, mpmath.NoConvergence):
+        return []
+    modes = []
+    for k, square in enumerate(squares):
+        vector = [vectors[n, k] for n in range(len(s.free))]
+        largest = max(vector, key=abs)
+        scale = vector[0] if abs(vector[0]) > SAME * abs(largest) else largest
+        amplitudes = [complex(x / scale) for x in vector]
+        if all(abs(x.imag) < SAME * max(1, abs(x)) for x in amplitudes):
+            modes.append((float(mpmath.re(square)), tuple(x.real if abs(x) > SAME else 0.0 for x in amplitudes)))
+    return modes
 
 
 def _decays(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[Decay, ...]:

@@ -324,8 +324,11 @@ def while_it_begins(
         )
         if rate.free_symbols & {*setting.place.moving, *slots.accelerations}:
             continue
+        at_rest = {f.coefficient: f.static for f in setting.place.law.frictions
+                   if f.static is not None and f.coefficient.is_Symbol}  # fmt: skip
+        rate = rate.xreplace(at_rest)
         begins = sign(rate)
-        if begins == -1:
+        if begins in (0, -1):
             return None
         conditions += [more_than_zero(rate)] if begins is None else []
     return conditions

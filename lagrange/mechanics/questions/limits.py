@@ -55,3 +55,6 @@ MOST_TURNS = 16
 
 SHARE_DIGITS = 6
 """Digits of a number in front of letters, as of a time found numerically alone: more than a page shows."""
+
+CLOSE = 1e-6
+"""The relative difference up to which an exact value is that of an integration."""

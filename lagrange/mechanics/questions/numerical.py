@@ -2,7 +2,8 @@
 
 Where all parameters have values and the initial state is given, q'' = a(q, q', t) is integrated step by step, and the
 zero of the condition is located in the step in which its sign changes (scipy's `solve_ivp` with events, in the extra
-`sim`). A condition that only touches zero is not seen. The search ends after the longest of the horizons.
+`sim`). A condition that only touches zero is not seen. The search ends after the longest of the horizons. Of several
+exact answers it finds that which comes first, where nothing else has decided that.
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.mechanics.questions.limits import HORIZONS, LARGEST_DRIFT, MOST_EVALUATIONS, SMALLEST_TIME
+from lagrange.mechanics.questions.limits import CLOSE, HORIZONS, LARGEST_DRIFT, MOST_EVALUATIONS, SMALLEST_TIME
+from lagrange.mechanics.questions.results import AnswerBranch
+from lagrange.mechanics.questions.setting import Setting
 
 EXTRA = "sim"
 
@@ -39,6 +42,35 @@ class _TooLongError(Exception):
 def is_available() -> bool:
     """Whether the extra is installed."""
     return find_spec("scipy") is not None
+
+
+def first_of_motion(setting: Setting, condition: sp.Expr, quantity: sp.Expr) -> float | None:
+    """The quantity at the first time at which the condition is zero, with the values of the file; None: not found."""
+    configuration, values = setting.place.configuration, setting.values
+    return first_value(
+        {a: e.xreplace(values) for a, e in setting.known.accelerations.items()},
+        {s: e.xreplace(values) for s, e in setting.initial.items()},
+        configuration.slots.coordinates,
+        configuration.slots.velocities,
+        condition.xreplace(values),
+        quantity.xreplace(values),
+        [f.xreplace(values) for f in configuration.finite_constraints],
+    )
+
+
+def those_with(
+    branches: Sequence[AnswerBranch], number: float | None, values: Mapping[sp.Symbol, sp.Expr]
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+    """The branches that have a value found in numbers, and the others; all where none has it."""
+
+    def has(b: AnswerBranch) -> bool:
+        found = [sp.N(v.xreplace(dict(values))) for v in b.values]
+        return number is not None and any(
+            v.is_real and abs(float(v) - number) <= CLOSE * max(1.0, abs(number)) for v in found
+        )
+
+    kept = [b for b in branches if has(b)]
+    return (kept, [b for b in branches if b not in kept]) if kept else ([*branches], [])
 
 
 def first_value(

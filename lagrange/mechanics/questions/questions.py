@@ -15,13 +15,13 @@ All but the last are exact; `rest` has questions about a system at rest.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.expression_size import count_operations
@@ -175,6 +175,8 @@ class _Search:
             what = "is about a motion that does not begin: friction holds it at rest"
             raise ProblemError(slip_has_ended(self.question, what))
         self.setting.refuse_rolling(self.question)
+        if self._beginning_of_slip is None:
+            raise ProblemError(slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it"))
         if any(self.known.unknown(e) for e in named) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -208,29 +210,24 @@ class _Search:
 
     def _in_numbers(self) -> Asked | None:
         """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
-        values = self.setting.values
-        known, moving = self.setting.known.accelerations, {*self.place.moving}
-        expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
-        if len(known) < len(self.slots.coordinates) or self._not_given():
-            return None
-        if len(self.when) != 1 or not all(e.free_symbols <= moving | values.keys() for e in expressions):
+        if not self._has_numbers:
             return None
         if not numerical.is_available():
             return replace(self._asked(Route.NUMBERS), needs=numerical.EXTRA)
-        value = numerical.first_value(
-            {a: e.xreplace(values) for a, e in known.items()},
-            {s: e.xreplace(values) for s, e in self.setting.initial.items()},
-            self.slots.coordinates,
-            self.slots.velocities,
-            self.when[0].xreplace(values),
-            self.quantity.xreplace(values),
-            [f.xreplace(values) for f in self.configuration.finite_constraints],
-        )
+        value = numerical.first_of_motion(self.setting, self.when[0], self.quantity)
         if value is None:
             return None
         number = sp.Float(value, 6)
         branch = AnswerBranch(self.question.quantity, number, (number,))
         return replace(self._asked(Route.NUMBERS, How.NUMERICAL, ()), branches=(branch,), verified=None)
+
+    @property
+    def _has_numbers(self) -> bool:
+        """Whether the motion can be integrated in numbers up to the condition."""
+        known, moving = self.setting.known.accelerations, {*self.place.moving} | self.setting.values.keys()
+        expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
+        complete = len(known) == len(self.slots.coordinates) and not self._not_given() and len(self.when) == 1
+        return complete and all(e.free_symbols <= moving for e in expressions)
 
     def _not_given(self) -> list[sp.Symbol]:
         """The coordinates and velocities that have no value at t = 0."""
@@ -300,16 +297,17 @@ class _Search:
         if not branches:
             raise ProblemError(never_holds(self.question))
         if self._is_at_start:
-            begins = arrivals.while_it_begins(self.setting, self.rule, self._beginning.sign)
-            if begins is None:
-                what = "asks for slip that does not begin: friction prevents it"
-                raise ProblemError(slip_has_ended(self.question, what))
-            branches = [replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *begins)))) for b in branches]
+            begins = dict.fromkeys(self._beginning_of_slip or ())
+            branches = [replace(b, conditions=tuple({**dict.fromkeys(b.conditions), **begins})) for b in branches]
         if self.setting.stated_slips:
             branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
         if branches and all(b.provided for b in branches):
             branches = self._confirmed_in_time(branches)
-        dropped = (*((b, Reason.SENSE) for b in against), *chosen.dropped)
+        later: list[AnswerBranch] = []
+        if len(branches) > 1 and self.question.by is None and self._has_numbers and numerical.is_available():
+            first = numerical.first_of_motion(self.setting, self.when[0], self.quantity)
+            branches, later = numerical.those_with(branches, first, self.setting.values)
+        dropped = (*((b, Reason.SENSE) for b in against), *chosen.dropped, *((b, Reason.LATER) for b in later))
         return replace(
             self._asked(route, How.EXACT, used),
             branches=tuple(shown(b) for b in branches),
@@ -388,6 +386,11 @@ class _Search:
         return replace(asked, branches=later, turning=Substituted(base(v), b.values[0]))
 
     @property
+    def _beginning_of_slip(self) -> list[SignCondition] | None:
+        """The conditions under which slip begins in the sense that the file states; None where friction prevents it."""
+        return arrivals.while_it_begins(self.setting, self.rule, self._beginning.sign)
+
+    @property
     def _beginning(self) -> InitialMotion:
         return initial_motion(self.setting, self.rule, self.when)
 
@@ -396,7 +399,7 @@ class _Search:
         route: Route,
         how: How | None = None,
         used: Sequence[UsedIntegral] | None = None,
-        free: frozenset[sp.Symbol] = frozenset(),
+        free: Collection[sp.Symbol] = (),
     ) -> Asked:
         return Asked(
             self.question,
@@ -424,10 +427,8 @@ class _Search:
         by, moving = self.question.by, {*self.place.moving} - {self.question.by}
         if by not in (None, found.angle) or len(self.when) != (by is None):
             return None
-        branches = [
-            AnswerBranch(self.question.quantity, value, (value,), (state,), conditions)
-            for value, state, conditions in found.values(quantity, when, by is not None, sign)
-        ]
+        values = found.values(quantity, when, by is not None, sign)
+        branches = [AnswerBranch(self.question.quantity, v, (v,), (state,), where) for v, state, where in values]
         if not branches or any(not v.free_symbols.isdisjoint(moving) for b in branches for v in b.values):
             return None
         radial = prime(found.inverse.radius)
@@ -501,7 +502,8 @@ class _Search:
             return replace(b, provided=True)
         if conditions is None:
             return None
-        return replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *conditions))))
+        together = (*b.conditions, *conditions, *(self._beginning_of_slip or ()))
+        return replace(b, conditions=tuple(dict.fromkeys(together)))
 
     def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
         """The quantity in one case of the motion, at the first time at which the conditions hold."""

@@ -189,3 +189,27 @@ def test_roots_found_in_numbers_stand_at_the_head() -> None:
     head = terminal.text(made.derivation, made.notation, 120).split(" 1  The system")[0]
     assert f"θ ≈ {low:.4g} rad" in head
     assert "not solved in closed form" not in head
+
+
+def test_the_oscillations_about_a_steady_motion_stand_at_the_head() -> None:
+    head = _head("""title: Paraboloid
+parameters: [m, a, g]
+coordinates: [r, phi]
+particles: {P: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j + r^2/(2*a)*k"}}
+gravity: -g*k
+find: steady
+""")
+    assert "ω² = 4a g/(r² + a²) of small oscillations about it" in head
+
+
+def test_frequencies_without_a_closed_form_stand_at_the_head_in_numbers() -> None:
+    """Three equal masses between equal springs, one end free: ω = 2 √(k/m) sin((2 n − 1) π/14)."""
+    head = _head("""title: Frame
+parameters: {m: 1000 kg, k: 600 kN/m}
+coordinates: [x_1, x_2, x_3]
+particles: {A: {mass: m, position: x_1*i}, B: {mass: m, position: x_2*i}, C: {mass: m, position: x_3*i}}
+forces: {columns: {potential: k/2*(x_1^2 + (x_2 - x_1)^2 + (x_3 - x_2)^2)}}
+find: linearization
+""")
+    for n in (1, 2, 3):
+        assert f"≈ {2 * math.sqrt(600) * math.sin((2 * n - 1) * math.pi / 14):.2f} rad/s" in head

@@ -183,3 +183,36 @@ gravity: g*j
 forces: {drag: {on: P, vector: "-k*y'*abs(y')*j"}}
 initial: {y: 0, y': 0}
 """
+
+
+SPHERE_ON_AN_INCLINE = """
+title: Sphere let go on a rough incline, said to slip
+parameters: {m: positive, R: positive, g: positive, mu: STATIC, mu_s: STATIC, alpha: 40 deg}
+coordinates: [x, y, theta]
+bodies: {ball: {mass: m, inertia: 2/5*m*R^2, position: x*i + y*j, angle: -theta}}
+constraints: {incline: {equation: y >= R, reaction: N}}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+forces: {rub: {friction: mu, static: mu_s, constraint: incline, on: ball, at: r_ball - R*j, slip: i}}
+initial: {x: 0, x': 0, theta: 0, theta': 0}
+ask: {it: {quantity: "x'", when: t = 2}}
+"""
+
+
+@pytest.mark.parametrize(("kinetic", "static", "slips"), [("0.2", "0.22", True), ("0.2", "0.25", False)])
+def test_friction_at_rest_decides_whether_a_stated_slip_begins(
+    kinetic: str, static: str, slips: bool, problem: Read
+) -> None:
+    """A sphere rolls without slipping where (2/7) tan 40° = 0.2397 is no more than the coefficient at rest."""
+    values = f"mu: {{value: {kinetic}}}, mu_s: {{value: {static}}}"
+    text = SPHERE_ON_AN_INCLINE.replace("mu: STATIC, mu_s: STATIC", values)
+    if slips:
+        assert asked(problem, text).answered
+        return
+    with pytest.raises(ProblemError) as error:
+        solve(problem(text), complete=False)
+    assert error.value.diagnostics[0].code == "never-holds"
+
+
+def test_without_values_the_coefficient_at_rest_is_in_a_condition(problem: Read) -> None:
+    [branch] = asked(problem, SPHERE_ON_AN_INCLINE.replace("STATIC", "positive")).branches
+    assert any("mu_s" in {s.name for s in (c.lhs - c.rhs).free_symbols} for c in branch.conditions)

@@ -66,3 +66,25 @@ def test_a_slow_motion_is_followed_for_longer(problem: Read) -> None:
     answer = asked(problem, SATELLITE)
     assert answer.how is How.NUMERICAL
     assert float(answer.branches[0].rhs) == pytest.approx(math.pi * (1.4e7**3 / 4e14) ** 0.5, rel=1e-5)
+
+
+CRANK = """
+title: Slider crank
+parameters: {r: {value: 0.1 m}, l: {value: 0.3 m}, w: {value: 150 rad/s}, m: {value: 2 kg}}
+coordinates: [x, phi]
+particles: {piston: {mass: m, position: x*i}}
+constraints: {drive: phi = w*t, rod: "(x - r*cos(phi))^2 + (r*sin(phi))^2 = l^2"}
+initial: {phi: 0, x: r + l}
+ask: {it: {quantity: "x'", when: phi = 60 deg}}
+"""
+
+
+def test_of_several_exact_answers_that_which_comes_first_is_found(problem: Read) -> None:
+    """x = r cos φ + √(l² − r² sin²φ), and not the other side of the crank, where the equations hold as well."""
+    answer = asked(problem, CRANK)
+    assert answer.how is How.EXACT
+    [branch] = answer.branches
+    angle, r, l, w = math.pi / 3, 0.1, 0.3, 150
+    by_hand = -r * w * math.sin(angle) * (1 + r * math.cos(angle) / math.sqrt(l**2 - (r * math.sin(angle)) ** 2))
+    values = {s: sp.Rational(str(v)) for s, v in zip(sp.symbols("r l w", positive=True), (r, l, w), strict=True)}
+    assert float(branch.rhs.xreplace(values)) == pytest.approx(by_hand)
