@@ -57,7 +57,8 @@ class StretchedSpring(Link):
         if d.has(sp.Abs):
             return self.stiffness * (d**2 - 2 * l * d + l**2) / 2
         stretch = d - l
-        return self.stiffness * (-stretch if stretch.could_extract_minus_sign() else stretch) ** 2 / 2
+        negative = all(term.could_extract_minus_sign() for term in sp.Add.make_args(stretch))
+        return self.stiffness * (-stretch if negative else stretch) ** 2 / 2
 
     @property
     def pull(self) -> sp.Expr:

@@ -96,3 +96,9 @@ def test_a_range_decides_in_which_sense_a_spring_lies(between: str, low: str, hi
     problem = lagrange.loads(text.replace("coordinates: [x]", f"coordinates: {{x: {{range: [{low}, {high}]}}}}"))
     [spring] = stretched_springs(problem)
     assert str(spring.distance) == distance
+
+
+def test_a_potential_has_the_extension_and_not_its_negative() -> None:
+    problem = lagrange.loads(ON_A_LINE.format(ends="O, P", more=", length: l, sense: positive"))
+    [spring] = stretched_springs(problem)
+    assert spring.energy == spring.stiffness * (spring.distance - spring.length) ** 2 / 2
