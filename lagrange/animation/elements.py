@@ -9,7 +9,7 @@ a coordinate measures, is recognised in the position of the picture, as there.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, pairwise
 from typing import Any
@@ -75,6 +75,7 @@ class Elements:
     traced  f, the two coordinates and the position of points that a constraint f = 0 keeps on a curve
     labels  what is written
     busy    pieces along which a line is drawn in the position of the picture
+    boxed   what is drawn as a block
     """
 
     system: SystemPicture
@@ -85,11 +86,13 @@ class Elements:
     traced: list[tuple[sp.Expr, tuple[sp.Symbol, ...], Vector]] = field(default_factory=list)
     labels: list[sp.Expr | str] = field(default_factory=list)
     busy: list[tuple[PagePoint, PagePoint]] = field(default_factory=list)
+    boxed: set[str] = field(default_factory=set)
 
-    def all(self) -> None:
-        """Everything, from the back to the front."""
+    def all(self, inferred: Callable[[Elements], None] = lambda _: None) -> None:
+        """Everything, from the back to the front; `inferred` adds what the file only implies."""
         self.declared()
         self.rods()
+        inferred(self)
         self.links()
         self.supports()
         self.bodies()
@@ -324,7 +327,7 @@ class Elements:
             rotation = plane_rotation(self.configuration, p.name)
             if shape is not None:
                 self.shaped(p, shape)
-            elif p.name in self.hidden:
+            elif p.name in self.hidden or p.name in self.boxed:
                 continue
             elif rotation is not None and self.system.view.planar:
                 self.plane_body(p)

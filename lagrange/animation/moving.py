@@ -35,6 +35,7 @@ from lagrange.animation.figure import (
     sampled,
     surfaces,
 )
+from lagrange.animation.inferred import add_inferred
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_distinct, distinct_parts
@@ -242,7 +243,7 @@ class _Maker:
                     ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
                     elements.surface(Vector(point), along, ends)
             try:
-                elements.all()
+                elements.all(add_inferred)
             except NoValueError:
                 elements.items = [i for i in elements.items if i["k"] in ("dot", "line")]
             out["fig"] = [self.put(e) for e in elements.cells.expressions]

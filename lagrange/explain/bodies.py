@@ -195,7 +195,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         ]  # fmt: skip
     for d in configuration.dampers:
         length = d.length_symbol
-        either = "" if d.distance.is_Pow else " (or its negative, which serves equally well)"
+        either = "" if d.distance.is_Pow else ", up to its sign,"
         blocks += [
             prose(f"The {link_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
                   f". The distance between its ends{either} and the force with which it pulls its ends together are"),
@@ -291,7 +291,10 @@ def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basi
     lines = [
         Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{label}{suffix}-{r.name}")
         for r in configuration.rotations
+        if configuration.rows or not r.angular_velocity.is_zero
     ]
+    if not lines:
+        return []
     whose = plural(len(lines), "rotation of the body", "rotations of the bodies")
     verb = plural(len(lines), "is", "are")
     like = "formed like the angular velocity, with δ for d/dt"

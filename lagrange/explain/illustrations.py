@@ -6,7 +6,7 @@ omitted. Each has a caption, and a description in words for readers who cannot s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from itertools import takewhile
@@ -26,6 +26,7 @@ from lagrange.mechanics.results import Solution
 
 if TYPE_CHECKING:
     from lagrange.document.scene import Scene
+    from lagrange.mechanics.supports import Supports
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""
@@ -152,6 +153,24 @@ def _of_free_bodies(solution: Solution, notation: Notation) -> Picture:
     assert solution.law is not None
     newton = solution.law.newton
     return _picture(draw, caption_of_free_bodies(newton), free_bodies_in_words(newton))
+
+
+def of_supported_rod(solution: Solution, supports: Supports, sizes: Mapping[str, sp.Symbol]) -> Picture:
+    """The free body of a rod on two supports."""
+
+    def draw() -> Scene | None:
+        from lagrange.explain.report import notation_of
+        from lagrange.pictures.free_bodies import supported_rod_scene
+        from lagrange.pictures.systems import system_in_file
+
+        system, normals = system_in_file(solution), {s.point: s.normal for s in supports.at}
+        return None if system is None else supported_rod_scene(system, normals, sizes, notation_of(solution))
+
+    acting = [
+        *(spoken(f.name) for f in solution.own.configuration.loads),
+        *(f"support at {s.point}" for s in supports.at),
+    ]
+    return _picture(draw, ("The free body.",), f"Free-body diagram. Rod: {', '.join(acting)}.")
 
 
 def _of_choice(solution: Solution, coordinates: GeneralizedCoordinates, notation: Notation) -> Picture:

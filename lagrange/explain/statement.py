@@ -358,7 +358,8 @@ def force_called(name: str, alone: bool) -> str:
 def remarks(solution: Solution, method: Method) -> tuple[Diagnostic, ...]:
     """Notes on angles and friction, and if a method was chosen but no equations of motion are asked for."""
     problem = solution.problem
-    found = (*_below_kinetic(problem), *_in_radians(problem, solution.own.configuration))
+    configuration = solution.own.configuration
+    found = (*_below_kinetic(problem), *_in_radians(problem, configuration), *_open_senses(problem, configuration))
     if method is Method.DALEMBERT or Find.MOTION in problem.find:
         return found
     message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
@@ -376,6 +377,16 @@ def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
             message = f"the friction `{f.name}` is smaller at rest than in motion"
             help_ = "`static:` is usually the larger coefficient; have the two been exchanged?"
             yield Diagnostic("static-below-kinetic", message, f.span, help=help_).as_note()
+
+
+def _open_senses(problem: Problem, configuration: Configuration) -> Iterator[Diagnostic]:
+    """A note on each spring on a line of which the file leaves open in which sense it lies."""
+    spans = {f.name: f.span for f in problem.forces}
+    for s in configuration.springs:
+        if s.distance.has(sp.Abs) and s.length != 0:
+            message = f"the spring `{s.name}` may lie to either side of its first end, and the equations have a sgn"
+            help_ = "`sense: positive` (or `negative`) says on which side of the first end the second one is"
+            yield Diagnostic("spring-sense", message, spans[s.name], help=help_).as_note()
 
 
 def _in_radians(problem: Problem, configuration: Configuration) -> Iterator[Diagnostic]:

@@ -95,8 +95,8 @@ class Blocks:
         if not (self.system.is_bare and self.system.view.planar):
             return
         self.wedges()
-        ways = {p.name: way for p in self._particles() if (way := self.way(p)) is not None}
-        for p in self._particles():
+        ways = {p.name: way for p in self.particles() if (way := self.way(p)) is not None}
+        for p in self.particles():
             way = ways.get(p.name)
             if self.is_block(p):
                 self.block(p, way)
@@ -108,9 +108,9 @@ class Blocks:
         """Wedges: particles called so, on whose sloping face another one slides by a coordinate of its own."""
         pose, page = self.system.pose, self.system.page
         side = left_of(self.down)
-        for wedge in [p for p in self._particles() if "wedge" in p.name]:
+        for wedge in [p for p in self.particles() if "wedge" in p.name]:
             level = self.way(wedge)
-            for rider in [p for p in self._particles() if p.name != wedge.name and p.mass != 0]:
+            for rider in [p for p in self.particles() if p.name != wedge.name and p.mass != 0]:
                 relative = rider.position.fixed() - wedge.position.fixed()
                 moving = [q for q in pose.coordinates if not relative.partial(q).is_zero]
                 with suppress(NoValueError):
@@ -159,7 +159,7 @@ class Blocks:
             if stays and max(apart(way[0], at) for at in way) > SAME_ON_PAGE and not self.system.reactions_on(name):
                 yield Way(way[0], left_of(self.down), scaled(self.down, -1.0)), 0.0
 
-    def _particles(self) -> Iterator[MassPoint]:
+    def particles(self) -> Iterator[MassPoint]:
         """The particles, and the bodies that do not turn: a cart may be either."""
         moving = {*self.system.configuration.slots.coordinates}
         turning = {
@@ -204,7 +204,7 @@ class Blocks:
         name = p.name.replace("_", " ")
         text = f"{self.system.problem.title} {self.system.problem.description}"
         called = re.search(rf"\b({_BLOCK})s?( of mass \w+)?,? \(?{re.escape(name)}\b", text, re.IGNORECASE)
-        others = [q for q in self._particles() if q.mass != 0]
+        others = [q for q in self.particles() if q.mass != 0]
         return (
             p.mass != 0
             and "wedge" not in name

@@ -26,7 +26,7 @@ from lagrange.pictures.poses import (
     notable,
     relative_angle_mark,
 )
-from lagrange.pictures.shapes import plane_rotation
+from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, in_line, left_of, overlapping, same_ends, toward
 from lagrange.pictures.systems import PaperMap, SystemPicture
 from lagrange.problem.model import Drawn
@@ -257,6 +257,9 @@ class CoordinateDrawings:
         """The same angle from where a rod lies when it is 0 to the rod, if its first axis is not along it."""
         groups = (self.system.joints, self.system.marked, self.system.fastened)
         held = [self.flat(place) for places in groups for place in places.get(name, ())]
+        rotation, shape = plane_rotation(self.system.configuration, name), self.system.shapes[name]
+        if rotation is not None and not shape.radius:
+            held += [self.flat(plus(self.places[name], in_space(self.pose, rotation, h))) for h in shape.held]
         first, last = ways[0], ways[-1]
         if not held or not in_line(centre, held):
             return ways

@@ -8,18 +8,20 @@ apart.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from lagrange.core.vectors import FIXED, unit_vector
+import sympy as sp
+
+from lagrange.core.vectors import FIXED, Vector, unit_vector
 from lagrange.document.math_writer import Notation
-from lagrange.document.scene import PagePoint, Scene, side_by_side
+from lagrange.document.scene import PagePoint, Scene, StrokeKind, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus, unit
 from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
-from lagrange.pictures.loads import Acting, acting_on
+from lagrange.pictures.loads import Acting, Arrows, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
-from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
+from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, farthest, left_of, toward
 from lagrange.pictures.solids import TURN, across, with_implied_shapes
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Outline
@@ -46,6 +48,28 @@ def free_body_scene(system: SystemPicture, notation: Notation) -> Scene | None:
         return None
     drawn = [p for p in panels if p is not None]
     return side_by_side(drawn, TEXT_WIDTH) if len(drawn) == len(panels) else None
+
+
+def supported_rod_scene(
+    system: SystemPicture, normals: Mapping[str, Vector], sizes: Mapping[str, sp.Symbol], notation: Notation
+) -> Scene | None:
+    """A rod with its loads and the normal forces at its supports; None if it cannot be drawn."""
+    sketch, page = Sketch(), system.page
+    try:
+        places = {p.name: system.pose.at(p.position) for p in system.configuration.points}
+        start, end = farthest([page(at) for at in places.values()])
+        sketch.line([start, end], StrokeKind.ROD)
+        Arrows(system, sketch, places).loads()
+        for name, normal in normals.items():
+            at, way = page(places[name]), toward((0, 0), page.way(system.pose.at(normal)))
+            sketch.arrow(at, beyond(at, way, LENGTH), StrokeKind.REACTION)
+            sketch.label(sizes[name], beyond(at, way, LENGTH), way)
+    except NoValueError:
+        return None
+    for name, place in places.items():
+        sketch.dot(page(place))
+        sketch.label(name.replace("_", " "), page(place), (0.0, -1.0), clear=PARTICLE)
+    return sketch.scene(notation)
 
 
 def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene | None:

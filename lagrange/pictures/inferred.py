@@ -56,11 +56,11 @@ class Inferred:
             self.strings()
             with suppress(NoValueError):
                 self.hanging()
-            for p in self._particles():
+            for p in self.particles():
                 if not self.arm(p):
                     self.path(p)
 
-    def _particles(self) -> Iterator[MassPoint]:
+    def particles(self) -> Iterator[MassPoint]:
         """The particles which coordinates alone place: on which no reaction acts, but for rods and strings."""
         bodies = {r.name for r in self.system.configuration.rotations}
         kept = (r for r in self.system.newton.reactions if r.rod is None and r.constraint.by is not Keeper.STRING)

@@ -270,8 +270,8 @@ def _from_beyond(pose: Pose, spring: StretchedSpring) -> float | None:
     places = {p.name: p.position for p in pose.configuration.points}
     for end, name in (spring.ends, spring.ends[::-1]):
         if isinstance(end, Vector) and isinstance(name, str) and _stays(pose, end):
-            begins = pose.with_zero(pose.coordinates).at(places[name])
-            if sum(minus(pose.at(end), begins)) > SAME_PLACE:
+            undriven = pose.with_zero((*pose.coordinates, *pose.configuration.slots.prescribed))
+            if sum(minus(undriven.at(end), undriven.at(places[name]))) > SAME_PLACE:
                 return float(sum(minus(pose.at(end), pose.at(places[name]))))
     return None
 

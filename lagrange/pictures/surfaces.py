@@ -173,15 +173,15 @@ def _surface(solution: Solution) -> _Surface | None:
     if len(used) < 2:
         return None
     [relation] = (sp.sympify(f, strict=True) for f in configuration.finite_constraints)
-    seen = view(solution.problem.axes, used)
-    moves: FloatVector | None = None
+    axes, moves = dict(solution.problem.axes), None
     if relation.has(t):
         [function, *_] = relation.atoms(Unspecified)
         carried = [n for n, argument in enumerate(function.arguments) if argument.has(t) and n < 3]
-        way = [0.0, 0.0, 0.0]
-        way[carried[0] if carried else max(used)] = 1.0
-        moves = way[0], way[1], way[2]
-    return _Surface(seen, moves)
+        along = carried[0] if carried else max(used)
+        moves = (float(along == 0), float(along == 1), float(along == 2))
+        if not axes and along < 2:
+            axes["ijk"[along]] = "right"  # across the page, where the shift is seen
+    return _Surface(view(axes, used), moves)
 
 
 def _carried(solution: Solution) -> sp.Expr | str:

@@ -355,7 +355,7 @@ const lagsolveFigure = (() => {
       const add = (q, r = 0) => { const f = flat(q); if (f.every(isFinite)) { box[0] = Math.min(box[0], f[0] - r); box[1] = Math.max(box[1], f[0] + r); box[2] = Math.min(box[2], f[1] - r); box[3] = Math.max(box[3], f[1] + r); } };
       for (const e of data.items) {
         if (e.k == "corner") add(three(v, e.p[0]));
-        else if (e.k == "gravity" || e.k == "spoke") continue;
+        else if (e.k == "gravity" || e.k == "spoke" || e.far) continue;
         else if (e.k == "tool") add(three(v, e.p));
         else if (e.k == "box") add(three(v, e.p), Math.max(v[e.w[0]], v[e.w[1]]) / 2);
         else if (e.k == "cone") { add(three(v, e.p), v[e.h] * 0.75); }

@@ -58,8 +58,21 @@ gravity: -g*j
 """
 
 
-def test_the_angle_of_a_rod_ends_on_the_rod() -> None:
-    system = system_in_file(kinematics_and_law(lagrange.loads(TRAMMEL)))
+ON_FLOOR = """
+title: A rod on a floor
+axes: {i: right, j: up}
+parameters: [m, a, g]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: m*a^2/3, position: x*i + y*j, angle: -theta}}
+particles: {A: {position: (x - a*sin(theta))*i + (y - a*cos(theta))*j}, B: {position: x*i + y*j}}
+constraints: {floor: y - a*cos(theta) = 0}
+gravity: -g*j
+"""
+
+
+@pytest.mark.parametrize("text", [TRAMMEL, ON_FLOOR])
+def test_the_angle_of_a_rod_ends_on_the_rod(text: str) -> None:
+    system = system_in_file(kinematics_and_law(lagrange.loads(text)))
     assert system is not None
     scene = configuration_scene(system, Notation(), with_loads=False)
     assert scene is not None

@@ -7,11 +7,12 @@ import math
 import pytest
 import sympy as sp
 
+from lagrange.document.derivation import Picture, Rule
 from lagrange.document.math_writer import UNICODE, Writer
-from lagrange.document.scene import Polyline, Scene
+from lagrange.document.scene import Polyline, Scene, StrokeKind
 from lagrange.pictures.free_bodies import free_body_scene
 from lagrange.pictures.loads import acting_on
-from tests.support.drawings import CLOSE, evaluated, near, system_of
+from tests.support.drawings import CLOSE, evaluated, lines_of, near, system_of
 from tests.support.shared import reported
 
 
@@ -77,3 +78,12 @@ def test_no_free_body_without_the_forces_that_the_coordinates_hide(name: str) ->
     assert system_of(name).configuration.has_forces_built_in
     assert free_body_scene(system_of(name), reported(name).notation) is None
     assert not system_of("chapter6/ex11-ideal-pendulum").configuration.has_forces_built_in
+
+
+def test_a_rod_on_two_supports_has_its_normal_forces() -> None:
+    page = reported("chapter6/ex16-rod-on-two-planes").derivation.page
+    [picture] = [b for s in page if s.rule is Rule.WORKLESS for b in s.body if isinstance(b, Picture)]
+    scene = picture.draw()
+    assert scene is not None
+    assert {"N_A", "N_B", "W"} <= {str(label.content) for label in scene.labels}
+    assert len(lines_of(scene, StrokeKind.REACTION)) == 2

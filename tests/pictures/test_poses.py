@@ -30,7 +30,8 @@ def pose_of(text: str) -> Pose:
 def test_a_support_beyond_a_body_stays_beyond() -> None:
     floor = pose_of(ONE + "forces: {s: {spring: k, between: [P, H*i], length: l}}\n")
     ceiling = pose_of(ONE + "forces: {s: {spring: k, between: [P, -H*i], length: l}}\n")
-    for pose, beyond in ((floor, True), (ceiling, False)):
+    driven = pose_of(ONE + "functions: {u: [t]}\nforces: {s: {spring: k, between: [P, u*i], length: l}}\n")
+    for pose, beyond in ((floor, True), (ceiling, False), (driven, False)):
         [point] = pose.configuration.points
         [spring] = pose.configuration.springs
         assert (pose.at(spring.ends[1])[0] > pose.at(point.position)[0]) is beyond

@@ -117,3 +117,9 @@ def test_a_cone_in_cylindrical_coordinates_is_drawn() -> None:
     assert system is not None
     [grid] = constraints_in_space(system).grids
     assert len(grid[0]) == 25  # all around the axis
+
+
+def test_a_surface_that_moves_along_an_unnamed_axis_moves_to_the_right() -> None:
+    [scene, *_] = figures("ex13-moving-surface")
+    [axis] = [label for label in scene.labels if label.content == UnitVector("i")]
+    assert axis.at[0] > 2 * abs(axis.at[1])

@@ -297,6 +297,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "static-below-kinetic": ("The coefficient at rest is usually the larger one; the two may have been exchanged.", problem(
         PARTICLE + "constraints: {floor: y >= 0}\n"
         "forces: {rub: {friction: 1/2, static: 1/3, constraint: floor, on: P}, push: {on: P, vector: -g*j}}")),
+    "spring-sense": ("On a line the length of a spring is an absolute value, unless the file says in which sense it lies.", problem(
+        "particles: {P: {mass: m, position: x*i}}\nforces: {tie: {spring: c, between: [O, P], length: l}}",
+        coordinates="[x]", parameters="[m, c, l]")),
     "angle-in-radians": ("A number without a unit is in units of SI, an angle in radians; 30 degrees are `30 deg`.", problem(
         PARTICLE + "forces: {push: {on: P, vector: m*g*cos(beta)*i}}",
         parameters="{m: positive, g: positive, beta: 30}")),

@@ -28,6 +28,7 @@ from lagrange.document.derivation import (
     prose,
 )
 from lagrange.explain.displacements import solved_displacements
+from lagrange.explain.illustrations import of_supported_rod
 from lagrange.explain.reactions import explain_reactions_at_rest
 from lagrange.explain.words import joined, plural
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -134,7 +135,7 @@ def with_supports(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         if step.rule is Rule.REACTIONS or step.rule is Rule.SOLVED_REACTIONS:
             continue
         if step.rule is Rule.WORKLESS:
-            step = replace(step, body=tuple(_forces(forces, sizes)))
+            step = replace(step, body=(*_forces(forces, sizes), of_supported_rod(solution, forces, sizes)))
         yield step
         if step.rule is Rule.EQUILIBRIUM and step.choice == choice:
             yield Step(Rule.SOLVED_REACTIONS, "The reactions", tuple(_sizes(solution, forces, sizes)), choice=choice)

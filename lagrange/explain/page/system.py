@@ -252,12 +252,19 @@ def _gathered(blocks: Sequence[Block], labels: set[str], lead: Prose) -> list[Bl
     places = [n for n, b in enumerate(blocks) if isinstance(b, Display) and {e.label for e in b.equations} <= labels]
     if len(places) < 2 or any(n == 0 or not isinstance(blocks[n - 1], Prose) for n in places):
         return list(blocks)
-    lines: list[Equation] = [e for n in places for e in blocks[n].equations]  # type: ignore[union-attr]
+    every: list[Equation] = [e for n in places for e in blocks[n].equations]  # type: ignore[union-attr]
+    lines = [e for e in every if not _is_no_spin(e)] or every
     lines.sort(key=lambda e: not (e.label or "").startswith("position"))
     gone = {m for n in places for m in (n - 1, n)}
     before = [b for n, b in enumerate(blocks) if n < places[0] - 1]
     after = [b for n, b in enumerate(blocks) if n > places[0] and n not in gone]
     return [*before, lead, display(*lines), *after]
+
+
+def _is_no_spin(e: Equation) -> bool:
+    """Whether it says that a body does not turn, which its angle 0 says already."""
+    value = e.sides[-1]
+    return (e.label or "").startswith("spin-") and isinstance(value, Vector) and value.is_zero
 
 
 def _about_centres(solution: Solution, *, some: bool = False) -> str:
@@ -275,7 +282,8 @@ def _bodies(solution: Solution, labels: Collection[str | None]) -> Prose:
     axes = {r.name: r.angular_velocity.triad.units for r in configuration.rotations}
     alike: dict[object, tuple[tuple[Part, ...], list[str]]] = {}
     for name, b in bodies.items():
-        parts: list[tuple[Part, ...]] = [("turned through ", math(b.angle))] if b.angle is not None else []
+        turned: tuple[Part, ...] = ("not turned",) if b.angle == 0 else ("turned through ", math(b.angle or sp.S.Zero))
+        parts: list[tuple[Part, ...]] = [turned] if b.angle is not None else []
         parts += [("of mass ", math(masses[name]))] if masses[name] != 0 else []
         if b.axes and len(set(b.inertia)) > 1:
             moments, about = listed(map(math, b.inertia)), listed(map(math, axes[name]))

@@ -4,8 +4,8 @@
     damper   pulls both ends with c d' , power −c d'²
 
 A positive pull draws the ends together. On a straight line d = |s|. There the file may give the sign of s (`sense`,
-that of r_2 − r_1), as a drawing does; otherwise |s| remains, and sign s in the force. A damper needs no sign: −c d'
-along the line is −c s' along s.
+that of r_2 − r_1), as a drawing does, or ranges of the coordinates that leave one sign only; otherwise |s| remains, and
+sign s in the force. A damper needs no sign: −c d' along the line is −c s' along s.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ class StretchedSpring(Link):
         if d.has(sp.Abs):
             return self.stiffness * (d**2 - 2 * l * d + l**2) / 2
         stretch = d - l
-        return self.stiffness * (-stretch if stretch.could_extract_minus_sign() else stretch) ** 2 / 2
+        negative = all(term.could_extract_minus_sign() for term in sp.Add.make_args(stretch))
+        return self.stiffness * (-stretch if negative else stretch) ** 2 / 2
 
     @property
     def pull(self) -> sp.Expr:
@@ -95,7 +96,8 @@ def stretched_springs(problem: Problem) -> tuple[StretchedSpring, ...]:
     for f in problem.forces:
         if isinstance(f, Spring):
             apart = f.ends[0] - f.ends[1]
-            length = _distance(apart) if f.sense is None else -f.sense * sp.Add(*apart.components)
+            sense = f.sense if f.sense is not None else _sense_in_range(problem, apart)
+            length = _distance(apart) if sense is None else -sense * sp.Add(*apart.components)
             springs.append(StretchedSpring(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
     return tuple(springs)
 
@@ -153,6 +155,21 @@ def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector,
     places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses if not p.position.is_zero}
     first, second = (places.get(e, e) for e in ends)
     return first, second
+
+
+def _sense_in_range(problem: Problem, apart: Vector) -> int | None:
+    """The sense of a spring on a line, where the ranges of the coordinates decide it; otherwise None."""
+    parts = [c for c in apart.components if c != 0]
+    ranges = {q.symbol: q.range for q in problem.coordinates if q.range is not None}
+    if len(parts) != 1 or not ranges:
+        return None
+    for sense in (1, -1):
+        ahead = sp.expand(-sense * parts[0])
+        least = ahead.xreplace({q: r.low if ahead.coeff(q).is_nonnegative else r.high for q, r in ranges.items()})
+        linear = all(ahead.diff(q).is_number for q in ranges)
+        if linear and least.is_finite is not False and least.is_nonnegative:
+            return sense
+    return None
 
 
 def _distance(apart: Vector) -> sp.Expr:

@@ -10,9 +10,12 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.document.derivation import Display, Equation, Rule, Step
 from lagrange.explain.limits import SHORT_SIDE
 from lagrange.explain.page.system import are_short, explain_independence, line
+from lagrange.explain.report import report
+from lagrange.render import terminal
 from tests.support.derivation_text import said_in, words
 from tests.support.shared import reported
 
@@ -69,3 +72,17 @@ def test_a_line_is_called_by_two_letters_where_both_can_be_read() -> None:
 )
 def test_bodies_are_introduced_together(name: str, rule: Rule, said: str) -> None:
     assert said in said_in(name, rule, on_page=True)
+
+
+def test_a_cart_given_as_a_body_does_not_turn() -> None:
+    text = (
+        "title: T\nparameters: [M, m, a, g]\ncoordinates: [x, theta]\nbodies:\n"
+        "  cart: {mass: M, inertia: 0, position: x*i, angle: 0}\n"
+        "  rod: {mass: m, inertia: m*a^2/3, position: (x + a*sin(theta))*i - a*cos(theta)*j, angle: theta}\n"
+        "gravity: -g*j\n"
+    )
+    explained = report(lagrange.loads(text), None, complete=False)
+    page = terminal.text(explained.derivation, explained.notation, 80)
+    assert "the cart (not turned, of mass M)" in page
+    assert "𝛚_cart" not in page
+    assert "𝛑_cart" not in page

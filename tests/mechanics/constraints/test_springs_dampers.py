@@ -7,10 +7,12 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
+import lagrange
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.reader import read_equation
+from lagrange.mechanics.constraints.springs_dampers import stretched_springs
 from lagrange.mechanics.dynamics.comparison import System, compare
 from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
@@ -78,3 +80,25 @@ def test_a_damper_along_a_line_has_no_sign_in_a_choice(problem: Read) -> None:
     motion = found.choices[0].motion
     assert motion is not None
     assert not any(e.has(sp.sign) for e in motion.expressions)
+
+
+@pytest.mark.parametrize(
+    ("between", "low", "high", "distance"),
+    [
+        ("[O, P]", "0", "10", "x"),
+        ("[P, O]", "0", "10", "x"),
+        ("[O, P]", "-10", "0", "-x"),
+        ("[O, P]", "-1", "1", "Abs(x)"),
+    ],
+)
+def test_a_range_decides_in_which_sense_a_spring_lies(between: str, low: str, high: str, distance: str) -> None:
+    text = ON_A_LINE.format(ends=between[1:-1], more=", length: l")
+    problem = lagrange.loads(text.replace("coordinates: [x]", f"coordinates: {{x: {{range: [{low}, {high}]}}}}"))
+    [spring] = stretched_springs(problem)
+    assert str(spring.distance) == distance
+
+
+def test_a_potential_has_the_extension_and_not_its_negative() -> None:
+    problem = lagrange.loads(ON_A_LINE.format(ends="O, P", more=", length: l, sense: positive"))
+    [spring] = stretched_springs(problem)
+    assert spring.energy == spring.stiffness * (spring.distance - spring.length) ** 2 / 2
