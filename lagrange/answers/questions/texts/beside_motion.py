@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
-from lagrange.answers.questions.named_values import written_label
+from lagrange.answers.questions.named_values import label_of, written_label
 from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_name, stated_frequencies
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
@@ -57,7 +57,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
     if any(a.answered for a in solution.asked):
         from lagrange.answers.questions.values_in_text import asked_in_text
 
-        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer) for e in _limits(f)]
+        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer, reference) for e in _limits(f)]
         verdict = asked_in_text(answer, solution, among=stated).verdict
         if verdict is not None:
             yield verdict
@@ -82,10 +82,12 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
             yield response
 
 
-def _is_needed(fragment: Fragment, answer: Sequence[Fragment]) -> bool:
-    """Whether an equation with an acceleration contains what a line defines."""
+def _is_needed(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether an equation with an acceleration contains a name that a line defines."""
     label = written_label(fragment)
-    return bool(label) and any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
+    if not label or label_of(fragment) in reference.declared:
+        return False
+    return any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
 
 
 def _limits(fragment: Fragment) -> Iterator[Fragment]:
