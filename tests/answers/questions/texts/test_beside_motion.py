@@ -59,7 +59,9 @@ def test_steady_motions(power: str, verdict: str) -> None:
     assert graded("marble-in-a-cone", motion + steady).verdict.value == verdict
 
 
-@pytest.mark.parametrize(("root", "verdict"), [("sqrt((c - m*w^2)^2 + b^2*w^2)", "equivalent"), ("(c - m*w^2)", "wrong")])
+@pytest.mark.parametrize(
+    ("root", "verdict"), [("sqrt((c - m*w^2)^2 + b^2*w^2)", "equivalent"), ("(c - m*w^2)", "wrong")]
+)
 def test_amplitudes(root: str, verdict: str) -> None:
     text = f"m*x'' + b*x' + c*x = F*cos(w*t)\nA = F/{root}\n"
     assert graded("damped-oscillator", text).verdict.value == verdict
