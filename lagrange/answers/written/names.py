@@ -302,6 +302,8 @@ def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
     return False
 
 
+_VECTOR_R = re.compile(r"\\(?:vec|mathbf|boldsymbol|bm)\s*(?:\{\s*r\s*\}|\s*r(?![A-Za-z]))(?!\s*_)")
+"""The position of the only particle: `\\vec r`."""
 _PRIMED = re.compile(r"[\s$&]*([A-Za-z](?:_?\w{1,8})?)['′]\s*&?=(?!=)")
 
 
@@ -335,6 +337,8 @@ def _of_states(number: int, named: Collection[sp.Expr], reference: Reference) ->
 def _positions(whole: str, scope: Scope) -> dict[str, Vector]:
     numbers = {int(m[1]) for m in _PLACE.finditer(whole)}
     places = [name for name in scope.vectors if name.startswith("r_")]
+    if len(places) == 1 and _VECTOR_R.search(whole) and scope.role("r") is Role.UNDECLARED:
+        return {"r": scope.vectors[places[0]]}
     if not numbers or len(places) < 2 or max(numbers) > len(places):
         return {}
     positions = {}

@@ -45,6 +45,9 @@ def test_the_question_that_a_line_answers_is_named() -> None:
         ("frequencies: sqrt(g/R - Omega^2)", "equivalent"),
         ("frequencies: sqrt(g/R + Omega^2)", "wrong"),
         ("T = 1/2*m*R^2*(theta'^2 + Omega^2*sin(theta)^2)", "equivalent"),
+        ("theta = 0 stable if Omega < sqrt(g/R), theta = pi is unstable", "equivalent"),
+        ("theta = 0 stable if Omega > sqrt(g/R)", "wrong"),
+        ("theta = pi is stable", "wrong"),
     ],
 )
 def test_equilibria_and_frequencies(line: str, verdict: str) -> None:
