@@ -391,7 +391,7 @@ def _with_positions(answer: Sequence[Fragment], solution: Solution, judge: Judge
 
 def _asked(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
     """The verdict on values in numbers, each with its unit, and on everything else."""
-    answer = [without_place(f) for f in answer]
+    answer = [without_place(f, [p.symbol.name for p in solution.problem.parameters]) for f in answer]
     valued = values_of(solution.problem) is not None
     numbered = [(f, stated_in_numbers(f) if valued else None) for f in answer]
     if any(n for _, n in numbered):  # beside these a number alone is one whose unit was omitted

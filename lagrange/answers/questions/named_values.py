@@ -19,7 +19,7 @@ be equal. A decimal stands for all numbers that round to it.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -157,10 +157,22 @@ _AT_A_PLACE = re.compile(
 )
 
 
-def without_place(fragment: Fragment) -> Fragment:
-    """`N(θ=0) = ...` as N = ...: the place is that of a question."""
+_AT_A_PARAMETER = re.compile(
+    r"\A(?P<name>[\s$&]*(?:\\dot\s*\{?\s*)?\\?[^\W\d_]\w{0,12}\}?['\u0307]?)\s*\(\s*(?P<place>\w{1,12})\s*\)(?=\s*&?=(?!=))"
+)
+_EXTREME_RATE = re.compile(
+    r"\A(?P<name>[\s$&]*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\\?\w)|[^\W\d_]\w{0,12}?'))\s*_\{?\s*\\?(?:(?:text|mathrm)\s*\{\s*)?(?:max|min)"
+    r"(?:\s*\})*(?=\s*&?=(?!=))"
+)
+
+
+def without_place(fragment: Fragment, parameters: Collection[str] = ()) -> Fragment:
+    """`N(θ=0) = ...` as N = ..., `v(h) = ...` as v = ..., `x'_max` as x': place and time are those of a question."""
     draft = Draft(fragment)
-    return draft.finished(latex=is_latex(fragment)) if draft.replace(_AT_A_PLACE, lambda m: m["name"]) else fragment
+    changed = draft.replace(_AT_A_PLACE, lambda m: m["name"])
+    changed = draft.replace(_AT_A_PARAMETER, lambda m: m["name"] if m["place"] in parameters else None) or changed
+    changed = draft.replace(_EXTREME_RATE, lambda m: m["name"]) or changed
+    return draft.finished(latex=is_latex(fragment)) if changed else fragment
 
 
 def label_of(fragment: Fragment) -> str:
@@ -186,7 +198,9 @@ def is_used_beside(fragment: Fragment, answer: Sequence[Fragment], reference: Re
         return False
     written = re.escape(written_label(fragment))
     used = re.compile(rf"(?<![A-Za-z0-9_\\]){written}(?![A-Za-z0-9_{{])")
-    return any(used.search(re.sub(r"\A[^=]*=", "", f.text)) for f in answer if f is not fragment)
+    rate = re.compile(rf"(?<![A-Za-z\\])d\s?{written}\s*(?:/|\}}\s*\{{)\s*d|\\dot\s*\{{?\s*{written}(?![A-Za-z0-9_])")
+    others = (f.text for f in answer if f is not fragment and not rate.search(f.text))  # of dv/dt, v is the velocity
+    return any(used.search(re.sub(r"\A[^=]*=", "", text)) for text in others)
 
 
 # Chains

@@ -277,6 +277,49 @@ def check_stability_sentences(
     return AnswerVerdict(Verdict.WRONG if wrong else Verdict.EQUIVALENT, tuple(parts), name="stability")
 
 
+def check_stability_beside(
+    answer: Sequence[Fragment], solution: Solution, reference: Reference
+) -> AnswerVerdict | None:
+    """The verdict on claims beside positions, where small oscillations are asked for; None if there are none."""
+    parts: list[EquationVerdict] = []
+    for f in answer:
+        claim = _claim(f, reference) if isinstance(f, GivenEquation) else None
+        if claim is None or not isinstance(f, GivenEquation):
+            continue
+        true = [t for p in _all_places(solution) if (t := _holds_at(claim, f.reading.components, p)) is not None]
+        if true:
+            right = Verdict.EQUIVALENT if any(true) else Verdict.WRONG
+            stated = f"{f.reading.text}, {f.beside}".strip(" ,;")
+            parts.append(EquationVerdict.of(stated, right, "" if any(true) else WRONG_STABILITY))
+    wrong = any(p.verdict is Verdict.WRONG for p in parts)
+    whole = Verdict.WRONG if wrong else Verdict.EQUIVALENT
+    return AnswerVerdict(whole, tuple(parts), name="stability") if parts else None
+
+
+def _holds_at(claim: _Claim, components: Sequence[sp.Expr], place: _Place) -> bool | None:
+    """Whether a claim is true at an equilibrium; None if its equations are not about this one, or it is not clear."""
+    coordinates = place.resting.configuration.slots.coordinates
+    moving = {*coordinates} & {s for e in components for s in e.free_symbols}
+    conditions = [claim.condition] if claim.condition is not None else []
+    everything = [*place.resting.required, *place.matrix, *components, *conditions]
+    everything += [r.lhs - r.rhs for r in place.branch.relations]
+    parameters = sorted({s for e in everything for s in e.free_symbols} - {*coordinates}, key=str)
+    angles = {s for e in everything for f in e.atoms(sp.sin, sp.cos, sp.tan) for s in f.args[0].free_symbols}
+    draw, found = random.Random(5), set()
+    for _ in range(SENTENCE_SAMPLES if moving else 0):
+        state: dict[sp.Symbol, sp.Expr] = {
+            s: sp.Float(draw.uniform(0.05, 1.5) if s in angles else draw.lognormvariate(0, 0.8)) for s in parameters
+        }
+        beside = beside_limit(claim.condition, state) if claim.condition is not None else ()
+        for stable, at in (s for moved in (state, *beside) for s in _states(place, coordinates, moved)):
+            if any(abs(residual) > CLEAR_STABILITY for residual in _numbers(components, at)):
+                return None
+            holds = [e.xreplace(at).evalf() for e in conditions]
+            if all(h.is_number and abs(h) >= CLEAR_STABILITY for h in holds):
+                found.add(stable is (claim.stable if all(h > 0 for h in holds) else not claim.stable))
+    return None if not found or (len(found) > 1 and not conditions) else found == {True}
+
+
 def _where(place: _Place) -> str:
     return ", ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in place.branch.relations)
 

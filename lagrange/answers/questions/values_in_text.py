@@ -283,7 +283,8 @@ def _states_quantity(fragment: Fragment, asked: Asked, reference: Reference) -> 
     """Whether one side of a line is the quantity itself, as in R*theta' = ..."""
     reading = read_as_written(fragment, reference.scope)
     quantity = asked.question.quantity
-    return not reading.error and not quantity.is_Symbol and any(s == quantity for s in reading.sides)
+    is_expression = not quantity.is_Symbol or base(quantity) != quantity
+    return not reading.error and is_expression and any(s == quantity for s in reading.sides)
 
 
 def _holds_at_a_limit(

@@ -211,7 +211,8 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
         if _EQUALS.search(text, 0, start) is None:  # prose with mathematics: `small angles sin θ ≈ θ so ...`
             before = text[:start]
         remark = _remarks_on(text, start, stop, remarks)
-        about = [beside, remark and f"{remark};", heading[0] if heading and start >= heading.end() else "", before]
+        above = heading[0] if heading and start >= heading.end() else ""
+        about = [beside, f"{remark};" if remark and (above or before) else remark, above, before]
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
             yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e

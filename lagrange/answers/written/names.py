@@ -46,6 +46,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.limits import LONGEST_NEW_COORDINATE
+from lagrange.answers.readings import GivenEquation
 from lagrange.answers.references import Reference
 from lagrange.answers.written.notation.rare import with_indices
 from lagrange.answers.written.reading import read_as_written
@@ -301,6 +302,29 @@ def _states_a_rate(written: re.Pattern[str], texts: Sequence[str]) -> bool:
     return False
 
 
+_VECTOR_R = re.compile(r"\\(?:vec|mathbf|boldsymbol|bm)\s*(?:\{\s*r\s*\}|\s*r(?![A-Za-z]))(?!\s*_)")
+"""The position of the only particle: `\\vec r`."""
+_PRIMED = re.compile(r"[\s$&]*([A-Za-z](?:_?\w{1,8})?)['′]\s*&?=(?!=)")
+
+
+def with_primed_names(answer: Sequence[Fragment], parameters: Collection[str]) -> Sequence[Fragment]:
+    """`A' = A + m l²` of a constant A as a name of its own, A_prime, wherever it occurs."""
+    names = {m[1] for f in answer if (m := _PRIMED.match(f.text)) and m[1] in parameters}
+    if not names:
+        return answer
+    pattern = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(map(re.escape, names))})['′](?!['′])")
+    made: list[Fragment] = []
+    for f in answer:
+        latex, draft = is_latex(f), Draft(f)
+        new = r"\1_{prime}" if latex else r"\1_prime"
+        changed = draft.finished(latex=latex) if type(f) is not GivenEquation and draft.replace(pattern, new) else f
+        beside = getattr(f, "beside", "")
+        made.append(
+            replace(changed, beside=beside) if isinstance(changed, OneEquation) and changed is not f else changed
+        )
+    return made
+
+
 def _of_states(number: int, named: Collection[sp.Expr], reference: Reference) -> dict[str, sp.Expr]:
     """The coordinates of a set that has so many, or so many without a name, those of a choice first."""
     sets = [c.configuration.slots.coordinates for c in reference.candidates]
@@ -313,6 +337,8 @@ def _of_states(number: int, named: Collection[sp.Expr], reference: Reference) ->
 def _positions(whole: str, scope: Scope) -> dict[str, Vector]:
     numbers = {int(m[1]) for m in _PLACE.finditer(whole)}
     places = [name for name in scope.vectors if name.startswith("r_")]
+    if len(places) == 1 and _VECTOR_R.search(whole) and scope.role("r") is Role.UNDECLARED:
+        return {"r": scope.vectors[places[0]]}
     if not numbers or len(places) < 2 or max(numbers) > len(places):
         return {}
     positions = {}

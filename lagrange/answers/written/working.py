@@ -34,6 +34,7 @@ from lagrange.answers.written.names import (
     solved_for,
     spelled_out,
     with_names_of_vectors,
+    with_primed_names,
     without_arguments,
 )
 from lagrange.answers.written.notation.matrices import has_matrix, with_named_matrices
@@ -58,6 +59,7 @@ from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import read_value, token_texts
 from lagrange.expressions.scope import RESERVED, Scope
+from lagrange.expressions.syntax_tree import Role
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
 _AT_ZERO = re.compile(
@@ -70,6 +72,9 @@ _DOTS = re.compile(r"d{1,3}ot\Z")
 """`ddot(theta)` is a derivative, and no function of theta that an answer defines."""
 _NO_NAME = re.compile(r"[-+*/=−·'\u0307\u0308]|^\s*[0-9]|\\(?:[dt]?frac|d?dot|cdot|sqrt|partial|times)(?![A-Za-z])")
 """What does not occur in a side that is a name alone: a quick test before the side is read."""
+_NUMBERED = re.compile(r"\A([A-Za-z]+)([0-9])\Z")
+_OF_TIME = re.compile(r"[\s$]*([A-Za-z]\w{0,12})\s*\(\s*t\s*\)\s*&?=(?!=)")
+"""A function of the time that the answer defines: `m(t) = m_0 - q t`."""
 _RATE_OF = re.compile(
     r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
 )
@@ -137,6 +142,7 @@ def understood(
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
     sorting = _Sorting(reference, moving, naming)
+    answer = with_primed_names(answer, reference.parameters)
     if any(has_matrix(f.text) for f in answer):
         sets = [[q.name for q in c.configuration.slots.coordinates] for c in reference.candidates]
         texts = with_named_matrices([f.text for f in answer], sets)
@@ -262,9 +268,11 @@ class _Sorting:
             self.notes.append(Diagnostic("read-as", message, lines[0].fragment.whole, level=Severity.NOTE))
 
     def _without_time(self, lines: list[Line]) -> None:
-        """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
+        """`u(t)` of a speed u as u, and of what the answer defines as u(t) = ..., as x(t) of a coordinate is x."""
         velocities = {*self.scope.slots.velocities}
         speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
+        defined = {m[1] for line in lines if (m := _OF_TIME.match(line.fragment.text))}
+        speeds += sorted(n for n in defined if self.scope.role(n) is Role.UNDECLARED)
         if not speeds:
             return
         letters = [*speeds, *(c for c, n in GREEK.items() if n in speeds)]
@@ -498,7 +506,7 @@ class _Sorting:
 
     def _marks_a_coordinate(self, line: Line, name: str) -> bool:
         """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
-        coordinate, _, index = name.partition("_")
+        coordinate, _, index = _NUMBERED.sub(r"\1_\2", name).partition("_")
         asked = (*self.scope.slots.coordinates, *self.reference.unknowns)
         symbol = next((q for q in asked if q.name == coordinate), None)
         if symbol is None or not (index in AT_EQUILIBRIUM or self._numbers_an_alternative(name, coordinate, index)):

@@ -15,11 +15,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from lagrange.answers.questions.frequencies import check_frequencies, frequencies_in
-from lagrange.answers.questions.named_values import written_label
+from lagrange.answers.questions.named_values import label_of, written_label
+from lagrange.answers.questions.stability_in_text import WORD as STABLE
+from lagrange.answers.questions.stability_in_text import check_stability_beside
 from lagrange.answers.questions.texts.frequency_labels import ACCELERATION, has_name, stated_frequencies
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import AnswerVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import condition_alone, conditions_of
+from lagrange.answers.written.working import understood
 from lagrange.core.diagnostics import Fragment, ProblemError, Span
 from lagrange.expressions.reader import is_inequality, limit_of
 from lagrange.mechanics.results import Solution
@@ -57,7 +60,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
     if any(a.answered for a in solution.asked):
         from lagrange.answers.questions.values_in_text import asked_in_text
 
-        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer) for e in _limits(f)]
+        stated = [e for f in lines if not _is_place(f) and not _is_needed(f, answer, reference) for e in _limits(f)]
         verdict = asked_in_text(answer, solution, among=stated).verdict
         if verdict is not None:
             yield verdict
@@ -72,6 +75,12 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
             found = positions_of(positions, solution)
             if found is not None:
                 yield found[0]
+        claims = [f for f in lines if STABLE.search(getattr(f, "beside", ""))]
+        if claims:
+            working = understood(claims, reference, moving=False)
+            stability = check_stability_beside(working.judged, solution, reference)
+            if stability is not None:
+                yield stability
     if any(v.steady is not None for v in solution.views):
         yield from _of_steady_motion(lines, solution)
     if any(v.response is not None for v in solution.views):
@@ -82,10 +91,12 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
             yield response
 
 
-def _is_needed(fragment: Fragment, answer: Sequence[Fragment]) -> bool:
-    """Whether an equation with an acceleration contains what a line defines."""
+def _is_needed(fragment: Fragment, answer: Sequence[Fragment], reference: Reference) -> bool:
+    """Whether an equation with an acceleration contains a name that a line defines."""
     label = written_label(fragment)
-    return bool(label) and any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
+    if not label or label_of(fragment) in reference.declared:
+        return False
+    return any(ACCELERATION.search(f.text) and has_name(label, f.text) for f in answer)
 
 
 def _limits(fragment: Fragment) -> Iterator[Fragment]:
@@ -124,7 +135,6 @@ def _of_steady_motion(lines: Sequence[Fragment], solution: Solution) -> Iterator
     """The verdicts on conditions of steady motion."""
     from lagrange.answers.equilibria import alternatives_of, check_steady_answers
     from lagrange.answers.questions.equilibrium_in_text import with_rate_as_omega
-    from lagrange.answers.written.working import understood
 
     families = [v.steady for v in solution.views if v.steady is not None]
     reference = reference_of_solution(solution)

@@ -53,6 +53,10 @@ _L_ALONG = re.compile(
     r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*\\dot\s*(?P<f>\{\s*\\?[A-Za-z]+\s*\}|\s[A-Za-z]|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
+_L_DIFFERENTIAL = re.compile(
+    r"(?<![A-Za-z\\{^_/])d\s*(?P<name>(?:\\[A-Za-z]+|[A-Za-z])(?:_\{?\w{1,4}\}?)?)(?![A-Za-z'^])"
+)
+"""`dx`, `d\\phi`, outside fractions."""
 _L_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
@@ -88,10 +92,19 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.apply(over_as_fraction(draft.text))
     draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
+    if scope.role("d") is Role.UNDECLARED:
+        draft.replace(_L_DIFFERENTIAL, lambda m: rf"\mathrm{{d}}{m['name']}" if _is_moving(m["name"], scope) else None)
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(power_groups(draft.text))
     draft.apply(products_with_numbers(draft.text))
     return draft.finished(latex=True)
+
+
+def _is_moving(name: str, scope: Scope) -> bool:
+    """Whether a name in LaTeX is that of a coordinate, or the time."""
+    plain = re.sub(r"[\\{}\s]", "", name)
+    names = {q.name for q in scope.slots.coordinates}
+    return plain == "t" or not names.isdisjoint({plain, plain.replace("_", ""), plain.replace("var", "")})
 
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:
