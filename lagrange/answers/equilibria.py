@@ -214,6 +214,7 @@ def _same_motions(reference: Reference) -> Iterator[tuple[dict[sp.Symbol, sp.Exp
 
 _IN_EQUILIBRIUM = {
     "which is not an equilibrium": "which is not a steady motion",
+    "that are not equilibria": "that are no steady motions",
     "there is no equilibrium": "there is no steady motion",
     "at any equilibrium": "in any steady motion",
     "the conditions of equilibrium do": "the conditions of steady motion do",

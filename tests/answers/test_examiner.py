@@ -8,7 +8,8 @@ from click.testing import CliRunner
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.submissions import Grader, Submission
 from lagrange.answers.verdicts import Verdict
-from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.problem.loader import read_problem
 from lagsolve.main import main
 from tests.answers.test_equations import (
     EQUIVALENT,
@@ -105,3 +106,61 @@ def test_positions_that_hold_together_for_some_parameters_only(second: str, said
     verdict = examiner.check(tuple(map(Fragment.of, ("theta = 0", second)))).equations
     assert [e.verdict for e in verdict.equations] == [Verdict.EQUIVALENT, Verdict.WRONG]
     assert said in verdict.equations[1].diagnosis
+
+
+SIGN = """
+title: Rod held by a coil
+axes: {i: right, j: up}
+parameters: [W, l, k, theta_0]
+coordinates: {theta: inclination of the rod above the level}
+particles: {G: {position: l*cos(theta)*i + l*sin(theta)*j}}
+forces:
+  weight: {on: G, vector: -W*j}
+  coil: {potential: "k*(theta - theta_0)^2/2"}
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("2*k*(theta - theta_0) + W*l*cos(theta) = 0", "as from an energy without its 1/2"),
+        ("k*(theta - theta_0) = W*l*cos(theta)", "for gravity that acts the other way"),
+        ("theta = theta_0", "it does not hold at any equilibrium; these are the equilibria without the weight"),
+    ],
+)
+def test_wrong_equilibria_without_a_closed_form_are_explained(answer: str, said: str) -> None:
+    examiner = Examiner.of(read_problem(Source("problem.yaml", SIGN)))
+    [verdict] = examiner.check((Fragment.of(answer),)).each
+    assert said in verdict.diagnosis
+
+
+TROUGH = """
+title: Cylinder that rolls in a trough
+axes: {i: right, j: down}
+parameters: [m, a, R, g]
+coordinates: {theta: angle of the line to the axis from the vertical, phi: angle of the cylinder}
+bodies:
+  roller: {mass: m, inertia: m*a^2/2, position: (R - a)*sin(theta)*i + (R - a)*cos(theta)*j, angle: phi}
+constraints:
+  rolling: {equation: "a*phi' = (R - a)*theta'", reaction: F, by: rolling}
+gravity: g*j
+generalized_coordinates: {swing: {coordinates: [theta]}}
+initial: {theta: pi/2, theta': 0}
+ask: {speed: {quantity: "(R - a)*theta'", when: theta = 0}}
+find: [motion, linearization]
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("omega = sqrt(5*g/(7*(R - a)))", "with the moment of inertia 2*m*a^2/5 for `roller`"),
+        ("speed = sqrt(2*g*(R - a))", "without the rotation of `roller`"),
+    ],
+)
+def test_a_frequency_is_no_answer_to_a_question_for_a_speed(answer: str, said: str) -> None:
+    examiner = Examiner.of(read_problem(Source("problem.yaml", TROUGH)))
+    judgement = examiner.check((Fragment.of(answer),))
+    assert judgement.verdict is Verdict.WRONG
+    assert said in " ".join(str(judgement).split())

@@ -170,6 +170,7 @@ class AskedClaim:
         )
         from lagrange.answers.results.motion import (
             explained_at_start,
+            explained_balance,
             explained_in_any_state,
             explained_instant,
             explained_uniform,
@@ -194,6 +195,8 @@ class AskedClaim:
             return uniform
         if stated is not None and (lost := explained_by_energy(self.asked, stated, of)):
             return lost
+        if value is not None and (balanced := explained_balance(value, self.asked, self.candidates)):
+            return balanced
         for factor, how in _FACTORS if value is not None else ():
             if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
                 return how
@@ -215,6 +218,8 @@ class AskedClaim:
                 continue
         if up_to_sign:
             return up_to_sign
+        if (turned := _with_waves_exchanged(claim)) != claim and judged(turned)[0] is Verdict.EQUIVALENT:
+            return "this is the answer with sine and cosine exchanged: the angles are measured from another direction"
         if stated is None:
             return ""
         if value is not None and (changed := explained_at_start(value, self.asked, self.candidates)):
@@ -244,7 +249,7 @@ class AskedClaim:
         for clause, rule in changes:
             for value in values:
                 right = of.xreplace({self.quantity: value.xreplace(dict(rule))})
-                if self._same(stated, right):
+                if self._same(stated, right) or (self._is_odd() and self._same(stated, -right)):
                     return f"this is the answer {clause}"
         return ""
 
@@ -415,6 +420,11 @@ class AskedClaim:
             if None not in same:
                 return Verdict.INCOMPLETE, _OTHER
         return Verdict.EQUIVALENT, ""
+
+
+def _with_waves_exchanged(claim: sp.Expr) -> sp.Expr:
+    other = {sp.sin: sp.cos, sp.cos: sp.sin, sp.tan: sp.cot, sp.cot: sp.tan}
+    return claim.xreplace({w: other[type(w)](w.args[0]) for w in claim.atoms(*other)})
 
 
 def _with_functions(state: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Expr, sp.Expr]:

@@ -232,7 +232,7 @@ def check_frequencies(
         if v.verdict is Verdict.WRONG or v.diagnosis == _NOT_ALL_KNOWN
     ]
     if best.verdict is Verdict.WRONG:
-        sentence = next(_explained(wrong, places, values, reference), "")
+        sentence = next(_explained(wrong, places, values, reference), "") or _of_other_bodies(wrong, solution, values)
     else:  # it may be right elsewhere: what is wrong in it cannot be said
         sentence = next(filter(None, (_of_models(claims, places, reference) for claims in wrong)), "")
     return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
@@ -320,6 +320,21 @@ def _of_models(claims: Sequence[sp.Expr], places: Sequence[EquilibriumPoint], re
                     return reason
             except (NotAlgebraicError, DivisionByZeroError):
                 continue
+    return ""
+
+
+def _of_other_bodies(lists: Sequence[Sequence[sp.Expr]], solution: Solution, values: Values) -> str:
+    """The other moments of inertia with which these are the frequencies, in a sentence; empty if there are none."""
+    from lagrange.answers.results.meanings import other_bodies
+
+    others = other_bodies(solution)
+    if others is None:
+        return ""
+    places = [p for v in others[0].views if v.linearization is not None for p in _places(v.linearization, {})]
+    for clause, rule in others[1]:
+        special = {**values, **rule}
+        if all(c != 0 and any(p.is_root(c, special) for p in places) for claims in lists for c in claims):
+            return f"these are the frequencies {clause}"
     return ""
 
 

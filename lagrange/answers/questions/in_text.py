@@ -449,7 +449,7 @@ def _asked_in_formulas(answer: Sequence[Fragment], solution: Solution, judge: Ju
     except ProblemError as error:
         failed = error
     answer = [*answer, *limits]
-    if first is not None and first.verdict is Verdict.EQUIVALENT:
+    if first is not None and first.verdict is Verdict.EQUIVALENT and not _has_wrong_value(answer, first, solution):
         return first
     judged = _with_asked(answer, solution, judge, first)
     if judged is None:
@@ -458,12 +458,21 @@ def _asked_in_formulas(answer: Sequence[Fragment], solution: Solution, judge: Ju
     return judged
 
 
+def _has_wrong_value(answer: Sequence[Fragment], judged: Judgement, solution: Solution) -> bool:
+    """Whether a line beside right frequencies is a wrong answer to a question, and no definition."""
+    if not any(a.name == "frequencies" for a in judged.others):
+        return False
+    lines = asked_in_text(answer, solution)
+    return lines.verdict is not None and lines.verdict.verdict is Verdict.WRONG
+
+
 def _with_asked(
     answer: Sequence[Fragment], solution: Solution, judge: Judge, first: Judgement | None
 ) -> Judgement | None:
     """The verdict on the lines that answer questions and on the others; `first` if there are none of the former."""
     lines = asked_in_text(answer, solution)
     from lagrange.answers.questions import values_in_text
+    from lagrange.answers.questions.texts.frequency_labels import stated_frequencies
     from lagrange.answers.written.working import understood
 
     if lines.verdict is None:
@@ -473,15 +482,18 @@ def _with_asked(
     verdict = lines.verdict
     others: Judgement | None = None
     reference = reference_of_solution(solution)
-    beside = values_in_text.working_beside(lines.rest, answer, reference)
+    asks_for_frequencies = any(v.linearization is not None for v in solution.views)
+    frequencies = stated_frequencies(lines.rest) if asks_for_frequencies else []
+    beside = [f for f in values_in_text.working_beside(lines.rest, answer, reference) if f not in frequencies]
     rest = [f for f in lines.rest if f not in beside]
     working = understood(rest, reference) if rest else None
-    if working is not None and not working.unreadable and values_in_text.only_beside(working, reference):
+    is_judged = working is None or bool(working.unreadable or frequencies)
+    if working is not None and not is_judged and values_in_text.only_beside(working, reference):
         beside, working = [*beside, *working.judged], None
     verdict = replace(
         verdict, notes=(*verdict.notes, *values_in_text.not_judged(beside, "is working, and is not judged"))
     )
-    if working is not None and (working.judged or working.unreadable):
+    if frequencies or (working is not None and (working.judged or working.unreadable)):
         try:
             others = judge(rest)
         except ProblemError:

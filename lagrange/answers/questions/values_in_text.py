@@ -185,6 +185,8 @@ _NAMES_A_RATE = re.compile(
     r"\s*\$?\s*\\?\w{1,8}\s*(?::=|=|\\equiv)\s*(?:\\dot\s*(?:\{\s*\\?\w+\s*\}|\s\w+|\\\w+)|\w+'|d\s?\w+\s*/\s*dt|\\[dt]?frac\s*\{\s*d\s?\\?\w+\s*\}\s*\{\s*dt\s*\})\s*\$?[\s.,;]*\Z"
 )
 """`v = \\dot y`, `v = y'`, `v = dy/dt`: a letter for a velocity, which answers no question."""
+_FREQUENCY = re.compile(r"[\s$]*\\?(?:omega|Omega|ω|Ω)(?:_\w+|\^2|²)?\s*=")
+"""A frequency, where these are asked for as well as a speed."""
 _SPEED_QUANTITIES = frozenset({"v", "V", "u", "w", "omega", "speed", "velocity"})
 _TIMES = frozenset({"t", "T", "tau", "time"})
 _NOT_JUDGED = (Verdict.UNREADABLE, Verdict.UNDECIDED)
@@ -216,6 +218,7 @@ def asked_in_text(
     defined = understood(answer, reference).defined
     scalars = {n: e for n, e in defined.items() if n not in reference.scope.scalars}
     wider = replace(reference, scope=replace(reference.scope, scalars={**reference.scope.scalars, **scalars}))
+    has_frequencies = any(v.linearization is not None for v in solution.views)
     for fragment in answer if among is None else among:
         if _is_condition(fragment, questions, reference):
             continue
@@ -229,6 +232,7 @@ def asked_in_text(
             a.question.name for a in questions if _is_named(fragment, a) or _states_quantity(fragment, a, reference)
         ]
         named = [] if _NAMES_A_RATE.match(fragment.text) or is_used_beside(fragment, answer, reference) else named
+        named = [] if has_frequencies and _FREQUENCY.match(fragment.text) else named
         about = {name for name, _ in compared}  # y = f(x) is about the path, and not about the greatest height
         named = [name for name in named if name in about] or named
         named = _of_function(named, fragment, questions, reference)

@@ -25,6 +25,7 @@ where another velocity does. A wrong motion x(t) does not begin as the problem s
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 
 import sympy as sp
 
@@ -286,6 +287,37 @@ def explained_instant(claim: sp.Expr, asked: Asked, others: Sequence[Asked]) -> 
         return "" if own is None else next(_at_place(claim, question.quantity, own, motion, initial), "")
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return ""
+
+
+def explained_balance(claim: sp.Expr, asked: Asked, candidates: Sequence[ReferenceCandidate]) -> str:
+    """Whether the forces are balanced at a wrong place, in a sentence; empty if not."""
+    q = asked.question.quantity
+    for candidate in candidates:
+        slots, unknowns = candidate.configuration.slots, candidate.multipliers
+        if q not in slots.coordinates or len(unknowns) > 2:
+            continue
+        still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+        forces = [e.xreplace(still) for e in candidate.system.equations]
+        other = {*slots.coordinates} - {q}
+        if any(f.free_symbols & other for f in forces) or claim.free_symbols & {*slots.coordinates}:
+            continue
+        try:
+            there = [f.xreplace({q: candidate.read(claim)}) for f in forces]
+            if _are_balanced(forces, unknowns) or not _are_balanced(there, unknowns):
+                continue
+        except (DivisionByZeroError, NoPointError, UnsupportedError, ValueError):
+            continue
+        else:
+            return f"there {prime(q, 2)} = 0: the forces are balanced, and it passes with a velocity"
+    return ""
+
+
+def _are_balanced(forces: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
+    """Whether some values of the reactions balance forces in which they are linear."""
+    zero = dict.fromkeys(unknowns, sp.S.Zero)
+    rows = [[*(f.diff(u) for u in unknowns), f.xreplace(zero)] for f in forces]
+    minors = (sp.Matrix(chosen).det() for chosen in combinations(rows, len(unknowns) + 1))
+    return all(is_zero(minor) is True for minor in minors)
 
 
 def _beginnings(claim: sp.Expr, quantity: sp.Symbol, initial: Mapping[sp.Basic, sp.Expr]) -> Iterator[str]:

@@ -286,6 +286,8 @@ def angles_and_lengths(stated: Sequence[sp.Expr], e: Equilibrium) -> Iterator[Va
     """Half an angle, or twice one, for the angle itself; a coordinate and a parameter exchanged under a root, as the
     legs of a triangle are."""
     coordinates = [q for q in e.configuration.slots.coordinates if any(q in c.free_symbols for c in stated)]
+    for q, p in combinations(coordinates, 2):
+        yield Variation(f"with {q} and {p} exchanged", "", rule={q: p, p: q})
     waves = {w for c in stated for w in c.atoms(sp.sin, sp.cos, sp.tan)}
     for q in coordinates:
         if (sp.tan(q / 2) in waves or sp.sin(q / 2) in waves) and sp.tan(q) not in waves:

@@ -9,9 +9,68 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.answers.examiner import Examiner
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.problem.loader import read_problem
 from tests.answers.models.slips import WrongAnswer, answers_by, assert_named, name_of
 
 
 @pytest.mark.parametrize("answer", answers_by("kinematics"), ids=name_of)
 def test_the_cause_is_named(answer: WrongAnswer) -> None:
     assert_named(answer)
+
+
+TACKLE = """
+title: Block and a movable pulley
+axes: {i: right, j: down}
+parameters: [m, M, mu, g]
+coordinates: {x: way of the block, z: height of the block, y: depth of the load}
+particles:
+  block: {mass: m, position: x*i - z*j}
+  load: {mass: M, position: y*j}
+constraints: {table: {equation: z = 0, reaction: N}, rope: {equation: x = 2*y, reaction: S}}
+gravity: g*j
+forces: {rub: {friction: mu, constraint: table, on: block, slip: positive, contact: positive}}
+generalized_coordinates: {depth: {coordinates: [y]}}
+"""
+SPOOL = """
+title: Spool pulled over a floor
+axes: {i: right, j: up}
+parameters: [m, J, R, r, P, g]
+coordinates: {x: place of the axis, y: height of the axis, theta: angle turned clockwise}
+bodies: {spool: {mass: m, inertia: J, position: x*i + y*j, angle: -theta}}
+constraints: {floor: y = R, rolling: {equation: "x' = R*theta'", reaction: F}}
+gravity: -g*j
+forces: {pull: {on: spool, vector: P*i, at: r_spool - r*j}}
+generalized_coordinates: {way: {coordinates: [x]}}
+"""
+RAMPS = """
+title: Two blocks on two ramps, in the wind
+axes: {i: right, j: up}
+parameters: {m: positive, M: positive, alpha: acute, beta: acute, P: positive, g: positive}
+coordinates: {s: way along both ramps}
+particles:
+  first: {mass: m, position: -s*cos(alpha)*i - s*sin(alpha)*j}
+  second: {mass: M, position: -s*cos(beta)*i + s*sin(beta)*j}
+gravity: -g*j
+forces: {wind: {on: first, vector: P*i}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("problem", "answer", "said"),
+    [
+        (TACKLE, "(M + m)*y'' = (M - mu*m)*g", "for `block` moving half as fast (a factor in a constraint)"),
+        (TACKLE, "(M + m/4)*y'' = (M - mu*m/2)*g", "for `block` moving a quarter as fast"),
+        (SPOOL, "(m + J/(4*R^2))*x'' = P*(1 - r/(2*R))", "for x' = 2*R*theta' as the constraint `rolling`"),
+        (
+            RAMPS,
+            "(m + M)*s'' = m*g*cos(alpha) - M*g*cos(beta) - P*sin(alpha)",
+            "with sine and cosine of alpha and beta exchanged",
+        ),
+    ],
+)
+def test_a_constraint_with_another_factor_and_two_angles(problem: str, answer: str, said: str) -> None:
+    examiner = Examiner.of(read_problem(Source("problem.yaml", problem)))
+    [verdict] = examiner.check((Fragment.of(answer),)).each
+    assert said in verdict.diagnosis
