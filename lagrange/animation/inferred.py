@@ -13,6 +13,7 @@ from itertools import pairwise
 import sympy as sp
 
 from lagrange.animation.elements import Elements
+from lagrange.animation.limits import GROUND_REACH
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
@@ -22,9 +23,6 @@ from lagrange.pictures.inferred import Inferred
 from lagrange.pictures.poses import angle_mark
 from lagrange.pictures.sketch import Sketch, left_of, scaled, toward
 from lagrange.pictures.systems import is_string
-
-_REACH = 3.5
-"""Half the length of a piece of ground, in centimetres: what moves on it stays in the figure."""
 
 
 def add_inferred(elements: Elements) -> None:
@@ -98,7 +96,7 @@ def _blocks(elements: Elements) -> None:
             grounds.append(way)
             side = left_of(scaled(way.up, -1.0))
             foot = scaled(way.up, -HIGH / 2 if is_block else 0.0)
-            ends = [_shifted(elements, way.at, scaled(side, sense * _REACH), foot) for sense in (-1, 1)]
+            ends = [_shifted(elements, way.at, scaled(side, sense * GROUND_REACH), foot) for sense in (-1, 1)]
             elements.add("ground", p=[elements.at(end) for end in ends], far=1)
 
 

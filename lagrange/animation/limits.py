@@ -9,3 +9,5 @@ LONGEST_PROGRAM = 400_000
 300,000 characters, the derivation included."""
 MOST_ROWS = 600
 """Of a computed motion on a page, which interpolates between them."""
+GROUND_REACH = 3.5
+"""Half the length of a piece of ground, in centimetres: what moves on it stays in the figure."""

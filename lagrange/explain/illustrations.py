@@ -159,12 +159,13 @@ def of_supported_rod(solution: Solution, supports: Supports, sizes: Mapping[str,
     """The free body of a rod on two supports."""
 
     def draw() -> Scene | None:
-        from lagrange.explain.report import notation_of
         from lagrange.pictures.free_bodies import supported_rod_scene
         from lagrange.pictures.systems import system_in_file
 
         system, normals = system_in_file(solution), {s.point: s.normal for s in supports.at}
-        return None if system is None else supported_rod_scene(system, normals, sizes, notation_of(solution))
+        parameters = tuple(p.symbol for p in solution.problem.parameters)
+        notation = Notation(solution.problem.slots.coordinates, parameters=parameters, forces=tuple(sizes.values()))
+        return None if system is None else supported_rod_scene(system, normals, sizes, notation)
 
     acting = [
         *(spoken(f.name) for f in solution.own.configuration.loads),
