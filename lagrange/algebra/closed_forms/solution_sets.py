@@ -194,10 +194,10 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))
 
 
-def has_root_of_sum(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> bool:
-    """Whether there is a square root of a sum without unknowns."""
-    roots = (p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add)
-    return any(p.free_symbols.isdisjoint(unknowns) for p in roots)
+def is_one_with_root_of_sum(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
+    """Whether it is one equation, with a square root of a sum without unknowns."""
+    roots = (p for e in equations for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add)
+    return len(equations) == 1 and any(p.free_symbols.isdisjoint(unknowns) for p in roots)
 
 
 def has_root(e: sp.Expr) -> bool:
