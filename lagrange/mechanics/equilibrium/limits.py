@@ -162,3 +162,6 @@ sum is below 1e-25; they do not if it is above `DIFFERS`, and in between no clai
 # Operations of the second derivatives of V, all together, in which a displacement is sought that leaves V as it is:
 # three masses in a line have 4. With those of two springs in a plane, 154, the elimination took half a minute.
 LONGEST_SECOND_VARIATION = 60
+
+SAME_IN_MODES = 1e-9
+"""The relative difference below which an amplitude is zero, or the square of a frequency the same, in numbers."""
