@@ -31,7 +31,7 @@ from lagrange.core.units import unit_called
 from lagrange.mechanics.equilibrium.admissible_positions import CIRCLE, angles_with, as_measured, distances
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import MOST_ANGLES, MOST_OSCILLATING_IN_NUMBERS
+from lagrange.mechanics.equilibrium.limits import MOST_ANGLES, MOST_OSCILLATING_IN_NUMBERS, SAME_IN_MODES
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria, numerical_equilibria
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
@@ -44,9 +44,6 @@ Evaluate = Callable[[sp.Expr], sp.Expr]
 
 CERTAIN = sp.Float(10) ** (10 - WORKING_DIGITS)
 """A number that is smaller than this part of the others has no certain sign."""
-
-SAME = 1e-9
-"""The relative difference below which a number is zero, or a square of a frequency the same, in the shapes of modes."""
 
 
 @record
@@ -353,7 +350,7 @@ def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[O
         if w > CERTAIN:
             omega = sp.sqrt(w)
             period = Quantity(2 * sp.pi / omega, "s" if known else "")
-            near = [mode for square, mode in modes if abs(square - float(w)) < SAME * float(w)]
+            near = [mode for square, mode in modes if abs(square - float(w)) < SAME_IN_MODES * float(w)]
             mode = near[0] if len(near) == 1 else ()
             oscillations.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period, mode))
     return tuple(oscillations)
@@ -378,10 +375,12 @@ def _modes(s: SmallOscillations, at: Evaluate) -> list[tuple[float, tuple[float,
     for k, square in enumerate(squares):
         vector = [vectors[n, k] for n in range(len(s.free))]
         largest = max(vector, key=abs)
-        scale = vector[0] if abs(vector[0]) > SAME * abs(largest) else largest
+        scale = vector[0] if abs(vector[0]) > SAME_IN_MODES * abs(largest) else largest
         amplitudes = [complex(x / scale) for x in vector]
-        if all(abs(x.imag) < SAME * max(1, abs(x)) for x in amplitudes):
-            modes.append((float(mpmath.re(square)), tuple(x.real if abs(x) > SAME else 0.0 for x in amplitudes)))
+        if all(abs(x.imag) < SAME_IN_MODES * max(1, abs(x)) for x in amplitudes):
+            modes.append(
+                (float(mpmath.re(square)), tuple(x.real if abs(x) > SAME_IN_MODES else 0.0 for x in amplitudes))
+            )
     return modes
 
 

@@ -165,3 +165,6 @@ LONGEST_SECOND_VARIATION = 60
 
 MOST_ANGLES = 2
 """Angles that a sine, cosine or tangent stands for: more, within several turns, are not listed."""
+
+SAME_IN_MODES = 1e-9
+"""The relative difference below which an amplitude is zero, or the square of a frequency the same, in numbers."""
