@@ -283,14 +283,10 @@ def other_angular_velocity(m: Mechanics) -> Iterator[Variation]:
                 yield Variation(f"for {called(r.name)} turning {how} as fast", place, _turning(m, r, scaled))
 
 
-def other_transmission(m: Mechanics) -> Iterator[Variation]:
-    """What a constraint makes move with something else moves faster or slower by a factor, as a movable pulley does,
-    or turns as if it rolled on another radius."""
-    yield from _other_constraints(m)
-    if not m.configuration.expressed:
-        return
+def moved_at_another_rate(m: Mechanics) -> Iterator[Variation]:
+    """What a constraint makes move with something else moves faster or slower by a factor, as a movable pulley does."""
     rotating = {r.name for r in m.rotations}
-    for p in m.particles if len(m.inertias) > 1 else ():
+    for p in m.particles if len(m.inertias) > 1 and m.configuration.expressed else ():
         attached = [f for f in m.forces if p.name in f.on]
         if p.name in rotating or any(f.kind not in _OF_A_PLACE or f.on != (p.name,) for f in attached):
             continue
@@ -298,6 +294,11 @@ def other_transmission(m: Mechanics) -> Iterator[Variation]:
             changed = m.inertia(lambda i, p=p, c=factor: replace(i, factor=i.factor * c**2) if i == p else i)  # type: ignore[misc]
             clause = f"for {called(p.name)} moving {how} as fast (a factor in a constraint)"
             yield Variation(clause, f"how fast {called(p.name)} moves", changed.scaled(attached, factor))
+
+
+def other_transmission(m: Mechanics) -> Iterator[Variation]:
+    """A constraint between two velocities with another factor or radius: what turns rolls as if on that."""
+    yield from _other_constraints(m)
     for r in m.rotations:
         used = {s for column in r.columns for c in column for s in sp.denom(sp.together(c)).free_symbols}
         letters = _parameters(m)

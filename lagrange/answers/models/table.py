@@ -88,6 +88,7 @@ MODELS = (
     Model("radius for the distance from an axis", kinetic.radius_for_distance),
     Model("length left out of a position", kinetic.length_left_out),
     Model("length doubled in a position", kinetic.length_doubled),
+    Model("another rate of what a constraint moves", kinematics.moved_at_another_rate),
     Model("product of velocities in T with another factor", kinetic.product_scaled),
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
     Model("length taken as given", kinematics.length_for_coordinate),
