@@ -161,8 +161,8 @@ class PartOfSymPy:
     def _imported(self, name: str, *rest: Any) -> Any:
         """What the initializer imports: `from .series import ...` has the level 1 at the end."""
         passed_over = name not in self.FIRST and (f"sympy.{name}" not in sys.modules or f"sympy.{name}" in self.placed)
-        if rest[-1] != 1 or not name or not passed_over:
-            return builtins.__import__(name, *rest)
+        if rest[-1] != 1 or not passed_over:
+            return import_module(f".{name}" if rest[-1] else name, "sympy")
         for stand_in in self.STAND_INS:
             self._stand_in(stand_in, *self.STAND_INS[stand_in])
         return _MISSING
