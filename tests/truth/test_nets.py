@@ -8,13 +8,13 @@ from __future__ import annotations
 import pytest
 
 from tests.support.chance import times
-from tests.support.nets import constraint_systems, motions, statics, units
+from tests.support.nets import constraint_systems, further_statics, motions, questions, statics, units
 from tests.support.nets.run import Finding
 
 NETS = {"statics": (statics, 30), "motions": (motions, 30), "constraint_systems": (constraint_systems, 15)}
-NETS |= {"units": (units, 12)}
+NETS |= {"units": (units, 12), "further_statics": (further_statics, 12), "questions": (questions, 20)}
 FIRST = 1000
-MENDED = {"statics": (1, 108, 147, 153, 20122)}
+MENDED = {"statics": (1, 108, 147, 153, 20122), "further_statics": (32,)}
 """Seeds beside the run that found something once."""
 
 SOFT = ("undecided stability", "undecided linear stability")

@@ -122,7 +122,12 @@ def letter_factors(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr
     if count_operations(polynomial) > 2 * LARGEST_FACTORED:
         return [(polynomial, 1)]
     letters = letters_for([polynomial])
-    _, powers = sp.factor_list(polynomial.xreplace(letters))
+    lettered = polynomial.xreplace(letters)
+    if any(p.exp.is_negative for p in lettered.atoms(sp.Pow)):  # divisors without the letter, which change no root
+        lettered, below = sp.fraction(sp.together(lettered))
+        if letter in below.free_symbols:
+            return [(polynomial, 1)]
+    _, powers = sp.factor_list(lettered)
     back = {v: e for e, v in letters.items()}
     pieces = [(f.xreplace(back), int(n)) for f, n in powers if letter in f.free_symbols]
     if letters:

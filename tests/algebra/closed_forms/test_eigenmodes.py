@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from mpmath import matrix, mp, mpf
 
-from lagrange.algebra.closed_forms.eigenmodes import closed_roots, with_repeated_roots_apart
+from lagrange.algebra.closed_forms.eigenmodes import closed_roots, letter_factors, with_repeated_roots_apart
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from tests.support.linearized_systems import (
@@ -155,3 +155,15 @@ def test_equal_roots_are_one(pieces: list[tuple[sp.Expr, int]], wanted: list[tup
     assert len(found) == len(wanted)
     for f, n in wanted:
         assert any(n == m and same(f, g) for g, m in found)
+
+
+def test_factors_of_a_polynomial_with_roots_below() -> None:
+    """(w − a) (w − √b)/√(a + √b): the divisor, which does not contain w, changes no root."""
+    a, b, w = sp.symbols("a b w", positive=True)
+    below = sp.sqrt(a + sp.sqrt(b))
+    polynomial = sp.expand((w - a) * (w - sp.sqrt(b))) / below + sp.expand((w - a) * w / below**3)
+    roots = {r for f, _ in letter_factors(polynomial, w) for r in sp.solve(f, w)}
+    numbers = {a: sp.Rational(3, 2), b: sp.Rational(4)}
+    values = sorted(float(r.subs(numbers)) for r in roots)
+    true = sorted(float(r) for r in sp.solve(polynomial.subs(numbers), w))
+    assert values == pytest.approx(true)

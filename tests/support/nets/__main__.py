@@ -15,7 +15,7 @@ from pathlib import Path
 from tests.support.nets.cases import case
 from tests.support.nets.run import Finding
 
-KINDS = ("statics", "further_statics", "motions", "constraint_systems", "units")
+KINDS = ("statics", "further_statics", "motions", "questions", "constraint_systems", "units")
 
 
 def cases(kinds: list[str], seeds: range, processes: int) -> Iterator[tuple[str, int, float, list[Finding]]]:

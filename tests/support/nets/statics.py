@@ -224,6 +224,8 @@ def _points(
     solvable = any(n in system.coordinates for t in relations for n in names_in(t))
     if open_existence and not all(SOLVED.match(t) for t in relations):
         return
+    if any(names_in(t).isdisjoint({*system.coordinates, *multiplier_names(system)}) for t in relations):
+        return  # a relation between parameters alone, which the draws do not satisfy
     if not solvable or any_point or outside or any(c.split()[-2] != "!=" for c in conditions):
         return
     if not any(True for parameters in draws for _ in sampled(system, relations, parameters, rng, 40)):
