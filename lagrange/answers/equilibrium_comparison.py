@@ -528,7 +528,7 @@ class EquilibriumComparison:
         loose = False
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
         balanced: list[Values] = []
-        others: list[tuple[Branch, Values, bool | None]] = []
+        others: list[tuple[Branch, Mapping[sp.Symbol, sp.Expr], bool | None]] = []
         for b in own.branches:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
             for p in ({**p, **related} for p in b.points):
@@ -538,12 +538,12 @@ class EquilibriumComparison:
                 else:
                     others.append((b, p, holds))
         stated = self._functions(named) if len(named) < len(self.unknowns) else []
-        for b, p, holds in others:
-            if stated and any(agree(own, p, own, q, stated) for q in balanced):
+        for b, point, holds in others:
+            if stated and any(agree(own, point, own, q, stated) for q in balanced):
                 continue
             if holds is None:
                 verdict = None
-            elif self._open(p, own) > least:
+            elif self._open(point, own) > least:
                 loose = True
             else:
                 return False, False, _also_holds(b)

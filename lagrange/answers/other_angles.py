@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.answers.limits import SAME_ANGLE
+
 _INVERSE: dict[type, sp.FunctionClass] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
-_SAME_ANGLE = 1e-9
 
 
 def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
@@ -27,7 +28,7 @@ def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
             value = -other / d
             principal = next(inverse(wave(value)) for inverse, of in _INVERSE.items() if of is wave)
             off = sp.N(principal - value)
-            is_meant = (off.is_Float and abs(off) < _SAME_ANGLE) or off == 0
+            is_meant = (off.is_Float and abs(off) < SAME_ANGLE) or off == 0
             return wave(theta) - wave(value) if is_meant and not (2 * value / sp.pi).is_integer else e
         function = _INVERSE.get(type(inverse))
         if theta.is_Symbol and function is not None and abs(c) == abs(d):
