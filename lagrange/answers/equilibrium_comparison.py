@@ -541,7 +541,7 @@ class EquilibriumComparison:
         loose = False
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
         balanced: list[Values] = []
-        others: list[tuple[Branch, Values, bool | None]] = []
+        others: list[tuple[Branch, Mapping[sp.Symbol, sp.Expr], bool | None]] = []
         inside = [p for b in own.branches for p in b.points if not is_outside(p, self._ranges, own)]
         for b in own.branches:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
@@ -552,12 +552,12 @@ class EquilibriumComparison:
                 else:
                     others.append((b, p, holds))
         stated = self._functions(named) if len(named) < len(self.unknowns) else []
-        for b, p, holds in others:
-            if stated and any(agree(own, p, own, q, stated) for q in balanced):
+        for b, point, holds in others:
+            if stated and any(agree(own, point, own, q, stated) for q in balanced):
                 continue
             if holds is None:
                 verdict = None
-            elif self._open(p, own) > least:
+            elif self._open(point, own) > least:
                 loose = True
             else:
                 return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)

@@ -392,3 +392,6 @@ MOST_NODES_OF_A_VALUE = 200
 CLOSE_IN_FLOATS = 1e-9
 """Relative difference of two values in double precision that are taken to be equal, before an exact test: a value of
 200 nodes loses six digits of sixteen at most."""
+
+SAME_ANGLE = 1e-9
+"""How far a stated angle may be from the principal value of its tangent, sine or cosine, in floating point."""

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.answers.limits import SAME_ANGLE
+
 _INVERSE: dict[type, sp.FunctionClass] = {sp.atan: sp.tan, sp.acos: sp.cos, sp.asin: sp.sin}
-_SAME_ANGLE = 1e-9
 
 
 def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
@@ -26,8 +27,9 @@ def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
         if wave is not None and theta.is_Symbol and other.is_number:
             value = -other / d
             principal = next(inverse(wave(value)) for inverse, of in _INVERSE.items() if of is wave)
-            is_meant = abs(sp.N(principal - value)) < _SAME_ANGLE and not (2 * value / sp.pi).is_integer
-            return wave(theta) - wave(value) if is_meant else e
+            off = sp.N(principal - value)
+            is_meant = (off.is_Float and abs(off) < SAME_ANGLE) or off == 0
+            return wave(theta) - wave(value) if is_meant and not (2 * value / sp.pi).is_integer else e
         function = _INVERSE.get(type(inverse))
         if theta.is_Symbol and function is not None and abs(c) == abs(d):
             return function(theta) - function(-c / d * inverse)

@@ -260,7 +260,7 @@ def test_an_angle_that_occurs_in_a_kinematic_constraint_alone() -> None:
 
 @pytest.mark.parametrize(
     ("answer", "expected"),
-    [("theta = 31.45 deg", INCOMPLETE), ("theta = 31.45° or theta = 211.45°", EQUIVALENT), ("theta = 32.45°", WRONG)],
+    [("theta = 31.45 deg", EQUIVALENT), ("theta = 31.45° or theta = 211.45°", EQUIVALENT), ("theta = 32.45°", WRONG)],
 )
 def test_equilibria_in_degrees(answer: str, expected: Verdict) -> None:
     pulled = """title: Bead with a horizontal pull

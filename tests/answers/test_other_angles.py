@@ -19,6 +19,7 @@ theta, u = sp.symbols("theta u", real=True)
         (theta - sp.atan(2) - sp.pi, sp.tan, None),  # no principal value: just this one is meant
         (theta - sp.pi, sp.cos, None),
         (theta + u, sp.tan, None),
+        (theta - sp.pi / 2, sp.tan, None),  # where there is no tangent
     ],
 )
 def test_an_angle_is_read_by_its_tangent(e: sp.Expr, wave: sp.FunctionClass | None, wider: sp.Expr | None) -> None:

@@ -252,7 +252,7 @@ def test_reactions_beside_an_equilibrium_that_is_not_solved(
     configuration = SimpleNamespace(slots=SimpleNamespace(coordinates=()), expressed=(), rewritten=lambda e: e)
     reactions = SimpleNamespace(configuration=configuration, at=(None, None))
     reference = SimpleNamespace(values={}, scope=SimpleNamespace(slots=SimpleNamespace(coordinates=())))
-    judge = SimpleNamespace(reference=reference)
+    judge = SimpleNamespace(reference=reference, _possible=lambda reactions: reactions.at)
     assert stated.StatedReactionsAtRest._holds(judge, [sp.Symbol("A_x") + 1], {}, reactions, ()) is expected  # type: ignore[arg-type]
 
 

@@ -26,8 +26,7 @@ f ≤ 0 is permitted. |g| is written without the moduli of lengths and of single
 these are positive.
 
 *Neither.* A moment, forces on several bodies, or coordinates that do not place the bodies: the name is the multiplier.
-So it is where a coordinate leads a body along a curve: of the force of a wall on a pendulum, l sin θ ≤ d, only the part
-along e_θ enters, and which way the wall faces is not known; λ is the horizontal force for l sin θ, as it is written.
+So it is where a coordinate leads a body along a curve, as of the force of a wall on a pendulum, l sin θ ≤ d.
 """
 
 from __future__ import annotations
@@ -120,7 +119,8 @@ def single_force(
     if by not in SURFACES and (keeping := row if row.finite is not None else _kept(row, configuration)):
         is_cord = rooted is row and (leads or by is Keeper.STRING)
         tension = _tension(keeping, by, acts, placed, configuration, constant, whole=is_cord)
-        if tension is None and (rooted is not row or by is Keeper.STRING or is_called_string(row.name)):
+        named = constraint.reaction != row.multiplier and is_called_string(row.name)
+        if tension is None and (rooted is not row or by is Keeper.STRING or named):
             tension = _tension(rooted, by, acts, None, configuration, constant, whole=True)
         if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension

@@ -74,7 +74,7 @@ def _limit_of_stability(wanted: Sequence[sp.Expr], parameter: sp.Symbol) -> sp.E
     roots: list[sp.Expr] = []
     for e in wanted:
         roots += [r for r in _positive_roots(e, parameter) if not any(is_zero(r - known) for known in roots)]
-    roots.sort(key=cmp_to_key(lambda a, b: _sign(a - b)))
+    roots.sort(key=cmp_to_key(_order))
     if not roots:
         return None
     between = [roots[0] / 2, *((a + b) / 2 for a, b in pairwise(roots)), 2 * roots[-1]]
@@ -105,6 +105,10 @@ def _positive_roots(e: sp.Expr, parameter: sp.Symbol) -> Iterator[sp.Expr]:
             raise _OpenError
         found = [(-b + s * sp.sqrt(square)) / (2 * a) for s in (1, -1)]
     yield from (shortest_form(sp.factor(sp.expand(r))) for r in found if _sign(r) == 1)
+
+
+def _order(a: sp.Expr, b: sp.Expr) -> int:
+    return _sign(a - b)
 
 
 def _sign(e: sp.Expr) -> int:
