@@ -98,7 +98,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 """
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
-    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
+    r"(?:(?<!\s)(?:\s*[,.;])?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|to|upwards?|downwards?|(?:counter|anti)?-?clockwise|opposite|is|are|at|in(?![.,;\s]*\Z|/)|the|q\.?e\.?d"
     r"|provided|valid|and|wobei|mit|für|on|about|around|über|um|bei|independent|holds|being|here|again|also|not|but|of|only|each|respectively|dabei|où|pour|avec|degrees?\s+of|dofs?|freiheitsgrade?n?|degrés)\b)[^=]*|\s+\((?P<remark>(?:[^()=*^'/+]|(?<=[a-z]{3})'s\b)*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
@@ -212,10 +212,11 @@ def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment
             before = text[:start]
         remark = _remarks_on(text, start, stop, remarks)
         above = heading[0] if heading and start >= heading.end() else ""
-        about = [beside, f"{remark};" if remark and (above or before) else remark, above, before]
+        about = [beside, remark and f"{remark};", above, before]
         for e in _one(fragment, start, stop, " ".join(filter(None, about))):
             leads_on = _LEADS_ON.match(text, stop) is not None  # what stands after it is about the next equation
-            yield replace(e, beside=" ".join(filter(None, about))) if leads_on and isinstance(e, OneEquation) else e
+            said = _ENDED.sub("", " ".join(filter(None, about)))
+            yield replace(e, beside=said) if leads_on and isinstance(e, OneEquation) else e
 
 
 def _in_other_shape(text: str) -> list[str]:
@@ -379,9 +380,11 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
     elif words and remark is not None:
         end = begin + len(text[begin:end].rstrip(" .,;:"))
     if begin < end and _EQUALS.search(text, begin, end):
-        yield _made(fragment, begin, end, f"{beside} {text[start:begin]} {tail}".strip())
+        yield _made(fragment, begin, end, _ENDED.sub("", f"{beside} {text[start:begin]} {tail}".strip()))
 
 
+_ENDED = re.compile(r";[\s,]*\Z")
+"""The end of a remark on stability, where nothing else is said."""
 _SIGNS = re.compile(r"\s[-+−·]\s|[−·√²³½\u0300-\u036f]")
 
 

@@ -71,7 +71,7 @@ _ABBREVIATION = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(_SHORT)})(_?[0-9]{{0
 _SCRIPT_L = re.compile(r"\\ell(?![A-Za-z])|ℓ")
 _MASS_TIMES_A = re.compile(r"(?<![A-Za-z_])[mM](?:_?[0-9])?\s*[*·]?\s*a(?![A-Za-z0-9_'(^])")
 _A_IS = re.compile(r"[\s$&]*a\s*&?=(?!=)(?=[^=]*(?<![A-Za-z\\])g(?![A-Za-z]))[^=]*\Z")
-_TWICE_DERIVED = re.compile(r"([^\W\d_](?:[A-Za-z0-9_]*))(?:''|\u0308|¨)")
+_TWICE_DERIVED = re.compile(r"(?<![A-Za-z0-9_])([^\W\d_][A-Za-z0-9_]{0,12})(?:''|\u0308|¨)")
 _A_STATED = re.compile(
     r"(?<![\w\\])a\s*&?=[^=+]*(?:''|ddot|\u0308|¨|dv|d\^2|d²)|(?:''|\u0308|¨|\}|v\u0307)[^=+]*=\s*a\s*\Z"
 )

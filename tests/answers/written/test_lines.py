@@ -38,3 +38,8 @@ def test_conditions_without_words(text: str, condition: str) -> None:
 )
 def test_an_inch_is_no_preposition(line: str, equation: str) -> None:
     assert [f.text.strip() for f in equations_of_line(Fragment.of(line))] == [equation]
+
+
+def test_a_long_gap_is_read_in_linear_time() -> None:
+    [line] = equations_of_line(Fragment.of("x'' = " + " " * 1900 + "x"))
+    assert line.text.split() == ["x''", "=", "x"]

@@ -70,9 +70,9 @@ def listed_frequencies(fragment: Fragment) -> list[Fragment]:
 
     A value without a sign of equality has the label before it: of `omega^2 = 0, c/m` both are squares.
     """
-    if label := _WORD_LABEL.match(fragment.text):
+    if word := _WORD_LABEL.match(fragment.text):
         draft = Draft(fragment)
-        draft.apply([(0, label.end(), "omega = ")])
+        draft.apply([(0, word.end(), "omega = ")])
         fragment = draft.finished()
     pieces = [cut(fragment, *p) for p in cuts(fragment.text, _BETWEEN) if fragment.text[slice(*p)].strip(" $.~")]
     if not all("=" not in p.text or LABELLED.match(p.text) for p in pieces):
