@@ -30,7 +30,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     Branch,
     SolutionSet,
     agree,
-    is_one_with_root_of_sum,
+    has_one_root_of_sum,
     parameters_given,
 )
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
@@ -44,7 +44,9 @@ from lagrange.algebra.closed_forms.unit_circle import (
 )
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.answers.friction.logarithms import at, in_sums, with_logarithms
+from lagrange.answers.other_angles import as_waves
 from lagrange.answers.readings import Reading
+from lagrange.answers.validity import also_holds
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import all_hold, record
 from lagrange.document.math_writer import text
@@ -259,7 +261,7 @@ class EquilibriumComparison:
 
     def _is_covered(self, b: Branch, alternatives: Sequence[_Alternative]) -> bool | None:
         """Whether the alternatives have the points of a branch that is not in closed form, by some in numbers."""
-        systems = [[x for es in a.equations for x in es] + _of_angles(a.angles) for a in alternatives]
+        systems = [[x for es in a.equations for x in es] + as_waves(a.angles) for a in alternatives]
         equations = [*(r.residual for r in b.equations), *self.rows]
         given = [[x.xreplace(self.values) for x in system] for system in systems]
         unknowns = (*self.unknowns, *self.equilibrium.multipliers)
@@ -474,7 +476,7 @@ class EquilibriumComparison:
         """The residuals of equations at an equilibrium; None if they have no value there."""
         residuals = [*equations]
         for u, angle in angles.items():
-            residuals += [u - angle] if u in self.mixed and u in point else _of_angles({u: angle})
+            residuals += [u - angle] if u in self.mixed and u in point else as_waves({u: angle})
         try:
             values = [at(self.solution, point, e) for e in residuals]
         except (NotAlgebraicError, DivisionByZeroError):
@@ -508,7 +510,7 @@ class EquilibriumComparison:
             return None, False, ""
         if own.solved:
             if not own.branches:  # the sign of a root of parameters, by which one equation holds, may depend on them
-                return None if is_one_with_root_of_sum(equations, self.unknowns) else False, False, _CONTRADICTS
+                return None if has_one_root_of_sum(equations, self.unknowns) else False, False, _CONTRADICTS
             if not values and len(equations) + len(angles) > 1 and all(b.special for b in own.branches):
                 return False, False, _CONTRADICTS  # θ = 0, and cos θ = W/(c l)
             named = {s for e in equations for s in e.free_symbols} | {*angles}
@@ -560,7 +562,7 @@ class EquilibriumComparison:
             elif self._open(point, own) > least:
                 loose = True
             else:
-                return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else _also_holds(b)
+                return False, False, NOWHERE if len(own.branches) == len(b.points) == 1 else also_holds(b)
         return (False if loose else verdict), loose, ""
 
     def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
@@ -600,15 +602,3 @@ class EquilibriumComparison:
 
 def _wrong(text: str, why: str) -> EquationVerdict:
     return EquationVerdict(text, Verdict.WRONG, why)
-
-
-def _also_holds(b: Branch) -> str:
-    """Where an answer holds without equilibrium: on a branch of its solutions."""
-    if not b.relations:
-        return "it also holds where there is no equilibrium"
-    stated = " and ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in b.relations)
-    return f"it also holds where {stated}, which is not an equilibrium"
-
-
-def _of_angles(angles: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
-    return [f(u) - f(angle) for u, angle in angles.items() for f in (sp.cos, sp.sin)]

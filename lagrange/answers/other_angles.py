@@ -6,6 +6,8 @@ others are equilibria as well is for the comparison to say, so the equation is r
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import sympy as sp
 
 from lagrange.answers.limits import SAME_ANGLE
@@ -34,3 +36,8 @@ def widened(e: sp.Expr, wave: sp.FunctionClass | None = None) -> sp.Expr:
         if theta.is_Symbol and function is not None and abs(c) == abs(d):
             return function(theta) - function(-c / d * inverse)
     return e
+
+
+def as_waves(angles: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
+    """u = α as cos u = cos α and sin u = sin α, each as an expression that is zero."""
+    return [f(u) - f(angle) for u, angle in angles.items() for f in (sp.cos, sp.sin)]

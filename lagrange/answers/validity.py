@@ -20,6 +20,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
@@ -42,6 +43,7 @@ from lagrange.core.determinants import expanded_determinant
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, symbols_in
+from lagrange.document.math_writer import text
 from lagrange.mechanics.dynamics.comparison import System, symbols_of
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
@@ -310,3 +312,11 @@ def _signed(e: sp.Expr) -> sp.Expr:
 def _is_wave(e: sp.Expr) -> bool:
     """Whether this is a sine or cosine of something that varies."""
     return isinstance(e, sp.sin | sp.cos) and bool(e.free_symbols)
+
+
+def also_holds(b: Branch) -> str:
+    """Where an answer holds without equilibrium: on a branch of its solutions."""
+    if not b.relations:
+        return "it also holds where there is no equilibrium"
+    stated = " and ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in b.relations)
+    return f"it also holds where {stated}, which is not an equilibrium"

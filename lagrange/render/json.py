@@ -20,17 +20,16 @@ from lagrange.problem.values import no_values
 from lagrange.render.json_momenta import beside_motion, hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
+    answered_question,
     condition_of_rest,
     critical,
     damped_modes,
     equations_in_numbers,
     impending_in_numbers,
-    numbers_of_branches,
     position,
     quantity,
     rest_in_numbers,
     searched,
-    value_of_asked,
 )
 from lagrange.render.json_steps import block, condition, side_as_sum, stability_conditions
 
@@ -52,7 +51,6 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
-    from lagrange.mechanics.questions.results import Asked
     from lagrange.mechanics.results import InCoordinates, Solution
     from lagrange.values.quantities import Values
 
@@ -109,7 +107,9 @@ def as_object(report: Report) -> dict[str, Any]:
         moving = entries.get("reactions", {})
         entries |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     if solution.asked:
-        entries["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
+        entries["asked"] = [
+            answered_question(a, report.values or no_values(solution.problem), write) for a in solution.asked
+        ]
     if solution.from_start is not None:
         entries["from_start"] = [
             {
@@ -573,32 +573,3 @@ def integrals(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
         expression = write(conserved.energy.expression)
         entries.append({"kind": "energy", "expression": expression, "rate": None if rate is None else write(rate)})
     return entries
-
-
-def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
-    """The answer to one question; several branches that may all be meant are joined by `or` in `value`."""
-    question = asked.question
-    stated = [
-        write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
-    ]
-    each = [
-        [condition(c, write) for c in b.conditions]
-        + (["in the limit t → ∞"] if b.limit else [])
-        + (["provided that the motion gets there"] if b.provided else [])
-        for b in asked.branches
-    ]
-    common = [c for c in each[0] if all(c in other for other in each)] if each else []
-    entries: dict[str, Any] = {
-        "name": question.name,
-        "quantity": write(question.quantity),
-        "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
-    }
-    entries |= {"by": question.by.name} if question.by is not None else {}
-    entries |= value_of_asked(asked, " or ".join(stated), values, write)
-    entries |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
-    if len(stated) > 1:
-        numbers = numbers_of_branches(asked, values, write)
-        entries["branches"] = [
-            {"value": v, **n, "conditions": c} for v, n, c in zip(stated, numbers, each, strict=True)
-        ]
-    return entries | ({"choice": asked.choice} if asked.choice else {})

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from lagrange.render.json_steps import condition
 from lagrange.render.limits import JSON_DIGITS
 
 if TYPE_CHECKING:
@@ -222,3 +223,32 @@ def add_oscillations(entries: list[dict[str, Any]], in_numbers: EquilibriaInNumb
 def _text(value: dict[str, Any]) -> str:
     """A text of a value, so that equal ones can be found."""
     return json.dumps(value, sort_keys=True)
+
+
+def answered_question(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
+    """The answer to one question; several branches that may all be meant are joined by `or` in `value`."""
+    question = asked.question
+    stated = [
+        write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
+    ]
+    each = [
+        [condition(c, write) for c in b.conditions]
+        + (["in the limit t → ∞"] if b.limit else [])
+        + (["provided that the motion gets there"] if b.provided else [])
+        for b in asked.branches
+    ]
+    common = [c for c in each[0] if all(c in other for other in each)] if each else []
+    entries: dict[str, Any] = {
+        "name": question.name,
+        "quantity": write(question.quantity),
+        "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
+    }
+    entries |= {"by": question.by.name} if question.by is not None else {}
+    entries |= value_of_asked(asked, " or ".join(stated), values, write)
+    entries |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
+    if len(stated) > 1:
+        numbers = numbers_of_branches(asked, values, write)
+        entries["branches"] = [
+            {"value": v, **n, "conditions": c} for v, n, c in zip(stated, numbers, each, strict=True)
+        ]
+    return entries | ({"choice": asked.choice} if asked.choice else {})

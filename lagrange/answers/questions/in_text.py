@@ -159,27 +159,10 @@ def _impact(answer: Sequence[Fragment], solution: Solution) -> Judgement:
 
 
 def _response(answer: Sequence[Fragment], solution: Solution, judge: Judge) -> Judgement:
+    from lagrange.answers.questions.response import response_in_text
+
     verdict = response_in_text(answer, solution)
     return judge(answer) if verdict is None else _only(verdict, solution)
-
-
-def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
-    """The verdict on amplitudes and motions; None if a text has none, or equations of motion as well."""
-    from lagrange.answers.questions.response import (
-        check_response_in_text,
-        with_names_of_response,
-        without_hats,
-    )
-    from lagrange.answers.written.working import understood
-
-    responses = [v.response for v in solution.views if v.response is not None]
-    for lags in (False, True):
-        reference = with_names_of_response(reference_of_solution(solution), responses, lags=lags)
-        working = understood([without_hats(f) for f in answer], reference)
-        verdict = check_response_in_text(working, responses, reference)
-        if verdict is not None and not verdict.unreadable:
-            break
-    return None if verdict is None else replace(verdict, name="response")
 
 
 def _hamiltonian(

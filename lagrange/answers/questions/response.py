@@ -31,7 +31,7 @@ from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, EquationVerdict,
 from lagrange.answers.written.decimals import as_written, numbers_rounding_to
 from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.answers.written.statements import statement
-from lagrange.answers.written.working import Working
+from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
@@ -154,6 +154,18 @@ def with_names_of_response(reference: Reference, responses: Sequence[Response], 
             names |= {n: r.drive.frequency for n in ("omega", "Omega") if n not in reference.declared}
     scalars = {**reference.scope.scalars, **names}
     return replace(reference, scope=replace(reference.scope, scalars=scalars))
+
+
+def response_in_text(answer: Sequence[Fragment], solution: Solution) -> AnswerVerdict | None:
+    """The verdict on amplitudes and motions; None if a text has none, or equations of motion as well."""
+    responses = [v.response for v in solution.views if v.response is not None]
+    for lags in (False, True):
+        reference = with_names_of_response(reference_of_solution(solution), responses, lags=lags)
+        working = understood([without_hats(f) for f in answer], reference)
+        verdict = check_response_in_text(working, responses, reference)
+        if verdict is not None and not verdict.unreadable:
+            break
+    return None if verdict is None else replace(verdict, name="response")
 
 
 def check_response_in_text(

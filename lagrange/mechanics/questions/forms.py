@@ -14,7 +14,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import sign_in_range, without_known_magnitudes
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
-from lagrange.mechanics.questions.results import AnswerBranch, Substituted
+from lagrange.mechanics.questions.results import AnswerBranch, Asked, Substituted
 from lagrange.problem.model import Problem
 
 
@@ -286,6 +286,12 @@ def settled(conditions: Sequence[SignCondition], value: sp.Expr) -> tuple[SignCo
         return any(sign_of(sp.expand(e - p)) in (0, 1) for e in sides for p in above)
 
     return without_weaker(c for c in strict if not is_implied(c))
+
+
+def under(conditions: Sequence[SignCondition], asked: Asked) -> Asked:
+    """The answer with further conditions in each of its branches."""
+    branches = (replace(b, conditions=without_weaker((*b.conditions, *conditions))) for b in asked.branches)
+    return replace(asked, branches=tuple(branches)) if conditions else asked
 
 
 def without_weaker(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:

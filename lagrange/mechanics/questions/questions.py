@@ -23,7 +23,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
-from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.expression_size import count_operations
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -31,7 +31,7 @@ from lagrange.mechanics.questions import arrivals, numerical
 from lagrange.mechanics.questions.branches import InitialMotion, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import given_state, shown, under_one_root, without_weaker
+from lagrange.mechanics.questions.forms import given_state, shown, under, under_one_root
 from lagrange.mechanics.questions.integrals_of_motion import multiple_of_integral, parameter_of_integral
 from lagrange.mechanics.questions.orbits import orbit
 from lagrange.mechanics.questions.quadrature import (
@@ -41,7 +41,7 @@ from lagrange.mechanics.questions.quadrature import (
     time_between,
     toward,
 )
-from lagrange.mechanics.questions.ranges import changes, in_ranges, never_holds, not_determined, slip_has_ended
+from lagrange.mechanics.questions.ranges import changes, in_ranges, mixed, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.reach import initial_motion, kept_senses, place_stated
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Reason, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting, all_coordinates, completed, mentioned, reduced
@@ -87,14 +87,10 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             if asked.excluded_by(setting.values, {t, *coordinates}):
                 raise ProblemError(never_holds(question))
             asked = asked.within(setting.values, {t, *coordinates})
-            starting = setting.known.starting
-            extended = (replace(b, conditions=without_weaker((*b.conditions, *starting))) for b in asked.branches)
-            return replace(asked, branches=tuple(extended)) if starting else asked
+            return under(setting.known.starting, asked)
         tried.append(asked)
     if not tried:
-        message = f"the question `{question.name}` mixes coordinates of several choices"
-        help_ = "use the file's coordinates, and those of one choice"
-        raise ProblemError(Diagnostic("mixed-choices", message, question.span, help=help_))
+        raise ProblemError(mixed(question))
     return tried[0]
 
 

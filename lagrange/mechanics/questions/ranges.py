@@ -41,6 +41,13 @@ def not_determined(question: Question, free: Iterable[sp.Symbol], not_given: Ite
     return Diagnostic("not-determined", message, question.written.whole, help=help_)
 
 
+def mixed(question: Question) -> Diagnostic:
+    """No set of coordinates has all that the question mentions."""
+    message = f"the question `{question.name}` mixes coordinates of several choices"
+    help_ = "use the file's coordinates, and those of one choice"
+    return Diagnostic("mixed-choices", message, question.span, help=help_)
+
+
 def never_holds(question: Question, approached: bool = False, outright: bool = False) -> Diagnostic:
     """The motion does not get to the state, or only in the limit; `outright`: whatever the integrals of the motion."""
     first = question.when[0].span if question.when else question.span

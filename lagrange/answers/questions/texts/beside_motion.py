@@ -84,7 +84,7 @@ def _verdicts(lines: Sequence[Fragment], answer: Sequence[Fragment], solution: S
     if any(v.steady is not None for v in solution.views):
         yield from _of_steady_motion(lines, solution)
     if any(v.response is not None for v in solution.views):
-        from lagrange.answers.questions.in_text import response_in_text
+        from lagrange.answers.questions.response import response_in_text
 
         response = response_in_text(lines, solution)
         if response is not None:
