@@ -23,7 +23,7 @@ UNPICTURED: dict[str, tuple[str, dict[StrokeKind, int]]] = {
         f"{DOWN}parameters: [m, M, L, a, g]\ncoordinates: [x, y]\n"
         "particles: {A: {mass: M, position: x*j}, B: {mass: m, position: a*i + y*j}}\n"
         "constraints: {rope: 2*x + y = L}\n",
-        {STRING: 3, GROUND: 2, BODY: 4},
+        {STRING: 4, GROUND: 3, BODY: 5},
     ),
     "a block on an incline and a weight": (
         "title: Incline\ndescription: A block A on a smooth plane is tied to a weight B by a string over a pulley.\n"

@@ -72,7 +72,7 @@ ANSWERS = [
 PARTS = [
     ("pushed", "equilibrium: [['theta = 0.653'], ['theta = 3.794']]", "equivalent"),
     ("pushed", "equilibrium: [['theta = 0.653'], ['theta = 0.653 + 3.142']]", "equivalent"),
-    ("pushed", "equilibrium: ['theta = 0.65']", "incomplete"),
+    ("pushed", "equilibrium: ['theta = 0.65']", "equivalent"),  # with a remark, as atan(u)
     ("pushed", "equilibrium: ['theta = 0.66']", "wrong"),
     ("pushed", "equilibrium: ['tan(theta) = 0.765']", "equivalent"),
     ("pushed", "equilibrium: ['tan(theta) = 0.755']", "wrong"),

@@ -93,11 +93,19 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     if scope.role("d") is Role.UNDECLARED:
-        draft.replace(_L_DIFFERENTIAL, lambda m: rf"\mathrm{{d}}{m['name']}" if _is_moving(m["name"], scope) else None)
+        draft.replace(_L_DIFFERENTIAL, lambda m: _upright(m, scope))
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(power_groups(draft.text))
     draft.apply(products_with_numbers(draft.text))
     return draft.finished(latex=True)
+
+
+def _upright(match: re.Match[str], scope: Scope) -> str | None:
+    r"""dx with an upright d, which no product has; None in fractions and after `\mathrm`, where it is one already."""
+    before = match.string[: match.start()].rstrip()
+    if before.endswith(("{", "\\mathrm", "\\rm")) or not _is_moving(match["name"], scope):
+        return None
+    return rf"\mathrm{{d}}{match['name']}"
 
 
 def _is_moving(name: str, scope: Scope) -> bool:
