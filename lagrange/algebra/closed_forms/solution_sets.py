@@ -23,6 +23,7 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicErro
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.expression_size import count_operations
 from lagrange.core.records import record
+from lagrange.core.symbols import sign_in_range
 
 
 @record
@@ -413,7 +414,7 @@ def _states(b: Branch) -> set[object]:
 def parameters_given(
     equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
 ) -> tuple[list[sp.Expr], dict[sp.Symbol, sp.Expr]]:
-    """Equations between parameters alone, solved for one of these: W_1 a = W_2 b."""
+    """Equations between parameters alone, solved for one of these: W_1 a = W_2 b, or tan α = 0.3 for an acute α."""
     values: dict[sp.Symbol, sp.Expr] = {}
     kept = []
     for e in equations:
@@ -429,5 +430,29 @@ def parameters_given(
                 values[s] = sp.factor(s - above / rate)
                 break
         else:
-            kept.append(e)
+            angle = next(((s, a) for s in symbols if (a := _acute_angle(above, s)) is not None), None)
+            values |= dict([angle]) if angle is not None else {}
+            kept += [e] if angle is None else []
     return kept, values
+
+
+def _acute_angle(e: sp.Expr, s: sp.Symbol) -> sp.Expr | None:
+    """The value of an acute angle at which an expression a sin s + b cos s + c vanishes, two of a, b, c at most."""
+    if sign_in_range(sp.sin(s)) != 1 or sign_in_range(sp.cos(s)) != 1:
+        return None
+    sine, cosine = sp.Dummy(positive=True), sp.Dummy(positive=True)
+    waves = {sp.tan(s): sine / cosine, sp.cot(s): cosine / sine, sp.sin(s): sine, sp.cos(s): cosine}
+    form = sp.expand(sp.fraction(sp.together(e.xreplace(waves)))[0])
+    a, b = form.diff(sine), form.diff(cosine)
+    if s in form.free_symbols or (a.free_symbols | b.free_symbols) & {sine, cosine}:
+        return None
+    c = sp.expand(form - a * sine - b * cosine)
+    if a != 0 and c == 0:
+        angle = sp.atan(-b / a)
+    elif a != 0 and b == 0:
+        angle = sp.asin(-c / a)
+    elif b != 0 and a == 0:
+        angle = sp.acos(-c / b)
+    else:
+        return None
+    return None if angle.is_nonpositive or angle.is_extended_real is False or angle.has(sp.I) else angle

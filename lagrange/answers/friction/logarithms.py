@@ -13,6 +13,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 
 
 def with_logarithms(solution: SolutionSet) -> SolutionSet:
@@ -42,8 +43,9 @@ def _solved(branch: Branch, unknowns: Sequence[sp.Symbol]) -> Branch:
 
 
 def at(solution: SolutionSet, point: Mapping[sp.Expr, sp.Expr], e: sp.Expr) -> sp.Expr:
-    """An expression at a point of a branch, exponents first. Raises NotAlgebraicError."""
+    """An expression at a point of a branch, exponents and given angles first. Raises NotAlgebraicError."""
     inside = {s for p in e.atoms(sp.exp) for s in p.free_symbols} & {*solution.unknowns} & point.keys()
+    inside |= {s for f in e.atoms(*CIRCULAR) for s in f.free_symbols & point.keys()} - {*solution.unknowns}
     plain = {s: point[s] for s in inside if point[s].free_symbols.isdisjoint(point)}
     return solution.at(point, e.xreplace(plain) if plain else e)
 

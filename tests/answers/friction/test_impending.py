@@ -24,3 +24,35 @@ from tests.mechanics.equilibrium.friction.test_friction_at_rest import ABOVE, IN
 def test_impending_motion(problem: Read, text: str, stated: str, verdict: str) -> None:
     [answer] = compared_answers(solved(problem, f"{text}answers: {{equilibrium: {stated}}}\n"))
     assert (answer.name, answer.verdict.value) == ("equilibrium", verdict)
+
+
+SLOPE = """
+title: Two blocks on a slope, joined by a rope along it
+parameters: {W_1: 100 N, W_2: 50 N, mu_1: {value: 0.2}, mu_2: {value: 0.5}, L: m, alpha: acute}
+coordinates: [x_1, y_1, x_2, y_2]
+particles: {lower: {position: x_1*i + y_1*j}, upper: {position: x_2*i + y_2*j}}
+constraints: {slope_1: y_1 >= 0, slope_2: y_2 >= 0, rope: x_1 - x_2 <= L}
+forces:
+  weight_1: {on: lower, vector: W_1*(sin(alpha)*i - cos(alpha)*j)}
+  weight_2: {on: upper, vector: W_2*(sin(alpha)*i - cos(alpha)*j)}
+  rub_1: {friction: mu_1, static: mu_1, constraint: slope_1, on: lower, slip: i}
+  rub_2: {friction: mu_2, static: mu_2, constraint: slope_2, on: upper, slip: i}
+find: impending
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("(W_1 + W_2)*tan(alpha) = mu_1*W_1 + mu_2*W_2", "equivalent"),
+        ("tan(alpha) = 0.3", "equivalent"),
+        ("10*sin(alpha) = 3*cos(alpha)", "equivalent"),
+        ("alpha = 16.70 deg", "equivalent"),
+        ("tan(alpha) = 0.35", "wrong"),
+        ("alpha = 16.9 deg", "wrong"),
+    ],
+)
+def test_the_inclination_at_which_slip_begins_is_no_coordinate(problem: Read, stated: str, verdict: str) -> None:
+    """tan α = (μ_1 W_1 + μ_2 W_2)/(W_1 + W_2) = 45/150."""
+    [answer] = compared_answers(solved(problem, f'{SLOPE}answers: {{equilibrium: ["{stated}"]}}\n'))
+    assert answer.verdict.value == verdict
