@@ -210,3 +210,17 @@ find: impact
 impact: {before: {x_1': v, x_2': 0}, constraints: {contact: x_1 - x_2 = 0}, restitution: {contact: e}}
 """
     assert "2.25 J" in box(report(problem(text), complete=False))
+
+
+def test_the_inclination_at_which_slip_begins_is_in_degrees(problem: Callable[[str], Problem]) -> None:
+    text = """title: Block on a slope
+parameters: {W: 100 N, mu: {value: 0.2}, alpha: acute}
+coordinates: [x, y]
+particles: {P: {position: x*i + y*j}}
+constraints: {slope: y >= 0}
+forces:
+  weight: {on: P, vector: W*(sin(alpha)*i - cos(alpha)*j)}
+  rub: {friction: mu, static: mu, constraint: slope, on: P, slip: i}
+find: impending
+"""
+    assert "tan α = μ    that is tan α = 0.2, α ≈ 11.31°" in box(report(problem(text), complete=False))
