@@ -7,8 +7,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.solution_sets import parameters_given
-from lagrange.core.symbols import Bounded, UnitSymbol
+from lagrange.core.symbols import UnitSymbol
 from lagrange.document.derivation import (
     Block,
     Detail,
@@ -35,6 +34,7 @@ from lagrange.mechanics.equilibrium.in_numbers import (
     Decay,
     EquilibriaInNumbers,
     Position,
+    acute_parameters,
     angles_of_branch,
     critical_values,
 )
@@ -104,11 +104,10 @@ def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple
             if shown and len(shown) == len(angles):
                 word = " (stable)" if stable == 1 < len(angles) else ""
                 yield (r.lhs, r.rhs), (shown[0], word, *(p for m in shown[1:] for p in (" or ", m)))
-    for r in (r for m in view.impending or () for b in m.equilibrium.branches for r in b.relations):
-        _, given = parameters_given([values.put_in(r.residual)], view.configuration.slots.coordinates)
-        for s, value in given.items():
-            if isinstance(s, Bounded) and value.is_number and (shown_angle := in_degrees(s, value, digits)) is not None:
-                yield (r.lhs, r.rhs), (shown_angle,)
+    for m in view.impending or ():
+        for r, symbol, angle in acute_parameters(m.equilibrium, values):
+            if (limit := in_degrees(symbol, angle, digits)) is not None:
+                yield (r.lhs, r.rhs), (limit,)
 
 
 def _given(values: Values, digits: int) -> Iterator[Block]:

@@ -23,10 +23,11 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.single_equation import Values as Letters
-from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.solution_sets import Branch, parameters_given
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError
 from lagrange.core.records import record
+from lagrange.core.symbols import Bounded
 from lagrange.core.units import unit_called
 from lagrange.mechanics.equilibrium.admissible_positions import CIRCLE, angles_with, as_measured, distances
 from lagrange.mechanics.equilibrium.damped_modes import exponents_in_numbers
@@ -262,6 +263,13 @@ def angles_of_branch(
         if 0 < len(found) <= MOST_ANGLES:
             done.add(q)
             yield r, [*kept, *(a for a in found if a not in kept)], len(kept)
+
+
+def acute_parameters(resting: Equilibrium, values: Values) -> Iterator[tuple[Relation, sp.Symbol, sp.Expr]]:
+    """Relations between parameters, tan α = μ, with the acute angle that has no value, and its value by the others'."""
+    for r in (r for b in resting.branches for r in b.relations):
+        _, given = parameters_given([values.put_in(r.residual)], resting.configuration.slots.coordinates)
+        yield from ((r, s, value) for s, value in given.items() if isinstance(s, Bounded) and value.is_number)
 
 
 def _agrees(e: sp.Expr, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
