@@ -104,8 +104,8 @@ def _at_rest(view: InCoordinates, values: Values, digits: int) -> Iterator[tuple
             if shown and len(shown) == len(angles):
                 word = " (stable)" if stable == 1 < len(angles) else ""
                 yield (r.lhs, r.rhs), (shown[0], word, *(p for m in shown[1:] for p in (" or ", m)))
-    for m in view.impending or ():
-        for r, symbol, angle in acute_parameters(m.equilibrium, values):
+    for motion in view.impending or ():
+        for r, symbol, angle in acute_parameters(motion.equilibrium, values):
             if (limit := in_degrees(symbol, angle, digits)) is not None:
                 yield (r.lhs, r.rhs), (limit,)
 
