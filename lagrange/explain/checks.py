@@ -7,12 +7,14 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.units import unit_of
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step, listed, math, prose
 from lagrange.explain.limits import LONGEST_SPOT
 from lagrange.explain.words import constraints_called, in_decimals, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.rewriting.readable_forms import acceleration_formula, values_that_matter
+from lagrange.problem.model import Parameter
 
 
 def explain_checks(
@@ -29,13 +31,14 @@ def explain_checks(
         body.append(prose(f"Given up at: {solution.given_up}. What it and the later stages find is missing."))
     if not body:
         body.append(prose("The file states no answers to compare with, and nothing asked for has a second route."))
+    stated = _stated(solution)
     spots = [(v.name, v.spot) for v in solution.views]
     several = sum(spot is not None for _, spot in spots) > 1
     for name, spot in spots:
         if spot is not None:
             where = spoken(name) if name and several else ""
-            parts: list[Part] = [_SPOT, *_in(where), *_assignments(spot.values)]
-            parts += [" give ", *_assignments(spot.accelerations), "."]
+            parts: list[Part] = [_SPOT, *_in(where), *_assignments(spot.values, stated)]
+            parts += [" give ", *_assignments(spot.accelerations, {}), "."]
             long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
             body.append(prose(*parts, detail=Detail.FULL if long else Detail.STEPS))
     return Step(Rule.CHECKS, "Checks", tuple(body))
@@ -75,7 +78,7 @@ def _spot(solution: Solution) -> list[Block]:
     formulas = {a: f for a in spot.accelerations if (f := acceleration_formula(view, a)) is not None}
     results = [math(a, *([formulas[a]] if a in formulas else []), value) for a, value in spot.accelerations.items()]
     long = len(values) + len(spot.accelerations) > LONGEST_SPOT
-    words: list[Part] = ["Try it: ", *_assignments(values), plural(len(values), " gives ", " give ")]
+    words: list[Part] = ["Try it: ", *_assignments(values, _stated(solution)), plural(len(values), " gives ", " give ")]
     return [prose(*words, *listed(results), ".", detail=Detail.FULL if long else Detail.STEPS)]
 
 
@@ -116,10 +119,20 @@ def _called(answer: str) -> str:
     return "integrability" if answer == "integrable" else spoken(answer)
 
 
-def _assignments(values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Part, ...]:
-    return listed(math(s, in_decimals(v) if _is_stated(v) else v) for s, v in values.items())
+def _stated(solution: Solution) -> dict[sp.Symbol, Parameter]:
+    return {p.symbol: p for p in solution.problem.parameters if p.value is not None}
 
 
-def _is_stated(value: sp.Expr) -> bool:
-    """Whether a value is one of a file, such as 981/100 for 9.81; those that are drawn, 3/4 or 4/5, stay fractions."""
-    return isinstance(value, sp.Rational) and value.q >= 10
+def _assignments(values: Mapping[sp.Symbol, sp.Expr], stated: Mapping[sp.Symbol, Parameter]) -> tuple[Part, ...]:
+    """`g = 9.81, α = 30° and x = 1/2`: values of the file as it has them, drawn ones as fractions."""
+    return listed(math(s, _as_stated(stated[s]) if s in stated else v) for s, v in values.items())
+
+
+def _as_stated(parameter: Parameter) -> sp.Expr:
+    value, unit = parameter.value, unit_of(parameter.unit)
+    assert value is not None
+    if unit is None or not unit.is_angle:
+        return in_decimals(value)
+    from lagrange.values.quantities import rounded, with_unit
+
+    return with_unit(rounded(value * 180 / sp.pi), "°")
