@@ -104,8 +104,8 @@ def _uniform(asked: Asked, configuration: Configuration | None) -> Uniform | Non
 
 def _bound_to_others(asked: Asked, configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
     """The velocities that a constraint with constant coefficients ties to that of the place which is asked about."""
-    told = [asked.question.quantity, *(c.lhs - c.rhs for c in asked.question.when)]
-    named = {base(s) for e in told for s in e.free_symbols}
+    expressions = [asked.question.quantity, *(c.lhs - c.rhs for c in asked.question.when)]
+    named = {base(s) for e in expressions for s in e.free_symbols}
     rule: dict[sp.Symbol, sp.Expr] = {}
     for row in configuration.rows:
         pairs = zip(configuration.slots.velocities, row.coefficients, strict=True)

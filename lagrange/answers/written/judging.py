@@ -117,7 +117,7 @@ class _Stated:
         return differs and any(o is not equation and _NAMES_L.search(o.text) for o in others)
 
     def _binds(self, equation: GivenEquation) -> bool:
-        """Whether it is a relation between coordinates that the motion does not keep, not even but for a constant."""
+        """Whether it is a relation between coordinates that does not hold in the motion, not even up to a constant."""
         slots = self.reference.scope.slots
         if len(equation.reading.components) != 1 or _CASE.search(equation.beside):
             return False
