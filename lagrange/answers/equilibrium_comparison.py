@@ -26,7 +26,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import irreducible_factors, numerator, over_one_denominator_in_roots
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, is_root_of_sum, parameters_given
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, agree, is_one_with_root, parameters_given
 from lagrange.algebra.closed_forms.undefined_points import undefined_points
 from lagrange.algebra.closed_forms.unit_circle import (
     CIRCULAR,
@@ -504,7 +504,7 @@ class EquilibriumComparison:
             return None, False, ""
         if own.solved:
             if not own.branches:  # the sign of a root of parameters, by which one equation holds, may depend on them
-                return None if is_root_of_sum(equations, self.unknowns) else False, False, _CONTRADICTS
+                return None if is_one_with_root(equations, self.unknowns) else False, False, _CONTRADICTS
             if not values and len(equations) + len(angles) > 1 and all(b.special for b in own.branches):
                 return False, False, _CONTRADICTS  # θ = 0, and cos θ = W/(c l)
             named = {s for e in equations for s in e.free_symbols} | {*angles}

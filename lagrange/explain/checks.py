@@ -133,6 +133,6 @@ def _as_stated(parameter: Parameter) -> sp.Expr:
     assert value is not None
     if unit is None or not unit.is_angle:
         return in_decimals(value)
-    from lagrange.values.quantities import rounded, with_unit
+    from lagrange.values.quantities import degrees
 
-    return with_unit(rounded(value * 180 / sp.pi), "°")
+    return degrees(value)

@@ -44,7 +44,7 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.bounds import bound_with
 from lagrange.values.dimensions import dimension, dimension_of_unit
-from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
+from lagrange.values.quantities import NotRealError, Quantity, Values, degrees, is_exact, rounded, with_unit
 
 RESULTS = (
     Rule.EQUATIONS_OF_MOTION,
@@ -115,7 +115,7 @@ def _given(values: Values, digits: int) -> Iterator[Block]:
     digits = max(digits, 6)
     quantities = [(p, values.quantity(p)) for p in sorted(values.numbers, key=str)]
     given = [
-        math(p, with_unit(rounded(q.formula * 180 / sp.pi, digits), "°") if q.unit == "rad" else q.shown(digits))
+        math(p, degrees(q.formula, digits) if q.unit == "rad" else q.shown(digits))
         for p, q in quantities
         if q is not None and q.is_number
     ]
@@ -315,8 +315,8 @@ def _in_numbers(equation: Equation, values: Values, digits: int, bare: Collectio
             number, unit = right.formula_shown(digits), _unit(sides[0], right, values, (sides[0], sides[-1]) in bare)
             unit = unit or ("rad" if isinstance(sides[-1], sp.atan2) and values.units else "")  # a phase lag
             shown = with_unit(number, unit) if unit else number
-            degrees = (with_unit(rounded(right.formula * 180 / sp.pi, digits), "°"),) if unit == "rad" else ()
-            return Equation((sides[0], shown, *degrees), relation="=" if is_exact(right.formula, number) else "≈")
+            beside = (degrees(right.formula, digits),) if unit == "rad" else ()
+            return Equation((sides[0], shown, *beside), relation="=" if is_exact(right.formula, number) else "≈")
         left = values.quantity(sides[0])
         if left is None:
             return None
@@ -348,8 +348,8 @@ def _bound(equation: Equation, values: Values, digits: int) -> Equation | None:
         words: tuple[Part, ...] = ()
         if bound.angle is not None:
             ends = [e for e in (bound.angle.low, bound.angle.value) if e is not None]
-            degrees = [with_unit(rounded(e * 180 / sp.pi, digits), "°") for e in ends]
-            sides = (*degrees[:-1], bound.angle.symbol, degrees[-1])
+            limits = [degrees(e, digits) for e in ends]
+            sides = (*limits[:-1], bound.angle.symbol, limits[-1])
             words = ("that is ", math(*sides, relation=bound.angle.relation), " for an acute angle")
         elif bound.holds is not None:
             words = ("which holds" if bound.holds else "which does not hold",)
@@ -377,8 +377,7 @@ def measured(quantity: Quantity, digits: int) -> Math:
     shown = quantity.shown(digits)
     if quantity.unit != "rad":
         return math(shown)
-    degrees = rounded(quantity.formula * 180 / sp.pi, digits)
-    return math(shown, with_unit(degrees, "°"))
+    return math(shown, degrees(quantity.formula, digits))
 
 
 def _equilibria(view: InCoordinates, in_numbers: EquilibriaInNumbers, digits: int, start: str) -> Iterator[Block]:

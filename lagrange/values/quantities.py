@@ -176,6 +176,11 @@ def with_unit(number: sp.Expr, unit: str) -> sp.Expr:
     return sp.Mul(number, UnitSymbol(unit, positive=True), evaluate=False)
 
 
+def degrees(angle: sp.Expr, digits: int = DIGITS) -> sp.Expr:
+    """An angle in rad as a rounded number of degrees. Raises NotRealError."""
+    return with_unit(rounded(angle * 180 / sp.pi, digits), "°")
+
+
 def rounded_in(e: sp.Expr, digits: int = DIGITS) -> sp.Expr:
     """The expression with its constants rounded: 3 √2 x'' + (981/100) sin θ is 4.243 x'' + 9.81 sin θ.
 

@@ -195,7 +195,7 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
     return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))
 
 
-def is_root_of_sum(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
+def is_one_with_root(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
     """Whether it is one equation, with a square root of a sum without unknowns."""
     roots = (p for e in equations for p in e.atoms(sp.Pow) if abs(p.exp) == sp.S.Half and p.base.is_Add)
     return len(equations) == 1 and any(p.free_symbols.isdisjoint(unknowns) for p in roots)

@@ -30,7 +30,7 @@ from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 from lagrange.mechanics.results import InCoordinates
 from lagrange.mechanics.rewriting.cases_of_rest import rate_or_square, strictest_cases
 from lagrange.mechanics.rewriting.readable_forms import divisors
-from lagrange.values.quantities import Quantity, Values, rounded, with_unit
+from lagrange.values.quantities import Quantity, Values, degrees
 
 
 def result_at_rest(
@@ -110,7 +110,7 @@ def _found(p: Position) -> list[Equation]:
 
 def _degrees(x: Quantity) -> tuple[sp.Expr, ...]:
     """An angle in degrees, beside radians."""
-    return (with_unit(rounded(x.formula * 180 / sp.pi, RESULT_DIGITS), "°"),) if x.unit == "rad" else ()
+    return (degrees(x.formula, RESULT_DIGITS),) if x.unit == "rad" else ()
 
 
 def reactions_of_only_root(view: InCoordinates, newton: Newton, values: Values) -> list[Equation]:
