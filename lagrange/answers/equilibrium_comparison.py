@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TypeAlias
 
 import sympy as sp
@@ -36,10 +36,11 @@ from lagrange.algebra.closed_forms.unit_circle import (
     is_outside_circular,
     parts_of_angles,
 )
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.friction.logarithms import at, in_sums, with_logarithms
 from lagrange.answers.other_angles import as_waves
 from lagrange.answers.readings import Reading
+from lagrange.answers.unsolved_equations import are_balanced
 from lagrange.answers.validity import also_holds
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.records import all_hold, record
@@ -515,8 +516,9 @@ class EquilibriumComparison:
             return False, True, ""
         if angles:
             return None, False, ""
-        surface = Surface([*equations, *rows], self.unknowns)
-        verdict = is_balanced_on(self.equilibrium, surface, {**self.values, **given})
+        known = {**self.values, **given}
+        balanced_on = partial(is_balanced_on, self.equilibrium, values=known)
+        verdict = are_balanced(equations, rows, self.unknowns, self._canonical, balanced_on)
         return verdict, False, "it has solutions that are not equilibria" if verdict is False else ""
 
     def _same_factors(self, equations: Sequence[sp.Expr]) -> bool:

@@ -395,3 +395,6 @@ CLOSE_IN_FLOATS = 1e-9
 
 SAME_ANGLE = 1e-9
 """How far a stated angle may be from the principal value of its tangent, sine or cosine, in floating point."""
+
+MOST_SHEETS = 16
+"""Choices of one factor from each unsolved equation of an answer; one surface is sampled for each."""

@@ -7,7 +7,8 @@ Never     terms of one sign cannot cancel; nor can sines and cosines outweigh a 
 
           with numbers a polynomial of one unknown has no root (Sturm), or no box of the unknowns can contain a
           solution: an interval without 0 excludes a box, and others are halved (`intervals`).
-Somewhere a polynomial of one unknown has a root, or a continuous function of one angle takes both signs.
+Somewhere a polynomial of one unknown has a root, one of odd degree with letters as well, or a continuous function of
+          one angle takes both signs.
 
 An unknown without a bound is x in [−1, 1] and x = ±1/y with y in [0, 1]. All of this is bounded, and None is undecided.
 """
@@ -52,7 +53,7 @@ def have_real_solution(equations: Sequence[sp.Expr], letters: TrigLetters) -> bo
     counted = _counted(equations, letters)
     if counted is not None:
         return counted
-    if len(equations) == 1 and _takes_both_signs(equations[0], letters):
+    if len(equations) == 1 and (_has_odd_degree(equations[0], letters) or _takes_both_signs(equations[0], letters)):
         return True
     return False if _excluded(equations, letters) else None
 
@@ -284,6 +285,19 @@ def _counted(equations: Sequence[sp.Expr], letters: TrigLetters) -> bool | None:
     for p in polynomials[1:]:
         common = common.gcd(p)
     return bool(common.count_roots() > 0)
+
+
+def _has_odd_degree(e: sp.Expr, letters: TrigLetters) -> bool:
+    """Whether it is of odd degree in an unknown, with coefficients that stay bounded: k (θ − θ_0) + W l cos θ."""
+    if e.free_symbols & letters.roots.keys():
+        return False
+    for u in e.free_symbols & {*letters.unknowns}:
+        if u.is_nonnegative or u.is_nonpositive or not e.is_polynomial(u, *letters.unknowns_in(e)):
+            continue
+        p = sp.Poly(e, u)
+        if p.degree() % 2 and not letters.unknowns_in(p.LC()) and _strict(p.LC()) is not None:
+            return True
+    return False
 
 
 def _takes_both_signs(e: sp.Expr, letters: TrigLetters) -> bool:

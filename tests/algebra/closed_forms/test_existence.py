@@ -37,8 +37,15 @@ SOMEWHERE = [
     [sqrt(2) * cos(theta) - sqrt(2 - sin(theta)) ** 3 * sin(theta)],
     [x**4 + x**3 - 3 + sqrt(x**2 + 1)],
     [cos(theta) ** 5 - 3 * cos(theta) + sin(theta) + 1],
+    [k * (theta - p) + m * g * cos(theta)],
+    [k * x**5 + a * x**2 - sin(theta) + b],
 ]
-OPEN = [[a * cos(theta) ** 3 + b * sin(theta) ** 3 * cos(theta) + p], [k * theta - m * g * l * sin(theta)]]
+OPEN = [
+    [k * x**4 + a * x - b * cos(theta)],
+    [(a - b) * x**5 + k * x**2 + m],
+    [a * cos(theta) ** 3 + b * sin(theta) ** 3 * cos(theta) + p],
+    [k * theta - m * g * l * sin(theta)],
+]
 
 
 @pytest.mark.parametrize("equations", NEVER, ids=str)
