@@ -189,7 +189,10 @@ def without_cancelled(b: Branch, equations: Sequence[sp.Expr], letters: TrigLett
         there = [{u: sp.cancel(v.xreplace(place)) for u, v in p.items()} for p in points]
         if any(v.has(sp.zoo, sp.nan) for p in there for v in p.values()):
             return True
-        return not all(is_zero(letters.write(resolved(e.xreplace(place), p))) for e in equations for p in there)
+        try:
+            return not all(is_zero(letters.write(resolved(e.xreplace(place), p))) for e in equations for p in there)
+        except DivisionByZeroError:  # the equations have no value there
+            return True
 
     conditions = tuple(c for c in b.conditions if is_needed(c))
     return b if conditions == b.conditions else replace(b, conditions=conditions, points=tuple(points))

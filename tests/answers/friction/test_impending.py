@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from lagrange.answers.examiner import check_answer
 from lagrange.answers.questions.own_answers import compared_answers
+from lagrange.core.diagnostics import Fragment
 from tests.mechanics.equilibrium.friction.test_conditions_of_rest import COLLAR
 from tests.mechanics.equilibrium.friction.test_friction_at_rest import ABOVE, INCLINE, LADDER, Read, solved
+from tests.support.shared import loaded
 
 
 @pytest.mark.parametrize(
@@ -56,3 +59,17 @@ def test_the_inclination_at_which_slip_begins_is_no_coordinate(problem: Read, st
     """tan α = (μ_1 W_1 + μ_2 W_2)/(W_1 + W_2) = 45/150."""
     [answer] = compared_answers(solved(problem, f'{SLOPE}answers: {{equilibrium: ["{stated}"]}}\n'))
     assert answer.verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("P = W*(tan(alpha + atan(mu)) + mu)", "equivalent"),
+        ("P = W*tan(alpha + 2*atan(mu))", "wrong"),  # it has no value at a place where the derived force has one
+        ("P = W*(tan(alpha + atan(mu)) - mu)", "wrong"),
+    ],
+)
+def test_an_answer_by_angles_of_friction(stated: str, verdict: str) -> None:
+    """A wedge under a load: W tan(α + φ) from the incline, and μ W from the floor."""
+    judged = check_answer(loaded("wedge-that-lifts"), (Fragment.of(stated),))
+    assert judged.verdict.value == verdict
