@@ -144,13 +144,16 @@ def _explained(
 
 
 def _foreign(alternative: Sequence[Fragment], motion: ImpendingMotion, reference: Reference) -> bool:
-    """Whether an answer contains a parameter on which nothing depends here, the kinetic friction for the static one."""
+    """Whether an answer contains a parameter on which nothing depends here, the kinetic friction for the static one.
+
+    One with a value may stand for its number, W sin α = 20 cos α.
+    """
     stated = {s for f in alternative for e in read_answer(f, reference.scope).components for s in e.free_symbols}
     equilibrium = motion.equilibrium
     used = {s for e in equilibrium.expressions for s in e.free_symbols} | {
         s for b in equilibrium.branches for s in _symbols(b)
     }
-    return not stated & {*reference.parameters.values()} <= used
+    return not stated & {*reference.parameters.values()} <= used | reference.values.keys()
 
 
 def one_a_line(judged: Sequence[Fragment], solution: Solution) -> list[tuple[Fragment, ...]]:

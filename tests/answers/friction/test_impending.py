@@ -50,6 +50,8 @@ find: impending
         ("(W_1 + W_2)*tan(alpha) = mu_1*W_1 + mu_2*W_2", "equivalent"),
         ("tan(alpha) = 0.3", "equivalent"),
         ("10*sin(alpha) = 3*cos(alpha)", "equivalent"),
+        ("(W_1 + W_2)*sin(alpha) = 45*cos(alpha)", "equivalent"),  # letters and numbers
+        ("(W_1 + W_2)*sin(alpha) = 50*cos(alpha)", "wrong"),
         ("alpha = 16.70 deg", "equivalent"),
         ("tan(alpha) = 0.35", "wrong"),
         ("alpha = 16.9 deg", "wrong"),
