@@ -19,7 +19,7 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import Attempts, allowed_for
 from lagrange.core.records import record
-from lagrange.core.symbols import velocity_before
+from lagrange.core.symbols import t, velocity_before
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Derivation, MadeWhenRead, Step, labels_in, not_referring
 from lagrange.document.names import Notation
@@ -60,7 +60,7 @@ from lagrange.mechanics.energy_symbols import (
 )
 from lagrange.mechanics.results import InCoordinates, Solution, values_in, with_known_values
 from lagrange.mechanics.solution import OnStage, silent, solve
-from lagrange.problem.model import Problem
+from lagrange.problem.model import Problem, Question
 from lagrange.problem.values import no_values
 
 if TYPE_CHECKING:
@@ -472,10 +472,20 @@ def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Ite
             yield Diagnostic("check-failed", f"a check {outcome}: {check.name}{where}")
     for asked in solution.asked:
         if asked.is_open:
-            yield Diagnostic("undecided", f"the question `{asked.question.name}` could not be answered")
+            message = f"the question `{asked.question.name}` could not be answered"
+            yield Diagnostic("undecided", message, help=_cure_of(asked.question, solution.problem))
     for answer in answers:
         if answer.verdict is not Verdict.EQUIVALENT:
             yield Diagnostic("answer-differs", f"among the file's answers, `{answer.name}` is {answer.verdict}")
+
+
+def _cure_of(question: Question, problem: Problem) -> str:
+    """What to write where a parameter of the initial state is asked for, and the condition may be meant for t = 0."""
+    of_start = {s for v in problem.initial for s in v.value.free_symbols}
+    timed = any(t in c.function.free_symbols for c in question.when)
+    if question.quantity not in of_start or not question.when or timed:
+        return ""
+    return "where the condition is meant for the initial state, add `and t = 0` to `when`"
 
 
 def notation_of(solution: Solution) -> Notation:

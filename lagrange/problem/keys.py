@@ -389,7 +389,11 @@ QUESTION = Keys(
     "a question",
     (
         Key("quantity", "expression", "What is asked for: an expression.", required=True, example="theta"),
-        Key("when", one_or_list("equation"), "The state it is asked for: an equation, or a list of them."),
+        Key(
+            "when",
+            one_or_list("equation"),
+            "The state it is asked for: equations joined by `and`, or a list.",
+        ),
         Key("by", "name", "Instead: a coordinate, or t, as a function of which it is wanted."),
     ),
 )

@@ -186,25 +186,35 @@ def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tu
     if not isinstance(node, Scalar | ListNode):
         raise ProblemError(wrong_kind(node, "`when` is an equation or a list of them", 'write `when: "N = 0"`'))
     items = node.items if isinstance(node, ListNode) else (node,)
+    written = [f for i in items for f in _parts_joined_by_and(scalar_of(i, f"the `when` of {what}").fragment)]
     read: list[Condition] = context.diagnostics.all_of(
-        *(lambda i=i: _condition(scalar_of(i, f"the `when` of {what}"), what, context, scope) for i in items)
+        *(lambda f=f: _condition(f, what, context, scope) for f in written)
     )
     return tuple(read)
 
 
-def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
-    if sign := re.search("[<>≤≥]", scalar.text):
+def _parts_joined_by_and(fragment: Fragment) -> list[Fragment]:
+    """The equations of `x = 0 and t = 0`."""
+    text = fragment.text
+    joints = [joint.span() for joint in re.finditer(r"\s+and\s+", text)]
+    starts, stops = [0, *(end for _, end in joints)], [*(start for start, _ in joints), len(text)]
+    return [_part(fragment, text[a:b], a) for a, b in zip(starts, stops, strict=True)]
+
+
+def _condition(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> Condition:
+    span = fragment.span(0, len(fragment.text))
+    if sign := re.search("[<>≤≥]", fragment.text):
         message = f"the `when` of {what} has equations only, and no `{sign[0]}`"
         help_ = (
             "leave it out: the initial state is no answer, and of several states that which is reached first is given"
         )
-        raise ProblemError(Diagnostic("inequality", message, scalar.span, help=help_))
-    lhs, rhs, measured = _sides(scalar.fragment, what, context, scope)
+        raise ProblemError(Diagnostic("inequality", message, span, help=help_))
+    lhs, rhs, measured = _sides(fragment, what, context, scope)
     if isinstance(lhs, Vector) or isinstance(rhs, Vector):
         message = f"the `when` of {what} is an equation between vectors"
         help_ = "write an equation for each component"
-        raise ProblemError(Diagnostic("vector-for-scalar", message, scalar.span, help=help_))
-    return Condition(lhs, rhs, scalar.span, measured)
+        raise ProblemError(Diagnostic("vector-for-scalar", message, span, help=help_))
+    return Condition(lhs, rhs, span, measured)
 
 
 def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> tuple[Value, Value, Measured | None]:

@@ -203,6 +203,8 @@ class Section:
             return VARYING_PART
         if "vector" in self.form.names and key.text in ("gravity", "weight", "g"):
             return "weights come from the masses: write `gravity: -g*j` beside `forces`, not in it"
+        if self.what == "`points`" and key.text[:1].isupper():
+            return "`points` are the marks of an answer: give a place its name by `let: {r_A: l*i}`"
         for other in (OTHER_KEYS.get(key.text.lower()), OTHER_ENTRY_KEYS.get(key.text.lower())):
             if other in self.form.names:
                 return f"write `{other}`"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from lagrange.core.effort import spend
 from lagrange.document.derivation import Detail, Rule
 from lagrange.explain.report import report
 from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
 from lagrange.render import html, json, terminal
 from lagsolve.main import main
 from tests.support.derivation_text import reading
@@ -162,3 +164,20 @@ def test_a_page_that_takes_too_much_work(monkeypatch: pytest.MonkeyPatch) -> Non
     assert (rules[0], rules[-1]) == (Rule.STATEMENT, Rule.CHECKS)
     assert {Rule.WORKLESS, Rule.PRINCIPLE, Rule.EQUATIONS_OF_MOTION} <= {*rules}
     assert explained.solution.given_up.startswith("explanations and pictures, ")
+
+
+def test_a_parameter_of_the_initial_state_may_be_meant_for_it(problem: Callable[[str], Problem]) -> None:
+    cone = """
+title: A bead in a cone
+parameters: {m: positive, g: positive, alpha: acute, h: positive, omega: positive}
+coordinates: [r, phi]
+particles:
+  bead: {mass: m, position: "r*sin(alpha)*(cos(phi)*i + sin(phi)*j) + r*cos(alpha)*k"}
+gravity: -g*k
+initial: {r: h/cos(alpha), r': 0, phi: 0, phi': omega}
+ask: {circle: {quantity: omega, when: "r'' = 0"}}
+"""
+    [open_] = [d for d in report(problem(cone)).shortcomings if d.code == "undecided"]
+    assert "and t = 0" in open_.help
+    [asked] = report(problem(cone.replace("r'' = 0", "r'' = 0 and t = 0"))).solution.asked
+    assert not asked.is_open

@@ -46,6 +46,17 @@ answers: {ask: {one: T = 3*m*g}}
     assert read.answers.ask["one"].text == "T = 3*m*g"
 
 
+def test_conditions_may_be_joined_by_and(problem: Callable[[str], Problem]) -> None:
+    text = "ask: {one: {quantity: T, when: \"x'' = 0 and t = 0\"}, two: {quantity: T, when: [\"x'' = 0\", t = 0]}}\n"
+    one, two = problem(START + text).questions
+    assert [c.function for c in one.when] == [c.function for c in two.when]
+    with pytest.raises(ProblemError) as caught:
+        problem(START + "ask: {one: {quantity: T, when: x = 0 and z = 0}}\n")
+    [error] = caught.value.diagnostics
+    assert error.span is not None
+    assert error.span.source.text[error.span.start : error.span.end] == "z"
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.problem.model import (
-    Find,
-)
+from lagrange.core.diagnostics import ProblemError
+from lagrange.problem.model import Find
 from tests.support.problem_texts import HEAD, read
 
 PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
@@ -35,3 +34,9 @@ def test_find_by_default() -> None:
     assert read(HEAD + BODY).find == (Find.MOTION,)
     assert read(HEAD + "equations: [\"x'' = 0\"]\n").find == (Find.MOTION,)
     assert read(HEAD + "bodies: {B: {inertia: I_G, position: 0, angle: theta}}\n").find == (Find.MOTION,)
+
+
+def test_a_place_among_the_marks_of_an_answer() -> None:
+    with pytest.raises(ProblemError) as caught:
+        read(HEAD + PARTICLES + "points: {A: l*i}\n")
+    assert "let: {r_A: l*i}" in caught.value.diagnostics[0].help
