@@ -93,8 +93,8 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
 def _belts(belts: Sequence[BeltLaw]) -> Iterator[Block]:
     """The tensions of each belt, and their bound."""
     for b in belts:
-        yield prose(f"{capital(the(b.name))} runs over a rough drum and touches it over the angle ",
-                    math(b.belt.angle), ". It does not slip towards its tight side as long as ",
+        yield prose("A rope or belt touches a rough drum over the angle ", math(b.belt.angle), f" ({spoken(b.name)}). "
+                    "It does not slip towards its tight side as long as ",
                     math(b.tight, b.growth * b.slack, relation="≤"), ".")  # fmt: skip
 
 

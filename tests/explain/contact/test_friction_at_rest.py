@@ -21,7 +21,7 @@ from tests.support.derivation_text import said_in
             Rule.FRICTION_AT_REST,
             " is not determined: the system is statically indeterminate. It can be at rest if ",
         ),
-        ("band-brake", Rule.FRICTION_AT_REST, " runs over a rough drum and touches it over the angle "),
+        ("band-brake", Rule.FRICTION_AT_REST, "A rope or belt touches a rough drum over the angle "),
         (
             "cylinder-on-rough-incline",
             Rule.FRICTION_AT_REST,
