@@ -481,8 +481,10 @@ def _misspelling(text: str, read: list[Token], what: str) -> tuple[str, str]:
     if "=" in text:
         return f"`{text}` has no name", "every entry is `name: ...`, and a comma begins the next one"
     if len(read) > 1 and set(kinds) == {TokenKind.NAME}:
-        listed = ", ".join(token.text for token in read)
-        return f"`{text}` is not one name", f"several names are separated by commas: `[{listed}]`"
+        words = [token.text for token in read]
+        if what in ("a parameter", "a coordinate"):
+            return f"`{text}` is not one name", f"several names are separated by commas: `[{', '.join(words)}]`"
+        return f"`{text}` is not one name", f"write `{'_'.join(words)}`"
     if kinds == [TokenKind.NAME, TokenKind.PRIMES]:
         help_ = f"declare `{read[0].text}`; its derivatives need no declaration"
         return f"`{text}` cannot be the name of {what}", help_

@@ -57,6 +57,12 @@ def test_conditions_may_be_joined_by_and(problem: Callable[[str], Problem]) -> N
     assert error.span.source.text[error.span.start : error.span.end] == "z"
 
 
+def test_the_words_of_a_name_are_joined(problem: Callable[[str], Problem]) -> None:
+    with pytest.raises(ProblemError) as caught:
+        problem(START + "ask: {time of flight: {quantity: t, when: y = 0}}\n")
+    assert caught.value.diagnostics[0].help == "write `time_of_flight`"
+
+
 @pytest.mark.parametrize(
     ("text", "code"),
     [

@@ -112,7 +112,10 @@ def _forces(problem: Problem, moves: bool) -> Iterable[Diagnostic]:
             yield Diagnostic("force-of-motion", message, f.span, help=help_)
 
 
-_AT_REST_ON_IT = "`find: linearization` finds where it rests relative to what moves; a parameter for t holds that still"
+_AT_REST_ON_IT = (
+    "write `linearization` in place of `equilibrium`: it finds where the system rests relative to what moves; "
+    "with a parameter in place of t nothing moves by itself"
+)
 _FORCE_OF_INERTIA = (
     "write positions without time, in axes that move along, and add the force of inertia under `forces`: "
     "`inertia: {on: P, vector: -m*a*i}`, or `m*Omega^2*r*e_r` where the axes turn"
