@@ -188,6 +188,7 @@ def _whole_character(text: str, cut: int) -> int:
 
 Grid = list[list[StyledWords]]  # the first row is the header, the first column names the rows
 COLUMN_GAP = 3
+NOTHING = "–"  # the cell of what a row does not have
 
 
 def table_lines(grid: Grid, width: int) -> Iterator[Styled]:
@@ -201,7 +202,7 @@ def table_lines(grid: Grid, width: int) -> Iterator[Styled]:
         squeezed = _squeezed(candidate, width)
         if squeezed is not None:
             return _ruled(candidate, squeezed)
-    return _stacked(grid, width)
+    return _in_parts(turned, width) or _stacked(grid, width)
 
 
 def _natural(grid: Grid) -> list[int]:
@@ -226,6 +227,26 @@ def _squeezed(grid: Grid, width: int) -> list[int] | None:
     return widths
 
 
+def _in_parts(grid: Grid, width: int) -> Iterator[Styled] | None:
+    """Several tables with about as many columns each; None where not even two columns fit beside the first."""
+    count = len(grid[0]) - 1
+    for columns in sorted({-(-count // parts) for parts in range(2, count)}, reverse=True):
+        if columns < 2:
+            break
+        parts = [[[row[0], *row[k : k + columns]] for row in grid] for k in range(1, count + 1, columns)]
+        parts = [[row for row in part if any(cell.plain != NOTHING for cell in row[1:])] for part in parts]
+        if all(_total(_natural(part)) <= width for part in parts):
+            return _one_below_another(parts)
+    return None
+
+
+def _one_below_another(parts: Sequence[Grid]) -> Iterator[Styled]:
+    for n, part in enumerate(parts):
+        if n > 0:
+            yield Styled()
+        yield from _ruled(part, _natural(part))
+
+
 def _ruled(grid: Grid, widths: Sequence[int]) -> Iterator[Styled]:
     """Columns with a thin line between them and below the header."""
     for n, row in enumerate(grid):
@@ -247,6 +268,8 @@ def _stacked(grid: Grid, width: int) -> Iterator[Styled]:
     for row in rows:
         yield from fill(row[0], width)
         for title, cell in zip(header[1:], row[1:], strict=True):
+            if cell.plain == NOTHING:
+                continue
             entry = StyledWords()
             entry.words = [*title.words[:-1], *(Styled.assemble(w, ":") for w in title.words[-1:]), *cell.words]
             yield from (Styled("  ") + line for line in fill(entry, width - 2, hang=2))

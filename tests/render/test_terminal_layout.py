@@ -75,6 +75,17 @@ def test_a_table_that_fits_neither_way_is_wrapped_or_stacked():
     assert lines[:2] == ["  r0", "    x₀: sin(x₀ + x₁ + x₂ + x₃ + x₄ + x₅ + x₆ + x₇)"]
 
 
+def test_a_wide_table_is_parted_before_it_is_stacked() -> None:
+    columns = [math(s) for s in sp.symbols("x_:4")]
+    cells = [math(sp.sin(sum(sp.symbols("x_:3")))), "–"]
+    grid = Table(
+        ("row", *columns), tuple((f"r{n}", *cells, *cells) if n < 2 else (f"r{n}", *["–"] * 4) for n in range(4))
+    )
+    lines = body(60, grid)
+    assert [line for line in lines if "row" in line] == ["  row │ r0                │ r1", "  row │ r2 │ r3"]
+    assert [line.split()[0] for line in lines if line.strip()][2:4] == ["x₀", "x₂"]
+
+
 def test_no_short_word_stands_alone_at_the_end_of_a_paragraph() -> None:
     words = StyledWords().text("This is the principle of virtual work:")
     assert [line.plain for line in fill(words, 34)] == ["This is the principle of virtual", "work:"]

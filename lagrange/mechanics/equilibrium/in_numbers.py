@@ -13,7 +13,7 @@ parameter occurs in one power, a p^n + b; a bound that the sign of the parameter
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import mpmath
@@ -161,20 +161,27 @@ def _ordered(
     if not positions and not absent and numerical is None:
         return None
     known = [p.coordinates for p in positions]
+    circles = {u for u, s in numerical.searched.items() if s.is_circle} if numerical is not None else set()
     for root in numerical.found if numerical is not None else ():
-        if not any(_is_same(root.coordinates, k) for k in known):
+        if not any(_is_same(root.coordinates, k, circles) for k in known):
             positions = [*positions, Position(None, root.coordinates, root.stability)]
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
     angles = frozenset(u for u in unknowns if u in e.solution.letters.angles)
     return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent), numerical)
 
 
-def _is_same(root: Mapping[sp.Symbol, Quantity], known: Mapping[sp.Symbol, Quantity]) -> bool:
-    """Whether a root is a position in closed form: to twenty digits, both being roots of the same equations."""
+def _is_same(
+    root: Mapping[sp.Symbol, Quantity], known: Mapping[sp.Symbol, Quantity], circles: Container[sp.Symbol]
+) -> bool:
+    """Whether a root is a position in closed form: to twenty digits, both being roots of the same equations.
+
+    circles  angles that are the same up to full turns
+    """
     if root.keys() != known.keys():
         return False
-    differences = (root[u].formula - known[u].formula for u in root)
-    return all(abs(d.evalf(30)) < sp.Float(10) ** -20 for d in differences)
+    differences = {u: (root[u].formula - known[u].formula).evalf(30) for u in root}
+    turned = (d - 2 * sp.pi.evalf(30) * round(d / (2 * sp.pi)) if u in circles else d for u, d in differences.items())
+    return all(abs(d) < sp.Float(10) ** -20 for d in turned)
 
 
 def _positions(

@@ -23,6 +23,7 @@ u_2 − s_2 = ρ sin φ: the constraints hold for any angles φ, and every posit
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations, islice, product
 
 import sympy as sp
@@ -154,24 +155,36 @@ def _searched(
         return None
     reach = reach_of_links([values.put_in(f) for f in e.configuration.finite_constraints], unknowns)
     searched = {u: _search(u, equations, e, values, reach) for u in unknowns}
-    box = [(-BEYOND_PI, BEYOND_PI) if s.is_circle else _outward(s) for s in searched.values()]
-    equations = [_with_known_signs(x, searched) for x in equations]
-    roots = real_roots(equations, unknowns, box)
     forces = [values.put_in(f) for f in e.work.forces]
-    matrix = (
-        []
-        if second is None
-        else [[_with_known_signs(values.put_in(x), searched) for x in row] for row in second.matrix]
-    )
-    positions = []
-    for root in _distinct(roots.roots, unknowns, searched):
-        place = dict(zip(unknowns, root.values, strict=True))
-        if any(sign_at(x, unknowns, root) in (1, -1) for x in others):
-            continue
-        if all(_is_finite(f.xreplace(place)) for f in forces):
-            positions.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
-                                              _verdict(matrix, unknowns, root)))  # fmt: skip
-    return NumericalEquilibria(tuple(positions), searched, roots.complete)
+    matrix = [] if second is None else [[values.put_in(x) for x in row] for row in second.matrix]
+    positions: list[NumericalEquilibrium] = []
+    complete = True
+    for part in _parts(equations, searched):
+        box = [(-BEYOND_PI, BEYOND_PI) if s.is_circle else _outward(s) for s in part.values()]
+        roots = real_roots([_with_known_signs(x, part) for x in equations], unknowns, box)
+        complete = complete and roots.complete
+        for root in _distinct(roots.roots, unknowns, part):
+            place = dict(zip(unknowns, root.values, strict=True))
+            at_a_jump = any(part[u] != searched[u] and _is_tiny(v) for u, v in place.items())
+            if at_a_jump or any(sign_at(x, unknowns, root) in (1, -1) for x in others):
+                continue
+            if all(_is_finite(f.xreplace(place)) for f in forces):
+                signed = [[_with_known_signs(x, part) for x in row] for row in matrix]
+                positions.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
+                                                  _verdict(signed, unknowns, root)))  # fmt: skip
+    return NumericalEquilibria(tuple(positions), searched, complete)
+
+
+def _parts(equations: Sequence[sp.Expr], searched: Mapping[sp.Symbol, Searched]) -> Iterator[dict[sp.Symbol, Searched]]:
+    """The search in parts, in each of which sgn x and |x| of an unknown x are x's own sign and size."""
+    jumping = {f.args[0] for x in equations for f in x.atoms(sp.Abs, sp.sign)}
+    halves = {
+        u: (replace(s, high=sp.S.Zero), replace(s, low=sp.S.Zero))
+        if u in jumping and not s.is_circle and s.low < 0 < s.high
+        else (s,)
+        for u, s in searched.items()
+    }
+    return (dict(zip(halves, part, strict=True)) for part in product(*halves.values()))
 
 
 def _with_known_signs(x: sp.Expr, searched: Mapping[sp.Symbol, Searched]) -> sp.Expr:

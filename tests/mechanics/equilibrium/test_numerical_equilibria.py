@@ -191,3 +191,29 @@ def test_the_constraints_hold_for_all_angles_of_the_rods() -> None:
     assert [sp.simplify(e.xreplace(places)) for e in (UPPER, LOWER)] == [0, 0]
     assert angles_of_links([UPPER, x + u - 1], [x, y, u, v]) is None
     assert angles_of_links([x**2 + 2 * y**2 - 1], [x, y]) is None
+
+
+SWINGING = """title: A spring along a rod that swings
+parameters: {m: {value: 2 kg}, M: {value: 0.5 kg}, b: {value: 0.6 m}, k: {value: 80 N/m}, l_0: {value: 0.5 m}}
+coordinates: [r, theta]
+let: {u: "sin(theta)*i - cos(theta)*j"}
+particles: {bead: {position: r*u}, rod: {position: b*u}}
+forces:
+  coil: {spring: k, between: [O, bead], length: l_0}
+  load: {on: bead, vector: -9.81*M*j}
+  weight: {on: rod, vector: -9.81*m*j}
+find: equilibrium
+"""
+
+
+def test_a_sign_that_jumps_parts_the_search_and_full_turns_are_the_same_place() -> None:
+    """r = ±(M g ± k l₀)/k at θ = 0 and π; at r = −m b/M the spring would need |cos θ| = 31."""
+    result = reported(SWINGING)
+    found = positions(result)
+    expected = [(1, 0), (-1, 0), (1, math.pi), (-1, math.pi)]
+    places = {
+        (round(at["r"]["number"], 6), round(abs(at["theta"]["number"]), 6)) for at in (f["coordinates"] for f in found)
+    }
+    assert len(found) == 4
+    assert places == {(round(0.5 * side + math.cos(at) * 0.5 * 9.81 / 80, 6), round(at, 6)) for side, at in expected}
+    assert "excludes the rest of this range" in " ".join(terminal.text(result.derivation, result.notation, 80).split())
