@@ -280,6 +280,8 @@ class _BranchSearch:
             changed = factored_quotient(resolved(radicand, state.values))
             if self.letters.unknowns_in(changed):
                 renamed[root] = self.letters.root(changed)
+            elif sign_of(size := square_root(changed)) == 1:
+                renamed[root] = size
         return (
             replace(state, values={**state.values, **renamed}, common={**state.common, **renamed}) if renamed else state
         )

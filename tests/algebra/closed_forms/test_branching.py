@@ -152,3 +152,14 @@ def test_an_angle_without_letters_may_still_be_zero() -> None:
     assert [(c.lhs, c.relation, c.rhs) for c in found.branches[1].conditions] == [(theta, "≠", 0)]
     [other] = solutions([sp.cos(theta) - b * sp.cos(theta * (1 + b / a))], [theta]).branches
     assert other.left
+
+
+def test_a_root_whose_radicand_is_known_is_a_number() -> None:
+    """|r| is b where r = −b: cos θ = k (l − b)/w follows."""
+    r, theta = sp.symbols("r theta", real=True)
+    b, k, l, w = sp.symbols("b k l w", positive=True)
+    found = solutions([(r + b) * sp.sin(theta), w * sp.cos(theta) - k * (r - l * sp.sign(r))], [r, theta])
+    assert found.solved
+    assert any(
+        q.lhs == sp.cos(theta) and sp.expand(q.rhs * w - k * (l - b)) == 0 for e in found.branches for q in e.relations
+    )

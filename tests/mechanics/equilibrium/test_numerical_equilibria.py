@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -195,25 +196,41 @@ def test_the_constraints_hold_for_all_angles_of_the_rods() -> None:
 
 SWINGING = """title: A spring along a rod that swings
 parameters: {m: {value: 2 kg}, M: {value: 0.5 kg}, b: {value: 0.6 m}, k: {value: 80 N/m}, l_0: {value: 0.5 m}}
-coordinates: [r, theta]
+coordinates: {r: {}, theta: {range: [-3, 3]}}
 let: {u: "sin(theta)*i - cos(theta)*j"}
 particles: {bead: {position: r*u}, rod: {position: b*u}}
 forces:
   coil: {spring: k, between: [O, bead], length: l_0}
   load: {on: bead, vector: -9.81*M*j}
   weight: {on: rod, vector: -9.81*m*j}
+  turn: {potential: 2*theta^2}
 find: equilibrium
 """
+"""With g = 9.81 m/s² put in."""
 
 
-def test_a_sign_that_jumps_parts_the_search_and_full_turns_are_the_same_place() -> None:
-    """r = ±(M g ± k l₀)/k at θ = 0 and π; at r = −m b/M the spring would need |cos θ| = 31."""
+def test_a_sign_that_jumps_parts_the_search() -> None:
     result = reported(SWINGING)
-    found = positions(result)
-    expected = [(1, 0), (-1, 0), (1, math.pi), (-1, math.pi)]
-    places = {
-        (round(at["r"]["number"], 6), round(abs(at["theta"]["number"]), 6)) for at in (f["coordinates"] for f in found)
-    }
-    assert len(found) == 4
-    assert places == {(round(0.5 * side + math.cos(at) * 0.5 * 9.81 / 80, 6), round(at, 6)) for side, at in expected}
+    found = [(f["coordinates"]["r"]["number"], f["coordinates"]["theta"]["number"]) for f in positions(result)]
+
+    def moment(turned: float, side: int) -> float:
+        r = side * 0.5 + 0.5 * 9.81 * math.cos(turned) / 80
+        return 9.81 * (0.5 * r + 1.2) * math.sin(turned) + 4 * turned
+
+    grid = [n / 1000 + 0.0005 for n in range(-3000, 3000)]
+    roots = [(s, a) for s in (1, -1) for a, b in pairwise(grid) if moment(a, s) * moment(b, s) < 0]
+    assert len(found) == len(roots)
+    for side, turned in roots:
+        assert any(r * side > 0 and abs(at - turned) < 0.002 for r, at in found)
     assert "excludes the rest of this range" in " ".join(terminal.text(result.derivation, result.notation, 80).split())
+
+
+def test_angles_a_full_turn_apart_are_one_place() -> None:
+    """(x − 1)(x⁵ + x + 3) sin θ: x = 1 is found in closed form, and with θ = π again by search."""
+    text = """title: Two independent balances
+parameters: {W: {value: 2}}
+coordinates: [x, theta]
+forces: {wave: {potential: W*cos(theta) + x^7/7 - x^6/6 + x^3/3 + x^2 - 3*x}}
+find: equilibrium
+"""
+    assert sorted(f["how"] for f in positions(reported(text))) == ["exact", "exact", "numerical", "numerical"]
