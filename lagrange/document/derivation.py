@@ -100,7 +100,7 @@ Part = str | Math | Ref | Emphasis
 
 @record
 class Prose:
-    """A paragraph; `short` replaces it where little detail is wanted, `purpose` says what it is for."""
+    """A paragraph; `short` replaces it at low levels of detail, `purpose` is its function on the page."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
@@ -166,7 +166,7 @@ class CheckMark:
 
 @record
 class Picture:
-    """A picture, drawn on demand; None where it cannot be drawn sensibly.
+    """A picture, drawn on demand; None if it cannot be drawn sensibly.
 
     caption  the line below it
     alt      a description in words
@@ -236,10 +236,10 @@ class MadeWhenRead(Sequence[Step]):
 
 @record
 class Derivation:
-    """A whole derivation. No format shows both lists of steps; that which is not shown need not be made.
+    """A whole derivation. No format shows both lists of steps; the one that is not shown need not be built.
 
     steps  everything, in the order of the chapter: what JSON and `--detail full` have
-    page   what is printed by default: the result first, then the shortest way to it; empty where it is `steps`
+    page   what is printed by default: the result first, then the shortest way to it; empty if it is `steps`
     """
 
     title: str
@@ -256,7 +256,7 @@ class Derivation:
 
 
 def referring_to(blocks: Iterable[Block], labels: Mapping[str, str]) -> Iterator[Block]:
-    """The blocks with other labels in their references, also in conditions beside equations."""
+    """The blocks with the labels in their references replaced, including those in conditions beside equations."""
 
     def part(p: Part) -> Part:
         return Ref(labels[p.label]) if isinstance(p, Ref) and p.label in labels else p
@@ -352,7 +352,7 @@ class Purpose(Enum):
 
 
 class Phrase(str):
-    """Words of a paragraph that have a purpose of their own in it.
+    """Words of a paragraph with a purpose of their own.
 
     instead  what a page says in their place where it says less
     """
@@ -381,7 +381,7 @@ def has_purpose(block: Block | None, purpose: Purpose) -> TypeGuard[Prose]:
 
 
 def parts_of(block: Block) -> Iterator[Part]:
-    """What a paragraph, or the conditions of displayed equations, are made of."""
+    """The parts of a paragraph, or of the conditions of displayed equations."""
     if isinstance(block, Prose):
         yield from block.parts
     elif isinstance(block, Display):

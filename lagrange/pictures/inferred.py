@@ -114,7 +114,7 @@ class Inferred:
         return len(centres) > 1 and all(math.dist(centres[0], c) < SAME_ON_PAGE for c in centres)
 
     def _kind(self, length: float, q: sp.Symbol, position: Vector) -> StrokeKind | None:
-        """A rod, a string, or None where it may be neither."""
+        """A rod, a string, or None if it may be neither."""
         marks = [angle_mark(pose, q, position) for pose in (self.pose, *self.pose.others)]
         lengths = [math.dist(m.centre, m.point) for m in marks if m is not None]
         called = " ".join(f"{c.meaning}" for c in self.system.problem.coordinates if c.symbol != q)

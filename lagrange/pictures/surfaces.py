@@ -49,7 +49,7 @@ _PLACE: FloatVector = (0.2, 3.3, 1.5)
 class _Surface:
     """A generic surface or wire, seen from somewhere.
 
-    moves  the direction in which it is carried; None where it is at rest
+    moves  the direction in which it is carried; None if it is at rest
     """
 
     view: View

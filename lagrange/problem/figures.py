@@ -208,7 +208,7 @@ class _FigureBeingRead:
         )
 
     def word(self, section: Section, default: Drawn) -> Drawn:
-        """What the key `as` says. Raises ProblemError where it is none of the words."""
+        """What the key `as` says. Raises ProblemError if it is none of the words."""
         node = section.get("as")
         if node is None:
             return default

@@ -245,7 +245,7 @@ _BEFORE = Instant("`before`", "the state just before", "value before the impact"
 
 
 def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iterable[Constraint]) -> Impact | None:
-    """The section `impact`; None where there is none.
+    """The section `impact`; None if there is none.
 
     scope  the names that the state before may use
     old    the constraints that act before and after
@@ -275,7 +275,7 @@ def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iter
 def with_initial_before(problem: Problem) -> Problem:
     """The problem with `initial` as part of the state before its impact: time begins with the impact.
 
-    Raises ProblemError where the two contradict each other.
+    Raises ProblemError if the two contradict each other.
     """
     impact = problem.impact
     assert impact is not None
@@ -324,7 +324,7 @@ TermWithUnit = tuple[sp.Expr | str, Dimension]
 
 
 def with_dimensions_compared(problem: Problem, note: Note) -> Problem:
-    """The problem, with each `2 m` read as its place demands. Raises ProblemError where two sides cannot be equal."""
+    """The problem, with each `2 m` read as its place demands. Raises ProblemError if two sides cannot be equal."""
     before = () if problem.impact is None else problem.impact.before
     conditions = [c for q in problem.questions for c in q.when]
     stated: list[InitialValue | Condition] = [*problem.initial, *before, *conditions]

@@ -165,7 +165,7 @@ def _number(fragment: Fragment, text: str) -> sp.Expr:
 
 
 def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fragment: Fragment) -> None:
-    """Raises ProblemError where a value contradicts the assumption, or lies outside the range."""
+    """Raises ProblemError if a value contradicts the assumption, or lies outside the range."""
     wrong = {
         Assumption.POSITIVE: not number.is_positive,
         Assumption.NONNEGATIVE: number.is_negative,
@@ -257,7 +257,7 @@ _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "mis
 
 
 def values_of(problem: Problem) -> Values | None:
-    """The values of a problem; None where it has none, so that nothing is loaded for them."""
+    """The values of a problem; None if it has none, so that nothing is loaded for them."""
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     return None if not numbers else _values(problem, numbers)
 
@@ -344,7 +344,7 @@ def _dimension(unit: str) -> Dimension:
 
 
 def check_dimensions(problem: Problem) -> None:
-    """Raises ProblemError where the unit of a value does not fit the place of its parameter in the problem."""
+    """Raises ProblemError if the unit of a value does not fit the place of its parameter in the problem."""
     measured = [p for p in problem.parameters if p.measured and p.value_span is not None]
     if not measured:
         return

@@ -63,7 +63,7 @@ def drawn_system(solution: Solution, view: InCoordinates) -> tuple[SystemPicture
 
 
 def drawn_position(solution: Solution, view: InCoordinates, configuration: Configuration) -> dict[sp.Symbol, float]:
-    """The numbers of the position that the figure shows; none where there is no figure."""
+    """The numbers of the position that the figure shows; none if there is no figure."""
     system, pose = drawn_system(solution, view)
     pose = pose or general_pose(solution.problem, configuration)
     values = {**(system.pose.values if system else {}), **(pose.values if pose else {})}

@@ -216,7 +216,7 @@ def said_before(steps: Sequence[Step]) -> Iterator[Step]:
 
 
 def _as_before(known: Sequence[Ref]) -> Iterator[Prose]:
-    """`As before, (17) and (18) hold.`; nothing where there is nothing to refer to."""
+    """`As before, (17) and (18) hold.`; nothing if there is nothing to refer to."""
     if known:
         holds = plural(len(known), " holds.", " hold.")
         yield prose("As before, ", *listed(known), holds, purpose=Purpose.AS_BEFORE)
@@ -339,7 +339,7 @@ def _rest_is_finite(classification: Classification) -> bool:
 
 
 def _relations(together: int, single: int) -> str:
-    """What the constraints imply together, beside the relations that single ones are."""
+    """The joint implications of the constraints, in addition to relations implied by single ones."""
     if together == 0:
         return "no finite relation"
     if together == single:
@@ -448,7 +448,7 @@ def freedom_in_one(steps: Iterable[Step]) -> Iterator[Step]:
 
 
 def remaining_shortly(step: Step, slots: Slots) -> Step:
-    """A constraint that a choice of coordinates leaves, without the constant factors that all of its terms share."""
+    """A constraint that remains in a choice of coordinates, divided by constant factors common to all its terms."""
     moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
 
     def line(e: Equation) -> Equation:
@@ -496,7 +496,7 @@ def _without_momentum(part: Part) -> Part:
 
 
 def questions_shortly(solution: Solution, step: Step) -> Step:
-    """The answer to a question with the simple conditions put into long expressions; what stays long is omitted.
+    """The answer to a question with simple conditions substituted into long expressions; what stays long is omitted.
 
     With β = α and β' = α' the accelerations of a double pendulum are two short fractions.
     """

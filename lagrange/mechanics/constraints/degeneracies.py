@@ -252,7 +252,7 @@ def _cases(conditions: Sequence[sp.Expr], slots: Slots) -> list[tuple[sp.Expr, .
 
 
 def _reduced(case: Iterable[sp.Expr], slots: Slots) -> tuple[sp.Expr, ...] | None:
-    """The conditions with what follows from q = 0 for some coordinates put in; None where they cannot all hold."""
+    """The conditions with what follows from q = 0 for some coordinates put in; None if they cannot all hold."""
     conditions = list(case)
     while True:
         zeros = dict.fromkeys((c for c in conditions if c in slots.coordinates), sp.S.Zero)

@@ -316,7 +316,7 @@ def with_velocities_apart(energies: Sequence[sp.Expr], slots: Slots) -> tuple[sp
 
 
 def _given_forces(problem: Problem) -> tuple[sp.Expr, ...]:
-    """Q_k of the generalized forces that the file gives; none where there are none."""
+    """Q_k of the generalized forces that the file gives; none if there are none."""
     given = [f.components for f in problem.forces if isinstance(f, GeneralizedForce)]
     if not given:
         return ()

@@ -181,7 +181,7 @@ class Motion:
 
     @property
     def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """q'' as functions of position, velocity and time; empty where they were not found."""
+        """q'' as functions of position, velocity and time; empty if they were not found."""
         if self.solved or self.reactions is None or self.reactions.configuration.expressed:
             return self.solved
         return {s: e for s, e in self.reactions.accelerations.items() if e is not None}

@@ -438,7 +438,7 @@ def _held(e: Equilibrium) -> SolutionSet | None:
     """The positions that the constraints alone determine, where they are independent: any forces balance there.
 
     Where two such positions meet, for particular parameters, the constraints are dependent: conditions are strict.
-    None where they are not found, or dependent.
+    None if they are not found, or dependent.
     """
     finite, coordinates = e.configuration.finite_constraints, e.configuration.slots.coordinates
     if e.forces or e.laws or e.elimination.independent or not len(finite) == len(coordinates) == len(e.binding):

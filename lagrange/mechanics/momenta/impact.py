@@ -168,7 +168,7 @@ def impulsive_motion(problem: Problem, choices: Sequence[GeneralizedCoordinates]
 
     taken  names that the letters of impulses must not use
 
-    Raises NotCoveredError where it cannot be treated, ProblemError where the state before contradicts the constraints.
+    Raises NotCoveredError if it cannot be treated, ProblemError where the state before contradicts the constraints.
     """
     impact = problem.impact
     assert impact is not None  # asked for only where the file has one
@@ -318,7 +318,7 @@ def _position(configuration: Configuration, impact: Impact) -> tuple[dict[sp.Sym
 
 
 def _check_position(row: Row, relation: sp.Expr, impact: Impact) -> None:
-    """Raises ProblemError where the given position does not satisfy a constraint."""
+    """Raises ProblemError if the given position does not satisfy a constraint."""
     if Surface().is_zero(relation) is True:
         return
     span = next((c.span for c in impact.constraints if c.name == row.name), impact.span)

@@ -274,7 +274,7 @@ def _length(family: Family) -> int:
 
 
 def on_one_side(conditions: Equilibrium) -> Iterator[tuple[sp.Expr, Equilibrium]]:
-    """Conditions that contain sgn f, as where f > 0 and where f < 0; nothing where there is no such f, or several."""
+    """Conditions that contain sgn f, as where f > 0 and where f < 0; nothing if there is no such f, or several."""
     forces = conditions.independent_forces
     inside = {s.args[0] for e in forces for s in e.atoms(sp.sign)}
     if len(inside) != 1 or any(e.has(sp.Abs) for e in forces):

@@ -156,7 +156,7 @@ class ByIntegral:
 def multiple_of_integral(
     quantity: sp.Expr, called: sp.Expr, integrals: Sequence[UsedIntegral], moving: Collection[sp.Symbol]
 ) -> ByIntegral | None:
-    """The value of a multiple of an integral; None where the quantity is none.
+    """The value of a multiple of an integral; None if the quantity is none.
 
     called  the quantity as the file has it
     """
@@ -177,7 +177,7 @@ def parameter_of_integral(
     integrals: Sequence[UsedIntegral],
     moving: Collection[sp.Symbol],
 ) -> ByIntegral | None:
-    """The parameter for which an integral has a given value; None where the condition mentions no integral."""
+    """The parameter for which an integral has a given value; None if the condition mentions no integral."""
     if parameter is None or len(when) != 1 or count_operations(when[0]) >= LONGEST_EQUATION:
         return None
     for i in integrals:

@@ -82,7 +82,7 @@ def first_value(
     quantity: sp.Expr,
     constraints: Sequence[sp.Expr] = (),
 ) -> float | None:
-    """The quantity at the first time t > 0 at which the condition is zero; None where none was found.
+    """The quantity at the first time t > 0 at which the condition is zero; None if none was found.
 
     All expressions have numbers instead of parameters. In dependent coordinates the finite constraints must still hold
     where the search ends, up to `LARGEST_DRIFT`.

@@ -92,7 +92,7 @@ _TOLERANCE = sp.Float(10) ** (-DIGITS // 2)
 
 
 def in_ranges(b: AnswerBranch, configuration: Configuration, values: SymbolValues) -> AnswerBranch | None:
-    """The part of a branch in the ranges of the coordinates; None where there is none."""
+    """The part of a branch in the ranges of the coordinates; None if there is none."""
     kept = [s for s in b.states if not any(_is_outside(q, s, configuration, values) for q in configuration.ranges)]
     return b.at(kept) if kept or not b.states else None
 

@@ -79,7 +79,7 @@ class Setting:
         return [*map(self.known.on_side, stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:
-        """q'^2 as a function of q alone; None where the integrals do not give it."""
+        """q'^2 as a function of q alone; None if the integrals do not give it."""
         if q not in self._squares:
             self._squares[q] = self._square(q)
         return self._squares[q]
@@ -132,7 +132,7 @@ class Setting:
         return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     def refuse_rolling(self, question: Question) -> None:
-        """Raises ProblemError where slip does not begin."""
+        """Raises ProblemError if slip does not begin."""
         if self.known.rolling:
             raise ProblemError(does_not_slip(question))
 

@@ -347,7 +347,7 @@ def initial_state(place: MotionView, problem: Problem, others: Sequence[Configur
 
 
 def _check_radii(known: SymbolValues, problem: Problem) -> None:
-    """Raises ProblemError where the radius of the frame begins negative."""
+    """Raises ProblemError if the radius of the frame begins negative."""
     frame = problem.frame
     first = frame.names[0] if frame is not None and frame.turning else ""
     for v in problem.initial:
@@ -441,7 +441,7 @@ def _together(equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol]) -> 
 def _check(
     place: MotionView, known: SymbolValues, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]
 ) -> None:
-    """Raises ProblemError where the initial state contradicts a constraint."""
+    """Raises ProblemError if the initial state contradicts a constraint."""
     configuration = place.configuration
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
     last = problem.initial[-1].span

@@ -100,7 +100,7 @@ def _in_one_fraction(x: sp.Expr) -> sp.Expr:
 def forces_in_turn(
     law: NewtonLaw, own: InCoordinates, view: InCoordinates, accelerations: Mapping[sp.Symbol, sp.Expr]
 ) -> dict[sp.Symbol, sp.Expr] | None:
-    """The forces by accelerations and by forces before them; None where no law has a single unknown, or they differ.
+    """The forces by accelerations and by forces before them; None if no law has a single unknown, or they differ.
 
     own            the file's coordinates, in which the laws are
     view           those in which the forces are wanted

@@ -96,7 +96,7 @@ SIGN_OF_ROOT = Sign("sigma_1")
 
 
 def both_roots(roots: Sequence[sp.Expr]) -> sp.Expr | None:
-    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None where they are not such."""
+    """Two conjugate roots (a − √b)/c and (a + √b)/c as (a + σ √b)/c; None if they are not such."""
     if len(roots) != 2:
         return None
     middle, half = sp.factor((roots[0] + roots[1]) / 2), sp.factor_terms((roots[1] - roots[0]) / 2)

@@ -147,7 +147,7 @@ def in_accelerations(solution: Solution, step: Step, view: InCoordinates) -> Ste
 def with_stated_forces(
     solution: Solution, steps: Sequence[Step], forces: StatedEquations, stated: StatedEquations
 ) -> list[Step]:
-    """The steps with the reactions in these forms, as far as they are shorter; what is folded stays.
+    """The steps with the reactions in these forms where they are shorter; folded parts stay unchanged.
 
     forces  as the answers have them
     stated  the equations of motion there

@@ -320,7 +320,7 @@ def _at_rest(
 def _limits_of(
     solved: SolvedBalance, contacts: Sequence[RoughContact], problem: Problem, load: sp.Symbol, signs: Signs
 ) -> list[LoadLimits]:
-    """Between which limits one force must be, case by case; none where the signs of reactions are open."""
+    """Between which limits one force must be, case by case; none if the signs of reactions are open."""
     if not solved.open or solved.equations or any(c.sign is None or len(c.components) > 1 for c in contacts):
         return []
     values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
@@ -333,7 +333,7 @@ def rest_within(
 ) -> tuple[AtRest | None, str]:
     """`rest_with_friction` with an allowance of its own, and why nothing was found, empty otherwise.
 
-    Raises NotCoveredError where nothing else is asked: impending motion, which needs less, is an answer without it.
+    Raises NotCoveredError if nothing else is asked: impending motion, which needs less, is an answer without it.
     """
     with allowed_for_a_search(UNITS_OF_REST) as allowance:
         try:
