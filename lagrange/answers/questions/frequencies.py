@@ -114,8 +114,7 @@ class EquilibriumPoint:
         return f"that is the frequency of {alone} with the other coordinates held fast"
 
     def of_one_term(self, claim: sp.Expr, values: Values) -> str:
-        """A sentence naming the wrong term or factor in the square of a frequency; empty if there is not exactly one.
-        """
+        """A sentence naming the wrong term or factor in the square of a frequency; empty if not exactly one is."""
         from lagrange.answers.models.questions import explained_value
 
         if len(self.oscillations.free) != 1:
