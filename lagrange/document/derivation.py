@@ -136,6 +136,10 @@ class Display:
         """Those of all equations."""
         return sum(e.operations for e in self.equations)
 
+    def map(self, change: Callable[[Equation], Equation]) -> Display:
+        """The display with `change` applied to each of its equations."""
+        return replace(self, equations=tuple(map(change, self.equations)))
+
 
 @record
 class Table:
@@ -205,6 +209,10 @@ class Step:
     choice: str = ""
     folded: tuple[Part, ...] = ()
     about: str = field(default="", compare=False)
+
+    def map(self, change: Callable[[Equation], Equation]) -> Step:
+        """The step with `change` applied to each of its displayed equations."""
+        return replace(self, body=tuple(b.map(change) if isinstance(b, Display) else b for b in self.body))
 
 
 class MadeWhenRead(Sequence[Step]):

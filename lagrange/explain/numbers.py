@@ -214,7 +214,7 @@ def _blocks(
 ) -> Iterator[Block]:
     for block in step.body:
         if isinstance(block, Display) and any(_is_found_in_numbers(e) for e in block.equations):
-            block = replace(block, equations=tuple(_measured_there(e, values, digits, bare) for e in block.equations))
+            block = block.map(lambda e: _measured_there(e, values, digits, bare))
         yield block
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
@@ -239,7 +239,7 @@ def _with_values(block: Block, values: Values, digits: int, bare: Collection[Sid
     """The box at the head, and constant accelerations, with the numerical value of each quantity that has one."""
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_with_value(e, values, digits, bare, angles) for e in block.equations))
+    return block.map(lambda e: _with_value(e, values, digits, bare, angles))
 
 
 def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[Sides], angles: Angles) -> Equation:

@@ -60,6 +60,7 @@ from lagrange.explain.page.economy import (
     freedom_in_one,
     in_one_name,
     in_pairs,
+    joined,
     lagrangian_once,
     likewise_in_a_line,
     questions_shortly,
@@ -407,20 +408,15 @@ def _integrability_shortly(solution: Solution, step: Step) -> Step:
 
 
 def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps, with what reactions are, where they are no forces on single bodies, beside their work."""
-    waiting: Step | None = None
-    for step in steps:
-        if waiting is not None and step.rule is Rule.WORKLESS:
-            step, waiting = replace(step, body=(*waiting.body, *step.body)), None
-        if waiting is not None:
-            yield waiting
-            waiting = None
-        if step.rule is Rule.REACTIONS and solution.law is not None and solution.law.newton.bodies is None:
-            waiting = step
-        else:
-            yield step
-    if waiting is not None:
-        yield waiting
+    """The steps, with reactions that are not forces on single bodies described together with their work."""
+    if solution.law is None or solution.law.newton.bodies is not None:
+        return iter(steps)
+
+    def join(first: Step, second: Step) -> Step | None:
+        reactions = (first.rule, second.rule) == (Rule.REACTIONS, Rule.WORKLESS)
+        return replace(second, body=(*first.body, *second.body)) if reactions else None
+
+    return joined(steps, join)
 
 
 def _with_measures(solution: Solution, step: Step) -> Step:
@@ -526,7 +522,7 @@ def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None], rule: Mapp
     """T = (in the file's coordinates) = (in the chosen ones), on a page with the motion in both, if that is short."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_chain(e, sizes, rule) for e in block.equations))
+    return block.map(lambda e: _chain(e, sizes, rule))
 
 
 def _chain(

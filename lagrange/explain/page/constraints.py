@@ -295,7 +295,7 @@ def explain_short_displacements(solution: Solution) -> Step:
 
 def _with(zero: dict[sp.Symbol, sp.Expr], block: Display) -> Display:
     """Equations between displacements with the vanishing ones substituted; those that say so are kept."""
-    return replace(block, equations=tuple(_simpler(zero, e) for e in block.equations))
+    return block.map(lambda e: _simpler(zero, e))
 
 
 def _simpler(zero: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:
@@ -389,8 +389,7 @@ def on_nonlinear_constraint(solution: Solution, step: Step) -> Step:
         return replace(e, sides=(e.sides[0], *map(shorter, e.sides[1:]))) if len(e.sides) > 1 else replace(
             e, sides=tuple(map(shorter, e.sides)))  # fmt: skip
 
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def with_only_coordinate(solution: Solution, step: Step) -> Step:

@@ -117,8 +117,7 @@ def along_named(solution: Solution, step: Step) -> Step:
     def line(e: Equation) -> Equation:
         return replace(e, sides=lines.get(e.label or "", e.sides))
 
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def _ends_with_components(lead: Prose) -> bool:
@@ -196,8 +195,7 @@ def in_forces(step: Step, newton: Newton) -> Step:
 
     if not rule:
         return step
-    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
-    return replace(step, body=tuple(blocks))
+    return step.map(line)
 
 
 def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:

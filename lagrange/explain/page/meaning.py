@@ -220,11 +220,7 @@ def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:
     }
     if not zero:
         return step
-    body = (
-        replace(b, equations=tuple(_at(zero, e) for e in b.equations)) if isinstance(b, Display) else b
-        for b in step.body
-    )
-    return replace(step, body=tuple(body))
+    return step.map(lambda e: _at(zero, e))
 
 
 def _in_remaining(block: Block, conserved: Conserved) -> Block:

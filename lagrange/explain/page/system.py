@@ -320,11 +320,7 @@ def alike_about_all_axes(solution: Solution, step: Step) -> Step:
     }
     if not moments:
         return step
-    blocks = (
-        replace(b, equations=tuple(_with_one_moment(e, moments) for e in b.equations)) if isinstance(b, Display) else b
-        for b in step.body
-    )
-    return replace(step, body=tuple(blocks))
+    return step.map(lambda e: _with_one_moment(e, moments))
 
 
 def _with_one_moment(e: Equation, moments: Mapping[str, sp.Expr]) -> Equation:

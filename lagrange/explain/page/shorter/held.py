@@ -82,7 +82,7 @@ def _held(solution: Solution) -> dict[sp.Symbol, sp.Expr]:
 def _at(rule: dict[sp.Symbol, sp.Expr], block: Block) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_held_line(rule, e) for e in block.equations))
+    return block.map(lambda e: _held_line(rule, e))
 
 
 def _held_line(rule: dict[sp.Symbol, sp.Expr], e: Equation) -> Equation:

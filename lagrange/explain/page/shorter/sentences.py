@@ -155,7 +155,7 @@ def _factored(block: Block) -> Block:
     """Answers with the factors of numerator and denominator in front, where these are sums of several terms."""
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_in_factors(e) for e in block.equations))
+    return block.map(_in_factors)
 
 
 def _in_factors(e: Equation) -> Equation:
@@ -168,7 +168,7 @@ def _in_factors(e: Equation) -> Equation:
 def _turned_block(block: Block, relations: Mapping[str, str]) -> Block:
     if not isinstance(block, Display) or not block.boxed:
         return block
-    return replace(block, equations=tuple(_turned(e, relations) for e in block.equations))
+    return block.map(lambda e: _turned(e, relations))
 
 
 def _turned(e: Equation, relations: Mapping[str, str]) -> Equation:
@@ -242,7 +242,7 @@ def _lengths(step: Step) -> Iterator[tuple[sp.Expr, sp.Symbol]]:
 def _block_with_lengths(block: Block, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Block:
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_line(e, lengths, stated) for e in block.equations))
+    return block.map(lambda e: _line(e, lengths, stated))
 
 
 def _line(e: Equation, lengths: dict[sp.Expr, sp.Symbol], stated: dict[str, sp.Symbol]) -> Equation:
