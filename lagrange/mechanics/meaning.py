@@ -269,7 +269,7 @@ def _limit(
 
 
 def _only_stops(limit: Sequence[sp.Expr], equations: Sequence[sp.Expr], view: InCoordinates) -> bool:
-    """Whether every equation that the limit changes has come to say no more than that an acceleration is zero."""
+    """Whether every equation affected by the limit now says only that an acceleration is zero."""
     changed = [e for e in limit if not any(sp.expand(e - f) == 0 for f in equations)]
     return all(e in view.configuration.slots.accelerations for e in changed)
 

@@ -158,7 +158,7 @@ class Inferred:
                         self._under_pulley([v for _, v in order], [q for q, _ in order])
 
     def hanging(self) -> None:
-        """The strings of what hangs from the rim of a wheel with a fixed centre."""
+        """The strings from which bodies hang, off the rim of a wheel with a fixed centre."""
         field, figure = self.system.problem.gravity, self.system.problem.figure
         if field is None or not self.system.view.planar:
             return

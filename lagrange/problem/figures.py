@@ -139,7 +139,7 @@ class _FigureBeingRead:
         return self.context.diagnostics.attempt(lambda: entries_of(node, f"`{key}`", example)) or ()
 
     def each(self, key: str, read: Callable[[Node], T]) -> list[T]:
-        """The items of a list, those that can be read."""
+        """The items of a list that can be read."""
         node = self.section.get(key)
         if node is None:
             return []

@@ -63,7 +63,7 @@ FragmentReader = Callable[[Fragment, Scope, list[Diagnostic]], T]
 
 
 class LoadContext:
-    """What is known while a file is being read.
+    """The state of reading a file: what has been declared so far.
 
     things    the names of particles and bodies; `bodies` are those of bodies only
     called    the names of those for which the file has words, with the words

@@ -230,7 +230,7 @@ def _part(fragment: Fragment, text: str, start: int) -> Fragment:
 
 
 def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
-    """The coordinate, or t, as a function of which the quantity is wanted."""
+    """The coordinate, or t, of which the quantity is to be a function."""
     symbol = context.read_quietly(read_scalar, scalar.fragment, scope, [])
     if symbol == t or (symbol.is_Symbol and base(symbol) == symbol and symbol in scope.slots.coordinates):
         return symbol

@@ -184,7 +184,7 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
 
 
 def measured_in(fragment: Fragment, scope: Scope) -> Measured | None:
-    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in SI units; None if it is no such text."""
+    """`30 deg` or `2.5 m/s`, where an expression may occur, in SI units; None if the text is not of this form."""
     parts = split_number(fragment.text)
     if parts is None or (unit := unit_of(parts[1])) is None or split_number(parts[0]) is not None:
         return None

@@ -47,7 +47,7 @@ class NumericalSystem:
 
     @property
     def slips(self) -> tuple[sp.Expr, ...]:
-        """Of the expressions with a sign those that are no reactions: speeds of slip."""
+        """The signed expressions that are not reactions: slip speeds."""
         return tuple(e for e in self.signs if e not in self.states.signs.values())
 
     def with_signs(self, signs: Mapping[sp.Expr, int]) -> NumericalSystem:

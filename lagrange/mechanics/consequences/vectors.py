@@ -264,7 +264,7 @@ def _in_a_plane(point: MassPoint, coordinates: tuple[sp.Symbol, ...]) -> tuple[s
 
 
 def _accelerations(view: InCoordinates) -> dict[sp.Symbol, sp.Expr] | None:
-    """The accelerations, where each stands alone in an equation, and neither position nor time occurs."""
+    """The accelerations, if each is alone on one side of an equation and neither position nor time occurs."""
     assert view.motion is not None
     slots = view.configuration.slots
     solved = {}

@@ -205,7 +205,7 @@ class Configuration:
 
     @property
     def positive(self) -> tuple[sp.Expr, ...]:
-        """What is positive at every state of the system, though not by itself: lengths of springs, masses that vary."""
+        """The quantities positive in every state, though not by themselves: spring lengths, variable masses."""
         lengths = tuple(s.distance for s in self.springs if not s.distance.is_nonnegative)
         return (*lengths, *(m.mass for m in self.variable_masses if not m.mass.is_positive))
 

@@ -85,7 +85,7 @@ def distances(q: sp.Expr, limits: Range, is_angle: bool) -> tuple[tuple[sp.Expr,
 
 
 def only_angle(wave: sp.Expr, value: sp.Expr, limits: Range) -> sp.Expr | None:
-    """The only θ in a range with cos θ, sin θ or tan θ = value, all of them numbers; None if there is not just one."""
+    """The unique θ in a range with cos θ, sin θ or tan θ = value, as numbers; None if there is not exactly one."""
     if not (limits.low.is_number and limits.high.is_number):
         return None
     inside = angles_with(wave, value, limits)
@@ -208,7 +208,7 @@ def moves_nothing(configuration: Configuration, solution: SolutionSet, b: Branch
 
 
 def _effects(configuration: Configuration, k: int) -> Iterator[sp.Expr]:
-    """What a displacement δq_k moves, turns, or violates."""
+    """What a displacement δq_k moves, rotates, or violates."""
     q = configuration.slots.coordinates[k]
     for p in configuration.points:
         yield from p.partials[k].fixed().components

@@ -70,7 +70,7 @@ class DampedMode:
 
     @property
     def decays(self) -> tuple[sp.Expr, ...]:
-        """The rates of decay: σ of what oscillates, or may; one or two where nothing does."""
+        """The decay rates: σ of oscillating modes; one or two rates if nothing oscillates."""
         if self.square is None or self.square == 0 or self.oscillates is not False:
             return (self.rate,)
         root = sp.sqrt(sp.factor(-self.square))

@@ -44,7 +44,7 @@ from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_DEGENER
 
 @record
 class UniformMotion:
-    """Stable but for a motion in which V stays the same (`linear_stability`), where the conditions hold.
+    """Stable up to a motion along which V is constant (`linear_stability`), if the conditions hold.
 
     coordinates  those that change in it
     others       those in which V has a strict minimum
@@ -272,7 +272,7 @@ def _in_squares(
 
 
 def rises_in_even_powers(gradient: Sequence[sp.Expr], place: Sequence[tuple[sp.Symbol, sp.Expr]]) -> bool:
-    """Whether V is a sum of even powers with positive coefficients at a place; False if that is not seen.
+    """Whether V is visibly a sum of even powers with positive coefficients at a place.
 
     gradient  ∂V/∂q_k, k = 1, ..., n
     place     q_k and its value at the equilibrium

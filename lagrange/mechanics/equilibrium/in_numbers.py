@@ -273,13 +273,13 @@ def acute_parameters(resting: Equilibrium, values: Values) -> Iterator[tuple[Rel
 
 
 def _agrees(e: sp.Expr, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
-    """Whether an expression vanishes at an angle, as far as it is a number there."""
+    """Whether an expression vanishes at an angle, judged only if it is a number there."""
     value = values.put_in(e.xreplace({q: angle}))
     return not value.is_number or abs(real_value(value)) < CERTAIN
 
 
 def _admits(c: SignCondition, q: sp.Symbol, angle: sp.Expr, values: Values) -> bool:
-    """Whether a condition does not exclude an angle, as far as it is about this angle and numbers."""
+    """Whether a condition admits an angle, judged only if it contains nothing but this angle and numbers."""
     apart = c.lhs - c.rhs if c.relation in (">", "≥") else c.rhs - c.lhs
     value = values.put_in(apart.xreplace({q: angle}))
     return c.relation == "≠" or q not in apart.free_symbols or not value.is_number or real_value(value) > 0

@@ -528,7 +528,7 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
 
 
 def _shortest(s: Stability, b: Branch) -> Stability:
-    """A conditional verdict with the shortest form of its conditions, beside those for the existence of the branch."""
+    """A conditional verdict with its conditions in the shortest form, given those for the existence of the branch."""
     shorter = further_conditions(s.conditions, b.conditions)
     if shorter is None:
         return s

@@ -77,7 +77,7 @@ class ReactionImpulse:
 
 @record
 class Presupposition:
-    """What a one-sided constraint presupposes: `quantity` > 0, or ≥ 0 if it is an impulse."""
+    """The presupposition of a one-sided constraint: `quantity` > 0, or ≥ 0 if it is an impulse."""
 
     constraint: str
     quantity: sp.Expr
@@ -142,11 +142,11 @@ class ImpulsiveMotion:
         return self.configuration.rewritten(expression).xreplace(self.position)
 
     def after(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of coordinates and velocities just after the impact."""
+        """An expression of coordinates and velocities, just after the impact."""
         return self.at(expression).xreplace(dict(zip(self.slots.velocities, self.velocities, strict=True)))
 
     def just_before(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of coordinates and velocities just before the impact."""
+        """An expression of coordinates and velocities, just before the impact."""
         return self.at(expression).xreplace(dict(zip(self.slots.velocities, self.before, strict=True)))
 
     @property
@@ -267,7 +267,7 @@ def _during(problem: Problem, impact: Impact) -> Configuration:
 def _chosen(
     views: Sequence[GeneralizedCoordinates], full: Configuration, before: Sequence[InitialValue]
 ) -> GeneralizedCoordinates:
-    """The first set of coordinates without roots in which all that is given of the state before is known."""
+    """The first set of coordinates without roots in which everything given about the state before is known."""
     for view in views:
         slots, old = view.configuration.slots, full.slots
         known = {*slots.coordinates, *slots.velocities, *(prime(q) for q in view.configuration.expressed)}
@@ -340,7 +340,7 @@ def _before(
     position: Mapping[sp.Symbol, sp.Expr],
     surface: Surface,
 ) -> tuple[sp.Expr, ...]:
-    """q'_0, shape (n,): what is given, the rest free as far as the old constraints allow."""
+    """q'_0, shape (n,): the given velocities, and the rest as free as the old constraints allow."""
     slots = configuration.slots
     still = dict.fromkeys(slots.velocities, ZERO)
     given = []

@@ -353,7 +353,7 @@ def _only(resting: Equilibrium, chosen: Callable[[Branch], bool]) -> Equilibrium
 
 
 def _differs_from_zero(e: sp.Expr, b: Branch, resting: Equilibrium) -> bool:
-    """Whether an expression is seen not to vanish at points of a branch."""
+    """Whether an expression is found not to vanish at sampled points of a branch."""
     for point in _points(b, resting):
         try:
             return not point.is_zero(e)

@@ -219,7 +219,7 @@ def _follows(c: SignCondition, known: Sequence[SignCondition]) -> bool:
 
 
 def _margin(c: SignCondition) -> sp.Expr | None:
-    """What must not be negative; None for an equation or the like."""
+    """The expression that must not be negative; None for an equation and other relations."""
     way = {">": 1, "≥": 1, "<": -1, "≤": -1}.get(c.relation)
     return None if way is None else way * (c.lhs - c.rhs)
 

@@ -46,7 +46,7 @@ class Chosen:
 
 @record
 class InitialMotion:
-    """The initial state, and what is known of the motion from it.
+    """The initial state, and what is known about the motion that starts from it.
 
     accelerations  as functions of the state
     free           the number of degrees of freedom

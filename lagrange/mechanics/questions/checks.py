@@ -127,7 +127,7 @@ class _SecondRoute:
         at: dict[sp.Symbol, sp.Expr],
         filled: sp.Expr,
     ) -> bool | None:
-        """Whether all holds at one state, with a number for the coordinates that it leaves open and nothing binds."""
+        """Whether everything holds at one state, with numbers for coordinates neither given nor constrained."""
         own, present = self.own.configuration.slots, configuration.slots
         question = asked.question
         bound = {s for row in configuration.rows for s in (row.finite or sp.S.Zero).free_symbols}

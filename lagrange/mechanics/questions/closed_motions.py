@@ -382,7 +382,7 @@ def _growth(square: sp.Expr, rate: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[Sig
 
 @record
 class FromStart:
-    """What is known of the motion from the initial state.
+    """What is known about the motion from the initial state.
 
     choice     the coordinates; empty for the file's own
     initial    the state at t = 0 as the file gives it

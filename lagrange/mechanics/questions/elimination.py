@@ -401,7 +401,7 @@ def _relation(relations: Sequence[Relation], wanted: sp.Expr) -> Relation | None
 
 
 def _without_repetitions(branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
-    """Each branch once: those that are stated alike are one."""
+    """The branches without repetitions, compared by their statements."""
     kept: dict[object, AnswerBranch] = {}
     for b in branches:
         key = (b.lhs, b.rhs, b.conditions)

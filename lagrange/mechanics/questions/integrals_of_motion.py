@@ -126,7 +126,7 @@ def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
 
 
 def _is_new(e: sp.Expr, used: Sequence[UsedIntegral], place: MotionView) -> bool:
-    """Whether an integral tells more about the velocities than those that are known."""
+    """Whether an integral adds information about the velocities to the known ones."""
     configuration = place.configuration
     slots = configuration.slots
     rows = [[i.expression.diff(v) for v in slots.velocities] for i in used]

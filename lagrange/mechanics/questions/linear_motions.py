@@ -223,7 +223,7 @@ def _of_pair(slope: sp.Expr, offset: sp.Expr, p: sp.Expr, q: sp.Expr) -> Origina
 
 
 def _root(square: sp.Expr) -> sp.Expr:
-    """√ of what is already a square as that."""
+    """√ of an expression, simplified if the expression is a square."""
     base, exponent = square.as_base_exp()
     if exponent == 2:
         return base

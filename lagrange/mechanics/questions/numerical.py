@@ -159,7 +159,7 @@ class _Program:
         self.steps: list[tuple[int, Callable[[list[float]], float]]] = []
 
     def place(self, e: sp.Expr) -> int:
-        """Where the value of an expression stands. Raises _UnknownError."""
+        """The index of the value of an expression. Raises _UnknownError."""
         if e not in self.places:
             step = None if e.is_number else self._step(e)
             self.places[e] = len(self.start)

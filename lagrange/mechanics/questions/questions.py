@@ -165,7 +165,7 @@ class _Search:
                     yield Substituted(s, value)
 
     def answer(self) -> Asked:
-        """The answer, or what is known of it. Raises ProblemError if there is none."""
+        """The answer, or the partial results towards it. Raises ProblemError if there are none."""
         named = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
             what = "is about a motion that does not begin: friction holds it at rest"

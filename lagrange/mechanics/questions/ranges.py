@@ -42,7 +42,7 @@ def not_determined(question: Question, free: Iterable[sp.Symbol], not_given: Ite
 
 
 def mixed(question: Question) -> Diagnostic:
-    """No set of coordinates has all that the question mentions."""
+    """The failure in which no set of coordinates covers all that the question mentions."""
     message = f"the question `{question.name}` mixes coordinates of several choices"
     help_ = "use the file's coordinates, and those of one choice"
     return Diagnostic("mixed-choices", message, question.span, help=help_)

@@ -39,7 +39,7 @@ from lagrange.problem.model import Problem, Question
 
 
 class Setting:
-    """A place with all that questions need of it, found once.
+    """A position with all data that questions need about it, computed once.
 
     initial   the state at t = 0, or a later one from which the motion goes on
     senses    the signs of velocities whose modulus occurs, where they are not those of the initial state
@@ -154,7 +154,7 @@ class Setting:
 
 
 def all_coordinates(configuration: Configuration) -> Iterator[sp.Symbol]:
-    """The coordinates of a configuration, and those that it expresses by these."""
+    """The coordinates of a configuration, and those expressed in terms of them."""
     yield from configuration.slots.coordinates
     yield from configuration.expressed
 
@@ -218,7 +218,7 @@ def _has_sign(slope: sp.Expr) -> bool:
 
 
 def reduced(equations: Sequence[sp.Expr], rule: Substitution) -> list[sp.Expr]:
-    """The equations with what is dependent expressed, without those that hold by themselves."""
+    """The equations with dependent symbols substituted, without those that become identities."""
     changed = [e.xreplace(dict(rule)) for e in equations]
     return [e for e, old in zip(changed, equations, strict=True) if e is old or e == old or not vanishes(e)]
 

@@ -83,7 +83,7 @@ def _reduced(e: sp.Expr, rules: Sequence[tuple[sp.Symbol, sp.Expr]]) -> sp.Expr:
 
 
 def _in_one_fraction(x: sp.Expr) -> sp.Expr:
-    """A sum of fractions as one, with a denominator that is not negative where that can be seen."""
+    """A sum of fractions as a single fraction, with a nonnegative denominator where its sign is known."""
     above, below = sp.fraction(sp.together(x))
     if not x.is_Add or above.is_number or below.is_number:
         return x

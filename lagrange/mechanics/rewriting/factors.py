@@ -80,7 +80,7 @@ def _positive_powers(e: sp.Expr) -> dict[sp.Symbol, int]:
 
 
 def letter_for(value: sp.Expr, name: str) -> sp.Symbol:
-    """A symbol that abbreviates a value: positive where that is seen to be."""
+    """A symbol that abbreviates a value, declared positive if the value is known to be."""
     return sp.Symbol(name, positive=True) if sp.expand(value).is_positive else sp.Symbol(name, real=True)
 
 

@@ -331,7 +331,7 @@ def _limits_of(
 def rest_within(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
 ) -> tuple[AtRest | None, str]:
-    """`rest_with_friction` with an allowance of its own, and why nothing was found, empty otherwise.
+    """`rest_with_friction` with its own work allowance, and the reason for a failure, empty otherwise.
 
     Raises NotCoveredError if nothing else is asked: impending motion, which needs less, is an answer without it.
     """
@@ -363,7 +363,7 @@ def _cases(
     most: int,
     unexamined: list[sp.Expr],
 ) -> tuple[tuple[RestCondition, ...], ...]:
-    """The conditions, case by case; `unexamined` receives what must not vanish as far as this is known."""
+    """The conditions, case by case; expressions that must not vanish, so far as known, are added to `unexamined`."""
     if any(signs.of(e) in (1, -1) for e in solved.equations):
         return ()
     if not solved.open:

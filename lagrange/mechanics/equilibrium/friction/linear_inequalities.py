@@ -238,7 +238,7 @@ class _Zero:
         )
 
     def conditions(self, case: Case) -> list[tuple[str, sp.Expr]]:
-        """What a case says there, without what always holds."""
+        """The conditions of a case, without those that always hold."""
         slacks = [("≥", e) for e in map(self.put, case.slacks) if self.signs.of(e) not in (0, 1)]
         positive = [(">", e) for e in map(self.put, case.positive) if self.signs.of(e) != 1]
         return [*slacks, *positive, *(("=", e) for e in map(self.put, case.zero) if e != 0)]

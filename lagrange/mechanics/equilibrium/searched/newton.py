@@ -196,7 +196,7 @@ class NoTapeError(Exception):
 
 @record
 class Arithmetic:
-    """How operations are carried out. They raise ValueError or ArithmeticError where there is no real value."""
+    """The implementation of operations. They raise ValueError or ArithmeticError if there is no real value."""
 
     rational: Callable[[int, int], Number]
     pi: Callable[[], Number]

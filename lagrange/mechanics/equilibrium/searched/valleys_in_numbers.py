@@ -141,7 +141,7 @@ class Valleys:
         return None
 
     def _rises(self, point: RealPoint, s: Stability) -> bool | None:
-        """Whether V has a strict minimum at a point, as far as directions are tried; None: undecided."""
+        """Whether V has a strict minimum at a point in all directions tried; None if undecided."""
         basis = self._valley(point)
         if basis is None:
             return False
